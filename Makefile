@@ -1,0 +1,53 @@
+# What a newcomer runs: `make demo`. What CI runs: `make test` and `make check`. Needs python3, a C compiler and make.
+
+PYTHON ?= python3
+VENV   ?= .venv
+BIN    := $(VENV)/bin
+READY  := $(VENV)/.ready
+MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
+TYPES  := build/types/eigenmotion
+
+.PHONY: demo test check lint types generated regenerate bench clean
+.DELETE_ON_ERROR:
+
+demo: $(READY)
+	$(BIN)/eigenmotion build models/dual_link.py -o build/demo
+	$(BIN)/eigenmotion run models/dual_link.py --t-end 10 --rtol 1e-9 --plot build/demo/dual_link.png
+
+# PYTEST_ARGS="-k name" runs a part
+test: $(READY)
+	$(BIN)/pytest $(PYTEST_ARGS)
+
+check: lint types generated
+
+lint: $(READY)
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+
+# mypy does not follow the package mapping of pyproject.toml: lay the package out with links
+types: $(READY)
+	rm -rf $(TYPES)
+	mkdir -p $(TYPES)
+	ln -s $(CURDIR)/src/eigenmotion/* $(CURDIR)/codegen $(CURDIR)/models $(CURDIR)/templates $(TYPES)
+	$(BIN)/mypy
+
+generated: $(READY)
+	$(BIN)/eigenmotion generate --check --strict --diff $(MODELS)
+
+regenerate: $(READY)
+	$(BIN)/eigenmotion generate $(MODELS)
+
+bench: $(READY)
+	for script in benchmarks/*.py; do echo "== $$script"; $(BIN)/python "$$script" || exit 1; done
+
+clean:
+	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis src/*.egg-info
+	rm -f generated/*.so src/eigenmotion/runtime/core.c src/eigenmotion/runtime/*.so
+	find . -name __pycache__ -prune -exec rm -rf {} +
+
+# The environment, remade when what it is made from changes.
+$(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.pyx src/eigenmotion/runtime/*.pxd) \
+          src/eigenmotion/runtime/include/eigenmotion.h
+	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot]'
+	touch $@

@@ -1,0 +1,60 @@
+"""A text that is the same for the same model, whatever the process, its hash seed or its files."""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass
+from typing import Any
+
+import sympy
+from sympy.core.function import AppliedUndef
+
+
+def canonical_text(record: Any) -> str:
+    """Return one line `field = value` for each field of a dataclass, in the order of the class."""
+    writer = _Writer()
+    return "".join(f"{field.name} = {writer(getattr(record, field.name))}\n" for field in fields(record))
+
+
+class _Writer:
+    """Writes nested tuples, records, numbers and expressions; each shared subexpression is spelled out once."""
+
+    def __init__(self) -> None:
+        self._known: dict[sympy.Basic, str] = {}
+
+    def __call__(self, value: Any) -> str:
+        if isinstance(value, sympy.Basic):
+            return self._expression(value)
+        if isinstance(value, tuple):
+            return f"({', '.join(map(self, value))})"
+        if is_dataclass(value):
+            return self([getattr(value, field.name) for field in fields(value)])
+        if isinstance(value, list):
+            return f"[{', '.join(map(self, value))}]"
+        return repr(value)
+
+    def _expression(self, value: sympy.Basic) -> str:
+        text = self._known.get(value)
+        if text is None:
+            text = self._known[value] = self._spell(value)
+        return text
+
+    def _spell(self, value: sympy.Basic) -> str:
+        if isinstance(value, sympy.Symbol):
+            return f"{value.name!r}{_assumptions(value._assumptions_orig)}"
+        if not value.args:
+            return str(sympy.srepr(value))
+        parts = [self._expression(argument) for argument in value.args]
+        if isinstance(value, sympy.Add | sympy.Mul) and value.is_commutative:
+            parts.sort()
+        return f"{self._head(value)}({', '.join(parts)})"
+
+    @staticmethod
+    def _head(value: sympy.Basic) -> str:
+        if isinstance(value, AppliedUndef):
+            return f"{value.func.__name__!r}{_assumptions(value.func._kwargs)}"
+        return str(value.func.__name__)
+
+
+def _assumptions(given: dict[str, Any]) -> str:
+    stated = ", ".join(f"{name}={given[name]}" for name in sorted(given) if given[name] is not None)
+    return f"[{stated}]" if stated else ""

@@ -1,0 +1,51 @@
+"""The degree of an expression in given symbols, found without multiplying it out where possible."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import sympy
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+
+def has_degree(expression: sympy.Expr, symbols: Iterable[sympy.Expr], degree: int) -> bool:
+    """Say whether an expression is a polynomial of at most this degree in the symbols.
+
+    Products count the sum of the degrees of their factors, an upper bound. Only where that bound exceeds `degree`
+    (terms may cancel) is the expression multiplied out.
+    """
+    held = frozenset(symbols)
+    if _bound(expression, held, {}) <= degree:
+        return True
+    plain = {symbol: sympy.Dummy() for symbol in held}
+    try:
+        polynomial = sympy.Poly(sympy.expand(expression.xreplace(plain)), *plain.values())
+    except sympy.PolynomialError:
+        return False
+    return bool(polynomial.total_degree() <= degree)
+
+
+def _bound(expression: sympy.Expr, symbols: frozenset[sympy.Expr], known: dict[sympy.Expr, float]) -> float:
+    """Return an upper bound of the degree, infinite where the expression need not be a polynomial."""
+    if expression in known:
+        return known[expression]
+    parts = [] if expression in symbols else [_bound(part, symbols, known) for part in expression.args]
+    known[expression] = degree = _combined(expression, parts, expression in symbols)
+    return degree
+
+
+def _combined(expression: sympy.Expr, parts: list[float], is_symbol: bool) -> float:
+    if is_symbol:
+        return 1
+    if isinstance(expression, sympy.Derivative) or not any(parts):
+        return 0
+    if expression.is_Add:
+        return max(parts)
+    if expression.is_Mul:
+        return sum(parts)
+    if expression.is_Pow and expression.exp.is_Integer and expression.exp.is_positive:
+        return parts[0] * int(expression.exp)
+    return math.inf

@@ -1,0 +1,109 @@
+"""From a program to the text of its files, through the templates."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+import jinja2
+from jinja2 import meta
+
+from .program import Program
+
+TEMPLATES = {"h": "model.h.jinja", "c": "model.c.jinja", "pyx": "module.pyx.jinja"}
+BEHIND_THE_STAMP = 3
+"""Lines of a file that its body hash does not cover."""
+
+
+@dataclass(frozen=True, slots=True)
+class SourceFile:
+    """One file: its name and its text."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """The files of one model: NAME.h, NAME.c, NAME.pyx."""
+
+    name: str
+    files: tuple[SourceFile, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Stamp:
+    """What a generated file says of itself: SHA-256 of the model's canonical input, and of what is below the stamp."""
+
+    input_hash: str
+    body_hash: str
+
+
+def emit(program: Program, origin: str, input_hash: str) -> Sources:
+    """Render every file of a program.
+
+    Parameters
+    ----------
+    origin
+        The command that makes these files.
+    input_hash
+        See `Stamp`.
+    """
+    rendered = ((suffix, environment().get_template(template).render(program=program))
+                for suffix, template in TEMPLATES.items())  # fmt: skip
+    stamped = (SourceFile(f"{program.name}.{suffix}", _stamped(suffix, text, origin, input_hash))
+               for suffix, text in rendered)  # fmt: skip
+    return Sources(program.name, tuple(stamped))
+
+
+def _stamped(suffix: str, text: str, origin: str, input_hash: str) -> str:
+    opening, closing = ("# ", "") if suffix == "pyx" else ("/* ", " */")
+    lines = (origin, f"input sha256:{input_hash}", f"body sha256:{_digest(text)}")
+    return "".join(f"{opening}{line}{closing}\n" for line in lines) + text
+
+
+def _digest(text: str) -> str:
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def body_hash(text: str) -> str:
+    """Return the SHA-256 of what is below the stamp of a generated file."""
+    return _digest("".join(text.splitlines(keepends=True)[BEHIND_THE_STAMP:]))
+
+
+def stamp(text: str) -> Stamp:
+    """Read the stamp of a generated file; an empty string stands for what is not there."""
+    lines = (text.splitlines() + [""] * BEHIND_THE_STAMP)[:BEHIND_THE_STAMP]
+    return Stamp(*(_hash_in(line) for line in lines[1:]))
+
+
+def _hash_in(line: str) -> str:
+    _, found, rest = line.partition("sha256:")
+    return rest.split()[0] if found and rest else ""
+
+
+@cache
+def environment() -> jinja2.Environment:
+    """Return the one environment all templates share; a name that is not defined is an error."""
+    return jinja2.Environment(
+        loader=jinja2.FunctionLoader(_load),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+
+
+def _load(name: str) -> str | None:
+    path = files("eigenmotion.templates").joinpath(name)
+    return path.read_text(encoding="utf-8") if path.is_file() else None
+
+
+def undeclared(name: str) -> set[str]:
+    """Return the variables that a template needs to be given."""
+    text = _load(name)
+    assert text is not None, name
+    return meta.find_undeclared_variables(environment().parse(text))

@@ -1,0 +1,226 @@
+"""The model: what the user says about a mechanism, normalised and checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from . import checks
+from .canonical import canonical_text
+from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, t
+
+__all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
+
+Pairs = Mapping[Any, Any] | Sequence[tuple[Any, Any]]
+
+
+def multiplier(row: int) -> sympy.Expr:
+    """Return the symbol of the multiplier of a constraint row, for `outputs`; the force of the row is -A^T lambda (7).
+
+    Parameters
+    ----------
+    row
+        0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model.
+    """
+    if not isinstance(row, int) or row < 0:
+        raise ModelError(f"multiplier({row!r}): the row of a constraint is counted 0, 1, 2, ...")
+    return MULTIPLIER(sympy.Integer(row))
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """A zero crossing: direction 1 upwards, -1 downwards, 0 both; a terminal one ends the run."""
+
+    expression: Any
+    direction: int = 0
+    terminal: bool = False
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "expression", expression(self.expression, "The expression of an event"))
+        if self.direction not in (-1, 0, 1):
+            raise ModelError(f"The direction of an event is 1 (upwards), -1 (downwards) or 0, not {self.direction!r}.")
+
+
+@dataclass(frozen=True, slots=True, init=False)
+class Model:
+    """A mechanism by its energies, forces and constraints. Fields are normalised; mappings are tuples of pairs.
+
+    With n coordinates x_i [u_i], h holonomic and m constraint rows in all:
+
+    name : C and Python identifier, prefix of files and symbols
+    coordinates : (n) x, functions of `t`
+    kinetic_energy : T(x, xdot, t), or T(x, y, t) in the quasi-velocities: T2 + T1 + T0 (4) [J]
+    potential_energy : V(x, t) [J]
+    forces : (n) Q(x, xdot, t, inputs) [J / u_i]
+    holonomic_constraints : (h) phi(x, t), each held at 0; their rows come first
+    nonholonomic_constraints : (m - h) rows A xdot + b (8), each held at 0
+    quasi_velocities : (n) or () pairs y_i, expression linear in xdot: y = P(x) xdot (3)
+    parameters, inputs, initial : pairs symbol, default [float]; what is missing in initial is 0
+    outputs, events : pairs name, expression or Event
+    scales : (n) unit of each coordinate inside the eigenproblem [u_i]
+
+    Raises
+    ------
+    ModelError
+        See `codegen.checks`.
+    """
+
+    name: str
+    coordinates: tuple[sympy.Expr, ...]
+    kinetic_energy: sympy.Expr
+    potential_energy: sympy.Expr
+    forces: tuple[sympy.Expr, ...]
+    holonomic_constraints: tuple[sympy.Expr, ...]
+    nonholonomic_constraints: tuple[sympy.Expr, ...]
+    quasi_velocities: tuple[tuple[sympy.Expr, sympy.Expr], ...]
+    parameters: tuple[tuple[sympy.Symbol, float], ...]
+    inputs: tuple[tuple[sympy.Expr, float], ...]
+    outputs: tuple[tuple[str, sympy.Expr], ...]
+    events: tuple[tuple[str, Event], ...]
+    initial: tuple[tuple[sympy.Expr, float], ...]
+    scales: tuple[float, ...]
+
+    def __init__(
+        self,
+        *,
+        name: str,
+        coordinates: Iterable[sympy.Expr],
+        kinetic_energy: Any,
+        potential_energy: Any = 0,
+        forces: Pairs | Sequence[Any] = (),
+        holonomic_constraints: Iterable[Any] = (),
+        nonholonomic_constraints: Iterable[Any] = (),
+        quasi_velocities: Pairs = (),
+        parameters: Pairs = (),
+        inputs: Pairs = (),
+        outputs: Pairs = (),
+        events: Pairs = (),
+        initial: Pairs = (),
+        scales: Pairs | Sequence[float] = (),
+    ) -> None:
+        given = dict(locals())
+        del given["self"]
+        try:
+            checks.check_name(name)
+            for field, value in _normalised(given).items():
+                object.__setattr__(self, field, value)
+            checks.check(self)
+        except ModelError as error:
+            if str(error).startswith(f"Model {name!r}"):
+                raise
+            raise ModelError(f"Model {name!r}: {error}") from error.__cause__
+
+    @property
+    def n(self) -> int:
+        """Number of coordinates."""
+        return len(self.coordinates)
+
+    @property
+    def h(self) -> int:
+        """Number of holonomic constraint rows."""
+        return len(self.holonomic_constraints)
+
+    @property
+    def m(self) -> int:
+        """Number of constraint rows."""
+        return self.h + len(self.nonholonomic_constraints)
+
+    @property
+    def rates(self) -> tuple[sympy.Expr, ...]:
+        """Velocities xdot : (n) the derivatives of the coordinates."""
+        return tuple(x.diff(t) for x in self.coordinates)
+
+    @property
+    def initial_x(self) -> tuple[float, ...]:
+        """(n) [u_i] coordinates at the start."""
+        known = dict(self.initial)
+        return tuple(known.get(x, 0.0) for x in self.coordinates)
+
+    @property
+    def initial_y(self) -> tuple[float, ...]:
+        """(n) quasi-velocities at the start, or () where `initial` names none."""
+        known = dict(self.initial)
+        given = any(y in known for y, _ in self.quasi_velocities)
+        return tuple(known.get(y, 0.0) for y, _ in self.quasi_velocities) if given else ()
+
+    @property
+    def initial_v(self) -> tuple[float, ...]:
+        """(n) [u_i / s] rates at the start; P^-1 y where `initial` gives quasi-velocities."""
+        if self.initial_y:
+            return checks.solve_rates(self, self.initial_x, self.initial_y)
+        known = dict(self.initial)
+        return tuple(known.get(v, 0.0) for v in self.rates)
+
+    def in_rates(self, given: sympy.Expr) -> sympy.Expr:
+        """Return an expression with the quasi-velocities (3) written in the rates."""
+        if not self.quasi_velocities:
+            return given
+        replacements = {y.diff(t): P_xdot.diff(t) for y, P_xdot in self.quasi_velocities}
+        return given.xreplace(replacements).xreplace(dict(self.quasi_velocities))
+
+    def canonical(self) -> str:
+        """Return a text of everything that defines the model: equal texts, equal generated files."""
+        return canonical_text(self)
+
+
+def _normalised(given: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of a Model from the arguments of its constructor."""
+    coordinates = sequence_of(given["coordinates"], "coordinates")
+    rows = {
+        kind: tuple(expression(row, f"{kind}[{k}]") for k, row in enumerate(sequence_of(given[kind], kind)))
+        for kind in ("holonomic_constraints", "nonholonomic_constraints")
+    }
+    return given | rows | {
+        "coordinates": coordinates,
+        "kinetic_energy": expression(given["kinetic_energy"], "kinetic_energy"),
+        "potential_energy": expression(given["potential_energy"], "potential_energy"),
+        "forces": _forces(given["forces"], coordinates),
+        "quasi_velocities": _expressions(given["quasi_velocities"], "quasi_velocities"),
+        "outputs": _expressions(given["outputs"], "outputs"),
+        "events": tuple((name, _event(entry, name)) for name, entry in pairs_of(given["events"], "events")),
+        "scales": _scales(given["scales"], coordinates),
+        **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
+    }  # fmt: skip
+
+
+def _expressions(given: Any, what: str) -> tuple[tuple[Any, sympy.Expr], ...]:
+    return tuple((key, expression(value, f"{what}[{name_of(key)}]")) for key, value in pairs_of(given, what))
+
+
+def _numbers(given: Any, what: str) -> tuple[tuple[Any, float], ...]:
+    return tuple((key, number(value, f"{what}[{name_of(key)}]")) for key, value in pairs_of(given, what))
+
+
+def _event(given: Any, name: str) -> Event:
+    return given if isinstance(given, Event) else Event(expression(given, f"events[{name}]"))
+
+
+def _forces(given: Any, coordinates: tuple[Any, ...]) -> tuple[sympy.Expr, ...]:
+    if isinstance(given, Mapping):
+        by_coordinate = _by_coordinate(given, coordinates, "forces")
+        return tuple(expression(by_coordinate.get(x, 0), f"forces[{name_of(x)}]") for x in coordinates)
+    entries = sequence_of(given, "forces") or (0,) * len(coordinates)
+    if len(entries) != len(coordinates):
+        raise ModelError(f"forces has {len(entries)} entries for {len(coordinates)} coordinates. Give one for each.")
+    return tuple(expression(entry, f"forces[{name_of(x)}]") for x, entry in zip(coordinates, entries, strict=True))
+
+
+def _scales(given: Any, coordinates: tuple[Any, ...]) -> tuple[float, ...]:
+    if isinstance(given, Mapping):
+        by_coordinate = _by_coordinate(given, coordinates, "scales")
+        return tuple(number(by_coordinate.get(x, 1.0), f"scales[{name_of(x)}]") for x in coordinates)
+    entries = sequence_of(given, "scales") or (1.0,) * len(coordinates)
+    if len(entries) != len(coordinates):
+        raise ModelError(f"scales has {len(entries)} entries for {len(coordinates)} coordinates. Give one for each.")
+    return tuple(number(entry, f"scales[{name_of(x)}]") for x, entry in zip(coordinates, entries, strict=True))
+
+
+def _by_coordinate(given: Mapping[Any, Any], coordinates: tuple[Any, ...], what: str) -> Mapping[Any, Any]:
+    for key in given:
+        if key not in coordinates:
+            hint = nearest(name_of(key), map(name_of, coordinates))
+            raise ModelError(f"{what} has an entry for {key!r}, which is not a coordinate.{hint}")
+    return given

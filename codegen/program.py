@@ -1,0 +1,136 @@
+"""What the templates get: one record of strings, numbers, truth values and tuples."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .printer import Body
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Coordinate k is number `local` of its block; its velocity there is multiplied by `scale` ("" or "2.0*")."""
+
+    k: int
+    local: int
+    scale: str
+
+
+@dataclass(frozen=True, slots=True)
+class BlockView:
+    """A block of M as the templates see it.
+
+    number, size, coordinates, places, names : which coordinates
+    turning, single, fixed : how its eigenfactors come about (one is true)
+    constrained : whether a constraint row holds one of them
+    C, s : places in the state (turning), C_fixed, s_fixed, L_fixed, r_fixed : in the prepared parameters (fixed)
+    L_kept, r_kept : places in the memory of a run
+    """
+
+    number: int
+    size: int
+    coordinates: tuple[int, ...]
+    places: tuple[Place, ...]
+    names: str
+    turning: bool
+    single: bool
+    fixed: bool
+    constrained: bool
+    C: int
+    s: int
+    C_fixed: int
+    s_fixed: int
+    L_fixed: int
+    r_fixed: int
+    L_kept: int
+    r_kept: int
+
+
+@dataclass(frozen=True, slots=True)
+class Slice:
+    """y[start .. start + length) is called name."""
+
+    name: str
+    start: int
+    length: int
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A name with its default value, as C text."""
+
+    name: str
+    value: str
+
+
+@dataclass(frozen=True, slots=True)
+class EventView:
+    """An event's name, direction and whether it ends the run."""
+
+    name: str
+    direction: int
+    terminal: int
+
+
+@dataclass(frozen=True, slots=True)
+class Bodies:
+    """The model-specific straight-line part of each function."""
+
+    prepare: Body
+    mass_matrix: Body
+    mass_matrix_gradient: Body
+    pfaffian: Body
+    position: Body
+    bias: Body
+    energy: Body
+    outputs: Body
+    events: Body
+    published: Body
+    triangular: Body
+    settle: Body
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """Everything that the files of one model say.
+
+    eigenfactor, cholesky, lagrange : which formulation runs (one is true)
+    bounded : whether a triangular root takes over where eigenvalues come close
+    needs_mass : whether velocities follow from the state only with M(x)
+    settles : whether there is anything to do after an accepted step
+    layout : the parts of the state vector
+    costs : operations of the model-specific part and of the whole right-hand side, for readers
+    """
+
+    name: str
+    formulation: str
+    close_eigenvalues: str
+    schur: str
+    eigenfactor: bool
+    cholesky: bool
+    lagrange: bool
+    bounded: bool
+    needs_mass: bool
+    settles: bool
+    n: int
+    m: int
+    h: int
+    n_state: int
+    n_memory: int
+    n_prepared: int
+    n_C: int
+    n_s: int
+    coordinates: tuple[Named, ...]
+    velocities: tuple[str, ...]
+    parameters: tuple[Named, ...]
+    inputs: tuple[Named, ...]
+    outputs: tuple[str, ...]
+    events: tuple[EventView, ...]
+    blocks: tuple[BlockView, ...]
+    block_of: tuple[int, ...]
+    scales: tuple[str, ...]
+    layout: tuple[Slice, ...]
+    left_out: tuple[str, ...]
+    conserves_energy: bool
+    costs: tuple[str, ...]
+    bodies: Bodies

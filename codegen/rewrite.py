@@ -1,0 +1,61 @@
+"""Rebuilding expressions of a graph with some nodes replaced."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from .graph import Graph, Kind, Node
+
+
+class Rewriter:
+    """Gives each node anew after `replacement` had its say; what nothing replaces comes back as it was."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph = graph
+        self._known: dict[Node, Node] = {}
+
+    def replacement(self, node: Node) -> Node | None:
+        """Return what stands for a node, or None to rebuild it from its operands."""
+        raise NotImplementedError(f"{type(self).__name__} must say what it replaces")
+
+    def __call__(self, root: Node) -> Node:
+        """Return root, rebuilt."""
+        for node in self.graph.reachable([root]):
+            if node not in self._known:
+                replaced = self.replacement(node)
+                self._known[node] = self._rebuilt(node) if replaced is None else replaced
+        return self._known[root]
+
+    def _rebuilt(self, node: Node) -> Node:
+        graph, known = self.graph, self._known
+        kind, operands = graph.records[node]
+        if kind in (Kind.NUMBER, Kind.SYMBOL) or all(known[child] == child for child in graph.children(node)):
+            return node
+        if kind is Kind.SUM:
+            return graph.sum((known[child], factor) for child, factor in operands)
+        if kind is Kind.PRODUCT:
+            return graph.product((known[child], power) for child, power in operands)
+        return _folded(graph, operands[0], tuple(known[child] for child in operands[1:]))
+
+
+def _folded(graph: Graph, name: str, operands: tuple[Node, ...]) -> Node:
+    if operands == (graph.zero,):
+        if name in ("sin", "tan", "sinh", "tanh", "asin", "atan", "asinh", "atanh", "erf", "abs", "sign"):
+            return graph.zero
+        if name in ("cos", "cosh", "exp"):
+            return graph.number(Fraction(1))
+    return graph.call(name, *operands)
+
+
+class Substitution(Rewriter):
+    """Replaces symbols by nodes."""
+
+    def __init__(self, graph: Graph, values: Mapping[str, Node]) -> None:
+        super().__init__(graph)
+        self._values = values
+
+    def replacement(self, node: Node) -> Node | None:
+        """Return the value of a symbol that has one."""
+        kind, operands = self.graph.records[node]
+        return self._values.get(operands[0]) if kind is Kind.SYMBOL else None

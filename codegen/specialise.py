@@ -1,0 +1,176 @@
+"""What a scene needs: blocks of the mass matrix, what varies, what is absent, and the state that follows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+import sympy
+
+from .derive import Mechanics
+
+
+class Saving(Enum):
+    """What may be left out of a program. Each can be switched off to compare with the general program."""
+
+    UNCOUPLED = "groups of coordinates that M does not couple get eigenfactors of their own"
+    FIXED = "factors of a constant block are computed once per parameter set"
+    SINGLE = "a block of one coordinate needs no C, and s = sqrt(M_kk(x)) in closed form"
+
+
+ALL_SAVINGS = frozenset(Saving)
+
+
+class Kind(Enum):
+    """How the eigenfactors of a block come about."""
+
+    TURNING = "turning"  # C and s are states
+    SINGLE = "single"  # s = sqrt(M_kk(x)), C = 1
+    FIXED = "fixed"  # computed once per parameter set
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Coordinates that M couples with each other and with no others.
+
+    number : 1, 2, ... as in the names of the generated code
+    coordinates : their indices, increasing
+    constrained : whether a constraint row holds one of them
+    """
+
+    number: int
+    coordinates: tuple[int, ...]
+    kind: Kind
+    constrained: bool
+
+    @property
+    def size(self) -> int:
+        """Number of coordinates."""
+        return len(self.coordinates)
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """A mechanism with what its equations do not need left out.
+
+    scales : (n) units of the coordinates in the eigenproblem
+    left_out : sentences that say what is not there, and why
+    conserves_energy : whether T2 - T0 + V is constant along the motion, judged by the form of the equations
+    """
+
+    mechanics: Mechanics
+    scales: tuple[float, ...]
+    blocks: tuple[Block, ...]
+    left_out: tuple[str, ...]
+    conserves_energy: bool
+
+    @property
+    def n(self) -> int:
+        """Number of coordinates."""
+        return len(self.mechanics.x)
+
+    @property
+    def m(self) -> int:
+        """Number of constraint rows."""
+        return len(self.mechanics.b)
+
+    @property
+    def h(self) -> int:
+        """Number of holonomic rows."""
+        return len(self.mechanics.phi)
+
+    @property
+    def turning(self) -> tuple[Block, ...]:
+        """The blocks that carry C and s as states."""
+        return tuple(block for block in self.blocks if block.kind is Kind.TURNING)
+
+
+def specialise(
+    mechanics: Mechanics, scales: tuple[float, ...] | None = None, savings: frozenset[Saving] = ALL_SAVINGS
+) -> Scene:
+    """Decide from structural zeros what the equations of a mechanism need."""
+    groups = _coupled(mechanics.M) if Saving.UNCOUPLED in savings else [tuple(range(len(mechanics.x)))]
+    blocks = tuple(_block(mechanics, number, group, savings) for number, group in enumerate(groups, 1))
+    return Scene(
+        mechanics=mechanics,
+        scales=scales or (1.0,) * len(mechanics.x),
+        blocks=blocks,
+        left_out=tuple(_left_out(mechanics, blocks)),
+        conserves_energy=_conserves_energy(mechanics),
+    )
+
+
+def _coupled(M: sympy.ImmutableDenseMatrix) -> list[tuple[int, ...]]:
+    """Return the connected components of the graph whose edges are the non-zeros of M, in order of coordinates."""
+    groups: list[set[int]] = []
+    for i in range(M.rows):
+        joined = {i} | {j for j in range(M.cols) if M[i, j] != 0}
+        for group in [group for group in groups if group & joined]:
+            groups.remove(group)
+            joined |= group
+        groups.append(joined)
+    return sorted(tuple(sorted(group)) for group in groups)
+
+
+def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: frozenset[Saving]) -> Block:
+    varying = {*mechanics.x, mechanics.time}
+    M = mechanics.M.extract(list(group), list(group))
+    kind = Kind.TURNING
+    if Saving.FIXED in savings and not M.free_symbols & varying:
+        kind = Kind.FIXED
+    elif Saving.SINGLE in savings and len(group) == 1:
+        kind = Kind.SINGLE
+    constrained = any(mechanics.A[row, k] != 0 for row in range(mechanics.A.rows) for k in group)
+    return Block(number, group, kind, constrained)
+
+
+def _conserves_energy(mechanics: Mechanics) -> bool:
+    """Whether no force does work and nothing depends on the time: then T2 - T0 + V is constant (Jacobi)."""
+    given = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
+    timeless = not any(mechanics.time in expression.free_symbols for expression in given)
+    workless = all(force == 0 for force in mechanics.Q) and all(rate == 0 for rate in mechanics.b)
+    return timeless and workless
+
+
+def _left_out(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str]:
+    return [*_absent_terms(mechanics), *_absent_coordinates(mechanics), *_absent_factors(mechanics, blocks)]
+
+
+def _absent_terms(mechanics: Mechanics) -> list[str]:
+    t, M = mechanics.time, mechanics.M
+    timed = [*M, *mechanics.A, mechanics.V]
+    m = len(mechanics.b)
+    reasons = [
+        (all(g == 0 for g in mechanics.G), "G, Gdot, dG/dx: T has no part linear in the velocities"),
+        (mechanics.T0 == 0, "dT0/dx: T has no part free of velocities"),
+        (mechanics.V == 0, "dV/dx: there is no potential energy"),
+        (all(q == 0 for q in mechanics.Q), "Q: there are no other forces"),
+        (not any(t in e.free_symbols for e in timed), "dM/dt, dA/dt, dV/dt: the time does not occur"),
+        (m == 0, "A, B, Bdot, Delta, lambda: there are no constraints"),
+        (m == 1, "a factor of Delta: one constraint, Delta is a number"),
+        (m > 0 and all(b == 0 for b in mechanics.b), "b, bdot: the constraints are homogeneous in the velocities"),
+    ]
+    return [reason for absent, reason in reasons if absent]
+
+
+def _absent_coordinates(mechanics: Mechanics) -> list[str]:
+    held = mechanics.M.free_symbols
+    absent = [f"dM/d{x}" for x in mechanics.x if x not in held]
+    return [f"{', '.join(absent)}: M does not depend on {'it' if len(absent) == 1 else 'them'}"] if absent else []
+
+
+def _absent_factors(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str]:
+    lines = []
+    if len(blocks) > 1:
+        lines.append("C, mu, Omega across blocks: " + ", ".join(_names(mechanics, b) for b in blocks) + " do not couple")
+    for block in blocks:
+        names = _names(mechanics, block)
+        if block.kind is Kind.FIXED:
+            lines.append(f"C, s, mu, Omega of {names}: this block is constant, factored once per parameter set")
+        elif block.kind is Kind.SINGLE:
+            lines.append(f"C, Omega of {names}: one coordinate, s = sqrt(M) in closed form")
+    return lines
+
+
+def _names(mechanics: Mechanics, block: Block) -> str:
+    return "{" + ", ".join(str(mechanics.x[k]) for k in block.coordinates) + "}"

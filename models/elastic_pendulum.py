@@ -1,0 +1,32 @@
+"""An elastic pendulum: a point mass on a spring that swings.
+
+::
+
+    -----o-----
+         |\\
+         | /  r, natural length L, stiffness k
+         | \\
+       theta O m          | g
+                          v
+
+Coordinates: theta [rad] from the downward vertical, r [m]: units differ.
+
+Oracles: Lagrange equations; high-precision integration.
+"""
+
+from sympy import Rational, cos, pi, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model
+
+theta, r = dynamicsymbols("theta r")
+m, k, g, L = symbols("m k g L", positive=True)
+
+model = Model(
+    name="elastic_pendulum",
+    coordinates=[theta, r],
+    kinetic_energy=Rational(1, 2) * m * (r.diff() ** 2 + r**2 * theta.diff() ** 2),
+    potential_energy=Rational(1, 2) * k * (r - L) ** 2 - m * g * r * cos(theta),
+    parameters={m: 1.0, k: 100.0, g: 9.81, L: 1.0},
+    initial={theta: pi / 6, r: 1.2},
+)

@@ -1,0 +1,39 @@
+"""Lagrange's top: a symmetric top on a fixed point, under gravity.
+
+::
+
+       z |    / 3: figure axis
+         |theta    spin psi
+         |  C  O m
+         |    /
+         |   /  l
+         |  /           | g
+         | /            v
+     ----o----   precession phi about z
+
+Coordinates: phi, theta, psi [rad], Euler angles 3-1-3. J: moment of inertia across the figure axis, at the point;
+J3: along it. Its axis is let go at rest: it falls, turns aside, and comes to rest again.
+
+Oracle: u = cos theta obeys udot^2 = cubic(u), solved by Weierstrass' elliptic function; phi and psi by quadrature;
+steady precession in closed form.
+"""
+
+from sympy import Rational, cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model
+
+phi, theta, psi = dynamicsymbols("phi theta psi")
+m, l, g, J, J3 = symbols("m l g J J3", positive=True)
+
+across = theta.diff() ** 2 + (phi.diff() * sin(theta)) ** 2
+along = psi.diff() + phi.diff() * cos(theta)
+
+model = Model(
+    name="heavy_top",
+    coordinates=[phi, theta, psi],
+    kinetic_energy=Rational(1, 2) * (J * across + J3 * along**2),
+    potential_energy=m * g * l * cos(theta),
+    parameters={m: 1.0, l: 0.2, g: 9.81, J: 0.05, J3: 0.02},
+    initial={theta: 0.6, psi.diff(): 40.0},
+)

@@ -1,0 +1,32 @@
+"""A pendulum: a point mass on a massless rod.
+
+::
+
+    -----o-----
+         |\\
+         | \\  l
+         |  \\
+         theta O m        | g
+                          v
+
+Coordinate: theta [rad], from the downward vertical.
+
+Oracle: Jacobi's elliptic functions.
+"""
+
+from sympy import Rational, cos, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model
+
+theta = dynamicsymbols("theta")
+m, l, g = symbols("m l g", positive=True)
+
+model = Model(
+    name="pendulum",
+    coordinates=[theta],
+    kinetic_energy=Rational(1, 2) * m * (l * theta.diff()) ** 2,
+    potential_energy=-m * g * l * cos(theta),
+    parameters={m: 1.0, l: 1.0, g: 9.81},
+    initial={theta: 2.0},
+)

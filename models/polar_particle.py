@@ -1,0 +1,36 @@
+"""A particle that orbits a centre of attraction, in polar coordinates: Kepler's problem.
+
+::
+
+              . - ~ - .
+          .               O m
+        .           r  /    .
+       .            /        .
+       .        (*)  theta   .-- theta = 0: pericentre
+        .       mu          .
+          .               .
+              ' - . - '
+
+Coordinates: r [m], theta [rad]. It starts at the pericentre of an ellipse of half-axis 1 m and eccentricity 0.9.
+
+Oracle: Kepler's equation.
+"""
+
+from sympy import Rational, sqrt, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model
+
+r, theta = dynamicsymbols("r theta")
+m, mu = symbols("m mu", positive=True)
+eccentricity = Rational(9, 10)
+pericentre = 1 - eccentricity
+
+model = Model(
+    name="polar_particle",
+    coordinates=[r, theta],
+    kinetic_energy=Rational(1, 2) * m * (r.diff() ** 2 + r**2 * theta.diff() ** 2),
+    potential_energy=-mu * m / r,
+    parameters={m: 1.0, mu: 1.0},
+    initial={r: pericentre, theta.diff(): sqrt((1 + eccentricity) / pericentre**3)},
+)

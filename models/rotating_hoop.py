@@ -1,0 +1,34 @@
+"""A bead on a hoop that turns about its vertical diameter at a constant rate: T0.
+
+::
+
+          | Omega
+        . + .
+      .   |   .
+     .    |    .
+     .    +---R.
+      .   |\\  .       | g
+        . |.O m        v
+        theta
+
+Coordinate: theta [rad], from the lowest point.
+
+Oracle: u = cos theta obeys udot^2 = quartic(u), solved by Weierstrass' elliptic function.
+"""
+
+from sympy import Rational, cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model
+
+theta = dynamicsymbols("theta")
+m, R, Omega, g = symbols("m R Omega g", positive=True)
+
+model = Model(
+    name="rotating_hoop",
+    coordinates=[theta],
+    kinetic_energy=Rational(1, 2) * m * R**2 * (theta.diff() ** 2 + (Omega * sin(theta)) ** 2),
+    potential_energy=-m * g * R * cos(theta),
+    parameters={m: 1.0, R: 0.5, Omega: 6.0, g: 9.81},
+    initial={theta: 0.5},
+)

@@ -1,0 +1,34 @@
+"""A mass on two springs in a plate that turns at a constant rate: T1 and T0.
+
+::
+
+        y |   Omega
+          |  <-.
+      k_y z     )
+          z    /
+    ------O-zzzzzz---- x
+          m   k_x
+
+Coordinates: x, y [m], displacements along the turning axes.
+
+Oracle: linear equations with constant coefficients, by the matrix exponential.
+"""
+
+from sympy import Rational, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model
+
+x, y = dynamicsymbols("x y")
+m, k_x, k_y, Omega = symbols("m k_x k_y Omega", positive=True)
+
+inertial_x, inertial_y = x.diff() - Omega * y, y.diff() + Omega * x
+
+model = Model(
+    name="rotating_spring",
+    coordinates=[x, y],
+    kinetic_energy=Rational(1, 2) * m * (inertial_x**2 + inertial_y**2),
+    potential_energy=Rational(1, 2) * (k_x * x**2 + k_y * y**2),
+    parameters={m: 1.0, k_x: 9.0, k_y: 14.0, Omega: 2.0},
+    initial={x: 1.0, y.diff(): 0.5},
+)

@@ -1,0 +1,7 @@
+"""`python -m eigenmotion`."""
+
+import sys
+
+from eigenmotion.cli import main
+
+sys.exit(main())

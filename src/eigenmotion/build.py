@@ -1,0 +1,153 @@
+"""Sources -> extension module -> System, by way of the cache."""
+
+import logging
+import shutil
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from importlib.machinery import ExtensionFileLoader, ModuleSpec
+from importlib.metadata import version
+from importlib.util import module_from_spec
+from os import PathLike
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from threading import Lock
+from types import ModuleType
+
+from .cache import entry, key
+from .codegen.emit import SourceFile, Sources, body_hash
+from .codegen.model import Model
+from .files import write
+from .order import Order, order
+from .system import System
+from .toolchain import EXTENSION_SUFFIX, INCLUDE, BuildError, Toolchain, run, toolchain
+
+_log = logging.getLogger("eigenmotion")
+_loading = Lock()
+
+
+def build(
+    model: Model | str | PathLike[str],
+    *,
+    formulation: str = "eigenfactor",
+    close_eigenvalues: str = "bounded",
+    schur: str = "auto",
+    output: str | PathLike[str] | None = None,
+    compiler: str | None = None,
+    flags: str | None = None,
+) -> System:
+    """Generate, compile and import; what was built before is taken from the cache.
+
+    Parameters
+    ----------
+    model
+        A Model, or the path of a file that defines one.
+    formulation
+        "eigenfactor", "cholesky", "lagrange" or "inverse".
+    close_eigenvalues
+        "bounded" or "extrapolate": what becomes of (32) where eigenvalues meet.
+    schur
+        "auto", "factor" or "eigenfactor": how Delta of (43) is factored.
+    output
+        A folder that gets the sources and the compiled module as well.
+    compiler, flags
+        C compiler and flags after ours; else $CC and $EIGENMOTION_CFLAGS.
+
+    Raises
+    ------
+    ModelError
+        The model has a mistake.
+    BuildError
+        The compiler refused the code; carries its words. CompilerNotFoundError where there is none.
+    """
+    wanted = order(model, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
+    return load(make(wanted, toolchain(compiler, flags), None if output is None else Path(output)))
+
+
+def make(wanted: Order, tools: Toolchain, output: Path | None = None) -> Path:
+    """Generate and compile, or find both in the cache; return the extension module in the cache.
+
+    Where `output` is given, that folder gets the sources and the module, once both are there.
+    """
+    sources = cached_sources(wanted)
+    binary = compiled(sources, tools)
+    if output is not None:
+        for file in sources.files:
+            write(output / file.name, file.text.encode())
+        write(output / binary.name, binary.read_bytes())
+    return binary
+
+
+def cached_sources(wanted: Order) -> Sources:
+    """Return the sources of an order, derived unless the same generator did so before."""
+    folder = entry("sources", wanted.question, lambda folder: _generate(wanted, folder))
+    files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
+    return Sources(wanted.model.name, files)
+
+
+def compiled(sources: Sources, tools: Toolchain) -> Path:
+    """Return the path of the extension module made of `sources`."""
+    bodies = [body_hash(file.text) for file in sources.files]
+    name = key(sources.name, *bodies, _abi(), tools.identity, _python())
+    folder = entry("binaries", name, lambda folder: _compile(sources, tools, folder))
+    return folder / f"{sources.name}{EXTENSION_SUFFIX}"
+
+
+def load(binary: Path) -> System:
+    """Import the extension module at `binary`, once a process, and return its `system`."""
+    stem = binary.name.removesuffix(EXTENSION_SUFFIX)
+    name = f"_eigenmotion_{binary.parent.name}.{stem}"
+    with _loading:
+        system: object = (sys.modules.get(name) or _import(name, binary)).system
+    if not isinstance(system, System):
+        raise BuildError(f"{binary}: `system` is a {type(system).__name__}, not a System")
+    return system
+
+
+def _import(name: str, binary: Path) -> ModuleType:
+    loader = ExtensionFileLoader(name, str(binary))
+    spec = ModuleSpec(name, loader, origin=str(binary))
+    module = module_from_spec(spec)
+    loader.exec_module(module)
+    sys.modules[name] = module
+    return module
+
+
+def _generate(wanted: Order, folder: Path) -> None:
+    _log.info("deriving %s", wanted.model.name)
+    for file in wanted.sources().files:
+        (folder / file.name).write_text(file.text, encoding="utf-8")
+
+
+def _compile(sources: Sources, tools: Toolchain, folder: Path) -> None:
+    """Compile in a folder of its own, for compilers leave files about, and keep the module only."""
+    _log.info("compiling %s", sources.name)
+    with TemporaryDirectory(prefix="eigenmotion-") as place:
+        work = Path(place)
+        for file in sources.files:
+            (work / file.name).write_text(file.text, encoding="utf-8")
+        _compile_in(work, sources.name, tools)
+        module = f"{sources.name}{EXTENSION_SUFFIX}"
+        shutil.copyfile(work / module, folder / module)
+
+
+def _compile_in(work: Path, name: str, tools: Toolchain) -> None:
+    """NAME.c, and beside it NAME.pyx -> NAME_module.c (Cython would put it onto NAME.c), into one module."""
+    glue = f"{name}_module"
+    with ThreadPoolExecutor(max_workers=1) as pool:
+        model = pool.submit(tools.compile_model, work, name)
+        run((sys.executable, "-P", "-m", "cython", "-3", "--module-name", name, f"{name}.pyx", "-o", f"{glue}.c"), work)
+        tools.compile_glue(work, glue)
+        model.result()
+    tools.link(work, (name, glue), name)
+
+
+@cache
+def _abi() -> str:
+    """Hash of the headers that are compiled in."""
+    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.h"))))
+
+
+def _python() -> str:
+    """Interpreter and libraries whose binary interfaces the module uses."""
+    return key(sys.version, EXTENSION_SUFFIX, version("cython"), version("numpy"))

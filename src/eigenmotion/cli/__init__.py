@@ -1,0 +1,103 @@
+"""The command line: `eigenmotion COMMAND ...`, and what its exit codes mean."""
+
+import logging
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from importlib import import_module
+
+import click
+
+import eigenmotion as em
+
+COMMANDS = {
+    "generate": "Write the C, header and Cython sources of models, or check them.",
+    "build": "Generate, then compile the importable module beside the sources.",
+    "explain": "Say what the generated code carries, and what it leaves out and why.",
+    "run": "Simulate a model; print a summary, draw it, save it.",
+}
+DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
+
+EPILOG = """\b
+Exit codes:
+  0    done, or nothing differs
+  1    --check found a difference
+  2    a mistake in the call or the model, or a run that ended early (says why)
+  3    the compiler or the program itself failed
+  130  interrupted
+
+EIGENMOTION_CACHE, EIGENMOTION_CFLAGS and CC choose the cache's folder, more compiler flags and the compiler;
+EIGENMOTION_DEBUG=1 shows tracebacks."""
+
+
+class Commands(click.Group):
+    """Commands whose modules are imported when they are called, not when they are listed."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in COMMANDS:
+            return None
+        command: object = import_module(f".{cmd_name}", __name__).command
+        return command if isinstance(command, click.Command) else None
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+@click.command(cls=Commands, epilog=EPILOG, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(package_name="eigenmotion")
+def program() -> None:
+    """Compile mechanisms, written down as energies in SymPy, to C, and simulate them."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code."""
+    _report_progress()
+    try:
+        code: object = program.main(arguments, prog_name="eigenmotion", standalone_mode=False)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE
+    except (click.Abort, KeyboardInterrupt):
+        click.echo("interrupted", err=True)
+        return INTERRUPTED
+    except Exception as error:
+        return _failed(error)
+    return code if isinstance(code, int) else DONE
+
+
+def _report_progress() -> None:
+    """Tell what takes long, where somebody is watching."""
+    log = logging.getLogger("eigenmotion")
+    if sys.stderr.isatty() and not log.handlers:
+        log.addHandler(logging.StreamHandler())
+        log.setLevel(logging.INFO)
+
+
+def _failed(error: Exception) -> int:
+    if os.environ.get("EIGENMOTION_DEBUG") == "1":
+        traceback.print_exception(error)
+    elif isinstance(error, click.ClickException):
+        error.show()
+    else:
+        click.echo(f"error: {_words(error)}", err=True)
+    return _exit_code(error)
+
+
+def _exit_code(error: Exception) -> int:
+    if isinstance(error, click.ClickException | OSError):
+        return MISTAKE
+    if isinstance(error, em.BuildError):  # before ModelError: a missing compiler is both
+        return FAILURE
+    return MISTAKE if isinstance(error, em.ModelError) else FAILURE
+
+
+def _words(error: Exception) -> str:
+    if isinstance(error, em.BuildError | em.ModelError | OSError):
+        return str(error)
+    return f"{type(error).__name__}: {error} (internal; EIGENMOTION_DEBUG=1 shows where)"

@@ -1,0 +1,27 @@
+"""`eigenmotion build`."""
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.build import make
+from eigenmotion.toolchain import toolchain
+
+from .options import Shape, distinct, models, output, shaping
+
+
+@click.command("build")
+@models
+@output
+@shaping
+def command(models: tuple[Path, ...], output: Path, **shape: Any) -> None:
+    """Write the sources of each MODEL and, beside them, the compiled module.
+
+    `from generated import NAME` imports it from the folder that holds `generated`; `NAME.system` is its System.
+    A compiled module serves this Python on this kind of processor: commit the sources, not the module.
+    """
+    orders = distinct([Shape(**shape).order(model) for model in models])
+    tools = toolchain()
+    for order in orders:
+        click.echo(f"built {output / make(order, tools, output).name}")

@@ -1,0 +1,61 @@
+"""`eigenmotion generate`."""
+
+import logging
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.checking import compared, stamped, unified
+from eigenmotion.codegen.emit import Sources
+from eigenmotion.files import write
+from eigenmotion.order import Order
+
+from .options import Shape, distinct, models, output, shaping
+
+_log = logging.getLogger("eigenmotion")
+
+
+@click.command("generate")
+@models
+@output
+@shaping
+@click.option("--check", is_flag=True, help="Write nothing; exit code 1 if a file is not as it should be.")
+@click.option("--strict", is_flag=True, help="--check by deriving again and comparing bytes.")
+@click.option("--diff", is_flag=True, help="Write nothing; show what would change.")
+def command(models: tuple[Path, ...], output: Path, check: bool, strict: bool, diff: bool, **shape: Any) -> int:
+    """Write the C, header and Cython sources of each MODEL, a Python file that defines `model`.
+
+    --check compares hashes that the files' headers hold, so it finds an edited model and an edited file at once;
+    --strict derives again and compares bytes, so it finds a changed generator too. --diff adds a unified diff; without
+    --check its exit code is 0.
+    """
+    orders = distinct([Shape(**shape).order(model) for model in models])
+    if not (check or strict or diff):
+        for order in orders:
+            _write(_derived(order), output)
+        return 0
+    differs = [_check(order, output, strict or not check, diff) for order in orders]
+    return int(any(differs) and (check or strict))
+
+
+def _write(sources: Sources, folder: Path) -> None:
+    for file in sources.files:
+        new = write(folder / file.name, file.text.encode())
+        click.echo(f"{'wrote' if new else 'same '} {folder / file.name}")
+
+
+def _check(order: Order, folder: Path, derive: bool, diff: bool) -> bool:
+    """Report what is wrong with one model's files; True where something is."""
+    sources = _derived(order) if derive else None
+    differences = compared(sources, folder) if sources else stamped(order, folder)
+    for difference in differences:
+        click.echo(f"{difference.file}: {difference.reason}", err=True)
+    if diff and differences:
+        click.echo(unified(sources or _derived(order), folder), nl=False)
+    return bool(differences)
+
+
+def _derived(order: Order) -> Sources:
+    _log.info("deriving %s", order.model.name)
+    return order.sources()

@@ -1,0 +1,86 @@
+"""Arguments and options that commands share."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+from eigenmotion.order import Order, order
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """The options that shape generated code."""
+
+    define: tuple[str, ...]
+    formulation: str
+    close_eigenvalues: str
+    schur: str
+
+    def order(self, model: Path) -> Order:
+        """Order the code of the model in a file."""
+        return order(
+            model,
+            assignments(self.define, "-D"),
+            formulation=self.formulation,
+            close_eigenvalues=self.close_eigenvalues,
+            schur=self.schur,
+        )
+
+
+def shaping(command: Command) -> Command:
+    """Add the options of `Shape`."""
+    for option in (
+        click.option("--schur", type=click.Choice(["auto", "factor", "eigenfactor"]), default="auto", show_default=True,
+                     help="How Delta, of the constraints, is factored."),
+        click.option("--close-eigenvalues", type=click.Choice(["bounded", "extrapolate"]), default="bounded",
+                     show_default=True, help="Where eigenvalues of M meet: ours, or the paper's."),
+        click.option("--formulation", type=click.Choice(FORMULATIONS), default="eigenfactor", show_default=True,
+                     help="Which equations of motion."),
+        click.option("-D", "define", multiple=True, metavar="NAME=VALUE",
+                     help="Set an argument of the model's function."),
+    ):  # fmt: skip
+        command = option(command)
+    return command
+
+
+def models(command: Command) -> Command:
+    """Add the argument MODEL..."""
+    path = click.Path(path_type=Path)
+    return click.argument("models", metavar="MODEL...", nargs=-1, required=True, type=path)(command)
+
+
+def model(command: Command) -> Command:
+    """Add the argument MODEL."""
+    return click.argument("model", metavar="MODEL", type=click.Path(path_type=Path))(command)
+
+
+def output(command: Command) -> Command:
+    """Add -o."""
+    option = click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path("generated"),
+                          show_default=True, help="Folder of the generated files.")  # fmt: skip
+    return option(command)
+
+
+def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
+    """NAME=VALUE ... -> mapping; of two of one name the last holds."""
+    for text in texts:
+        name, equals, value = text.partition("=")
+        if not (name.strip() and equals and value.strip()):
+            raise click.UsageError(f"{option} {text}: expected NAME=VALUE")
+    return {name.strip(): value.strip() for name, _, value in (text.partition("=") for text in texts)}
+
+
+def distinct(orders: list[Order]) -> list[Order]:
+    """Refuse two models of one name: the files of one would replace those of the other."""
+    names = [order.model.name for order in orders]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise click.UsageError(f"more than one model is named {', '.join(twice)}; generate them to different folders")
+    return orders

@@ -1,0 +1,135 @@
+"""What a run is asked to do, checked before it starts."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .codegen.model import ModelError
+from .names import Vector, overlay, unknown
+from .runtime import CompiledModel, Prepared
+from .signals import Inputs
+
+DEFAULT_ATOL = 1e-9
+
+
+class OptionError(ModelError, TypeError):
+    """An option that `simulate` does not know: a TypeError as Python's own, and a ValueError as every other mistake."""
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """One run.
+
+    y : (n_state,), published meaning, at t_start
+    atol : (n,), of x_k [u_k] and of its velocity [u_k / s]
+    t_eval : (k,) in the direction of time, or None: a row for every accepted step
+    first_step : 0 where it is chosen
+    """
+
+    model: CompiledModel
+    prepared: Prepared
+    inputs: Inputs
+    t_start: float
+    t_end: float
+    y: Vector
+    rtol: float
+    atol: Vector
+    t_eval: Vector | None
+    dense: bool
+    first_step: float
+    max_step: float
+    max_steps: int
+    project: bool
+    least_norm: bool
+
+
+def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
+    """Return what a word stands for, whatever its case.
+
+    Raises
+    ------
+    ModelError
+        Not one of the known words; lists them.
+    """
+    word = str(given).lower()
+    if word not in known:
+        raise ModelError(unknown(what, [str(given)], tuple(known)))
+    return known[word]
+
+
+def least_norm_of(dependent_constraints: str) -> bool:
+    """Whether dependent constraint rows get multipliers of least norm."""
+    chosen: bool = choice(dependent_constraints, {"refuse": False, "least_norm": True}, "dependent_constraints")
+    return chosen
+
+
+def span(t_span: tuple[float, float]) -> tuple[float, float]:
+    """Return start and end: two different finite numbers."""
+    try:
+        start, end = (float(t) for t in t_span)
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"t_span is {t_span!r}, not a pair of numbers (start, end)") from error
+    if not (np.isfinite(start) and np.isfinite(end)):
+        raise ModelError(f"t_span ({start}, {end}) is not finite")
+    if start == end:
+        raise ModelError(f"t_span ({start}, {end}) is empty: give an end that differs from the start")
+    return start, end
+
+
+def rows_at(t_eval: ArrayLike | None, start: float, end: float) -> Vector | None:
+    """Return t_eval (k,), strictly sorted in the direction of time and inside the span."""
+    if t_eval is None:
+        return None
+    times = np.array(t_eval, dtype=np.float64)
+    if times.ndim != 1:
+        raise ModelError(f"t_eval has shape {times.shape}, but must be one-dimensional")
+    if not np.isfinite(times).all():
+        raise ModelError("t_eval holds a number that is not finite")
+    outside = times[(times < min(start, end)) | (times > max(start, end))]
+    if outside.size:
+        raise ModelError(f"t_eval: {outside[0]:.9g} is outside t_span ({start:g}, {end:g})")
+    if not (np.diff(times) * np.sign(end - start) > 0).all():
+        way = "increase" if end > start else "decrease"
+        raise ModelError(f"t_eval must {way} strictly, as t_span runs from {start:g} to {end:g}")
+    return times
+
+
+def tolerances(
+    model: CompiledModel, rtol: float, atol: float | Mapping[Any, float] | ArrayLike
+) -> tuple[float, Vector]:
+    """Return rtol and atol (n,); coordinates missing from a mapping get 1e-9."""
+    given = atol if isinstance(atol, Mapping) or np.ndim(atol) else np.full(model.n, _number(atol, "atol"))
+    absolute = overlay(given, model.coordinates, np.full(model.n, DEFAULT_ATOL), "coordinate of atol")
+    relative = _number(rtol, "rtol")
+    if not (0 <= relative < 1):
+        raise ModelError(f"rtol is {relative}, but must be at least 0 and less than 1")
+    if (absolute < 0).any():
+        name = model.coordinates[int(np.argmin(absolute))]
+        raise ModelError(f"atol of {name!r} is {absolute.min()}, but must not be negative")
+    if relative == 0 and (absolute == 0).any():
+        name = model.coordinates[int(np.argmin(absolute))]
+        raise ModelError(f"rtol and the atol of {name!r} are both 0: no step can be that accurate")
+    return relative, absolute
+
+
+def step_limits(first_step: float | None, max_step: float, max_steps: int, length: float) -> tuple[float, float, int]:
+    """Return first_step (0: chosen), max_step and max_steps."""
+    first = 0.0 if first_step is None else _number(first_step, "first_step")
+    if first_step is not None and not (0 < first <= length):
+        raise ModelError(f"first_step is {first}, but must be above 0 and at most the length of t_span, {length:g}")
+    longest = _number(max_step, "max_step")
+    if not longest > 0:
+        raise ModelError(f"max_step is {longest}, but must be above 0")
+    if isinstance(max_steps, bool) or int(max_steps) != max_steps or max_steps < 1:
+        raise ModelError(f"max_steps is {max_steps!r}, but must be a whole number of at least 1")
+    return first, longest, int(max_steps)
+
+
+def _number(value: Any, what: str) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError) as error:
+        raise ModelError(f"{what} is {value!r}, not a number") from error

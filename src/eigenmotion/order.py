@@ -1,0 +1,106 @@
+"""What to generate: a model, the options that shape its code, and the command that a header states."""
+
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from os import PathLike
+from pathlib import Path
+
+import sympy
+
+from .cache import key
+from .codegen.compiler import explain, generate, input_hash
+from .codegen.emit import Sources
+from .codegen.model import Model
+from .loading import load_model
+
+SUFFIXES = (".h", ".c", ".pyx")
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """One model and the options of its generated code; `origin` is the command its headers name."""
+
+    model: Model
+    formulation: str = "eigenfactor"
+    close_eigenvalues: str = "bounded"
+    schur: str = "auto"
+    origin: str = ""
+
+    @property
+    def input_hash(self) -> str:
+        """Hash of all that the generated code depends on but the generator itself."""
+        return input_hash(
+            self.model, formulation=self.formulation, close_eigenvalues=self.close_eigenvalues, schur=self.schur
+        )
+
+    @property
+    def question(self) -> str:
+        """Hash of all that the generated text depends on, the generator included."""
+        return key(self.input_hash, self.origin, generator())
+
+    def sources(self) -> Sources:
+        """Derive and render."""
+        return generate(
+            self.model,
+            formulation=self.formulation,
+            close_eigenvalues=self.close_eigenvalues,
+            schur=self.schur,
+            origin=self.origin,
+        )
+
+    def explanation(self) -> str:
+        """Say in words what the generated code carries and what it left out."""
+        return explain(
+            self.model, formulation=self.formulation, close_eigenvalues=self.close_eigenvalues, schur=self.schur
+        )
+
+    @property
+    def file_names(self) -> tuple[str, ...]:
+        """Names of the generated files, known without generating them."""
+        return tuple(self.model.name + suffix for suffix in SUFFIXES)
+
+
+def order(
+    source: Model | str | PathLike[str],
+    definitions: dict[str, str] | None = None,
+    *,
+    formulation: str = "eigenfactor",
+    close_eigenvalues: str = "bounded",
+    schur: str = "auto",
+) -> Order:
+    """Order the code of a model, or of the model that the file `source` defines.
+
+    Raises
+    ------
+    ModelError
+        The file or the model has a mistake.
+    """
+    options = {"formulation": formulation, "close_eigenvalues": close_eigenvalues, "schur": schur}
+    if isinstance(source, Model):
+        return Order(source, **options)
+    given = definitions or {}
+    return Order(load_model(source, **given), **options, origin=_command(Path(source).name, given, options))
+
+
+def _command(file: str, definitions: dict[str, str], options: dict[str, str]) -> str:
+    """Write the command that generates these files, without what it takes by default and without folders."""
+    defaults = Order.__dataclass_fields__
+    words = ["eigenmotion", "generate", file]
+    words += [f"-D {name}={value}" for name, value in sorted(definitions.items())]
+    chosen = {name: value for name, value in options.items() if value != defaults[name].default}
+    words += [f"--{name.replace('_', '-')} {value}" for name, value in chosen.items()]
+    return " ".join(words)
+
+
+@cache
+def generator() -> str:
+    """Hash of the generator: its Python, its templates, and SymPy's version."""
+    texts = [text for package in ("eigenmotion.codegen", "eigenmotion.templates") for text in _texts(files(package))]
+    return key(sympy.__version__, *texts)
+
+
+def _texts(folder: Traversable) -> list[bytes]:
+    chosen = [file for file in folder.iterdir() if file.name.endswith((".py", ".jinja"))]
+    return [file.read_bytes() for file in sorted(chosen, key=lambda file: file.name)]

@@ -1,0 +1,127 @@
+# The ABI of include/eigenmotion.h, as core.pyx sees it.
+
+cdef extern from "eigenmotion.h" nogil:
+    const int EM_ABI
+    const int EM_DENSE_COEFFICIENTS
+
+    ctypedef enum em_status:
+        EM_FINISHED
+        EM_OUT_OF_MEMORY
+
+    ctypedef struct em_fault:
+        em_status status
+        int first
+        int second
+        double size
+
+    ctypedef struct em_slice:
+        const char *name
+        int start
+        int length
+
+    ctypedef enum em_signal_kind:
+        EM_CONSTANT
+
+    ctypedef struct em_signal:
+        em_signal_kind kind
+        size_t count
+        const double *times
+        const double *values
+
+    ctypedef enum em_method:
+        EM_RK34
+
+    ctypedef struct em_rows:
+        size_t count
+        size_t width
+        double *t
+        double *y
+
+    ctypedef struct em_dense_step:
+        double t
+        double h
+
+    ctypedef struct em_run:
+        double t_start
+        double t_end
+        const double *y_start
+        const double *prepared
+        const em_signal *inputs
+        em_method method
+        double rtol
+        const double *atol
+        double first_step
+        double max_step
+        long max_steps
+        int stabilise
+        int least_norm
+        int dense
+        const double *t_eval
+        size_t n_t_eval
+        const int *event_direction
+        const int *event_terminal
+        int (*poll)(void *) noexcept nogil
+        void *poll_argument
+        em_fault fault
+        em_rows rows
+        em_rows *events
+        em_dense_step *dense_steps
+        size_t n_dense
+        long n_rhs
+        long n_steps
+        long n_rejected
+        long n_bounded
+        double t_reached
+        const em_model *model
+
+    ctypedef struct em_model:
+        int abi
+        const char *name
+        const char *formulation
+        const char *close_eigenvalues
+        const char *schur
+        int n
+        int m
+        int h
+        int n_state
+        int n_parameters
+        int n_prepared
+        int n_inputs
+        int n_outputs
+        int n_events
+        int n_layout
+        int n_left_out
+        const char *const *coordinates
+        const char *const *parameters
+        const double *parameter_defaults
+        const char *const *inputs
+        const double *input_defaults
+        const double *initial_x
+        const double *initial_v
+        const char *const *outputs
+        const char *const *events
+        const int *event_direction
+        const int *event_terminal
+        const em_slice *layout
+        const char *const *left_out
+        const int *block
+        const double *scales
+        int conserves_energy
+        int (*prepare)(const double *, double *, em_fault *) noexcept nogil
+        int (*state)(double, const double *, const double *, const double *, double *, em_fault *) noexcept nogil
+        int (*velocity)(double, const double *, const double *, double *, em_fault *) noexcept nogil
+        int (*rhs)(double, const double *, const double *, const double *, double *, em_fault *) noexcept nogil
+        void (*mass_matrix)(double, const double *, const double *, double *) noexcept nogil
+        void (*mass_matrix_gradient)(double, const double *, const double *, double *) noexcept nogil
+        void (*pfaffian)(double, const double *, const double *, double *, double *) noexcept nogil
+        void (*position)(double, const double *, const double *, double *) noexcept nogil
+        int (*acceleration)(double, const double *, const double *, const double *, const double *, int,
+                            double *, double *, em_fault *) noexcept nogil
+        int (*project)(double, double *, double *, const double *, int, em_fault *) noexcept nogil
+        void (*energy)(double, const double *, const double *, const double *, double *) noexcept nogil
+        int (*eigenfactors)(double, const double *, const double *, double *, double *, em_fault *) noexcept nogil
+        int (*output)(double, const double *, const double *, const double *, const double *, int,
+                      double *, em_fault *) noexcept nogil
+        int (*simulate)(em_run *) noexcept nogil
+        int (*interpolate)(const em_run *, size_t, double, double *) noexcept nogil
+        void (*release)(em_run *) noexcept nogil

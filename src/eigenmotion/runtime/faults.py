@@ -1,0 +1,99 @@
+"""How a call or a run ended, and what to do about it, in words."""
+
+from collections.abc import Sequence
+from enum import StrEnum
+from math import isfinite
+
+
+class StopReason(StrEnum):
+    """Why a simulation ended. In the order of `em_status` (eigenmotion.h); all but the first two are failures."""
+
+    FINISHED = "finished"
+    TERMINAL_EVENT = "terminal event"
+    STEP_SIZE_UNDERFLOW = "step size underflow"
+    TOO_MANY_STEPS = "too many steps"
+    NON_FINITE_STATE = "non-finite state"
+    SINGULAR_MASS_MATRIX = "singular mass matrix"
+    DEPENDENT_CONSTRAINTS = "dependent constraints"
+    COINCIDENT_EIGENVALUES = "coincident eigenvalues"
+    POSITION_NOT_REACHED = "position not reached"
+    INTERRUPTED = "interrupted"
+    OUT_OF_MEMORY = "out of memory"
+
+    @property
+    def success(self) -> bool:
+        """Whether the run did all that was asked of it."""
+        return self in (StopReason.FINISHED, StopReason.TERMINAL_EVENT)
+
+
+class EvaluationError(ArithmeticError, ValueError):
+    """A compiled function has no value at its arguments.
+
+    Attributes
+    ----------
+    stop
+        The kind of failure, as a run would report it.
+    """
+
+    def __init__(self, message: str, stop: StopReason) -> None:
+        super().__init__(message)
+        self.stop = stop
+
+    def __reduce__(self) -> tuple[type["EvaluationError"], tuple[str, StopReason]]:
+        return type(self), (str(self), self.stop)
+
+
+_REMEDY = {
+    StopReason.FINISHED: "The end of t_span was reached.",
+    StopReason.TERMINAL_EVENT: "A terminal event ended the run.",
+    StopReason.STEP_SIZE_UNDERFLOW: (
+        "The step size fell below the spacing of numbers. Look for a singularity or a jump near this time; "
+        "if there is none, loosen rtol and atol, or use a stiff method (Radau, BDF)."
+    ),
+    StopReason.TOO_MANY_STEPS: "The step limit was reached. Raise max_steps, or loosen rtol and atol.",
+    StopReason.NON_FINITE_STATE: (
+        "The state or its rate is not finite. Look for a division by zero or a domain error in the energies, "
+        "forces or inputs near this time, or lower max_step."
+    ),
+    StopReason.SINGULAR_MASS_MATRIX: (
+        "The mass matrix is not positive definite at coordinate {first}. "
+        "Give it inertia (check the parameters in its kinetic energy), leave it out, or choose coordinates "
+        "that are regular there (Euler angles are not everywhere)."
+    ),
+    StopReason.DEPENDENT_CONSTRAINTS: (
+        "Constraint row {row} depends on those before it. Remove it, or, where the rows are consistent, "
+        'pass dependent_constraints="least_norm".'
+    ),
+    StopReason.COINCIDENT_EIGENVALUES: (
+        "Two eigenvalues of the mass matrix coincide, in the block of {first} and {second}: the published right-hand "
+        'side does not exist there. Use simulate(), or build with formulation="cholesky" or "lagrange".'
+    ),
+    StopReason.POSITION_NOT_REACHED: (
+        "Newton's method did not bring holonomic constraint row {row} to zero. "
+        "Start closer to a consistent position, or check that the constraints can be met together."
+    ),
+    StopReason.INTERRUPTED: "The run was interrupted; the result holds what was computed up to there.",
+    StopReason.OUT_OF_MEMORY: "Memory ran out. Use t_eval to keep fewer rows, or dense_output=False.",
+}
+
+
+def explain(
+    stop: StopReason, coordinates: Sequence[str], first: int = -1, second: int = -1, size: float = float("nan")
+) -> str:
+    """Say what happened, where, by name, and what to do.
+
+    Parameters
+    ----------
+    coordinates
+        (n) names of the coordinates.
+    first, second
+        Coordinates or constraint rows, as `em_fault` has them; -1: none.
+    size
+        The pivot, gap or residual at fault.
+    """
+
+    def name(k: int) -> str:
+        return f"'{coordinates[k]}'" if 0 <= k < len(coordinates) else "(unknown)"
+
+    text = _REMEDY[stop].format(first=name(first), second=name(second), row=f"{first} (counted from 0)")
+    return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

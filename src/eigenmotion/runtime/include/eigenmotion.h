@@ -1,0 +1,150 @@
+/* eigenmotion.h: the one contract between generated code, its steppers and whoever calls them.
+ *
+ * A generated NAME.c defines one constant, `const em_model NAME_model`. Everything a caller needs hangs on it:
+ * dimensions, names, defaults and functions. No function keeps state between calls; all memory is the caller's or
+ * belongs to an em_run. All matrices are row-major. Plain C11, no Python.
+ */
+#ifndef EIGENMOTION_H
+#define EIGENMOTION_H
+
+#include <stddef.h>
+
+#define EM_ABI 1 /* changes whenever anything in this file changes its meaning */
+
+/* How a call or a run ended. Every value but the first two names a failure. */
+typedef enum em_status {
+    EM_FINISHED = 0,
+    EM_TERMINAL_EVENT,
+    EM_STEP_SIZE_UNDERFLOW,
+    EM_TOO_MANY_STEPS,
+    EM_NON_FINITE_STATE,
+    EM_SINGULAR_MASS_MATRIX,      /* fault.first: the coordinate whose pivot vanished */
+    EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it */
+    EM_COINCIDENT_EIGENVALUES,    /* fault.first, fault.second: coordinates of the block */
+    EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
+    EM_INTERRUPTED,
+    EM_OUT_OF_MEMORY
+} em_status;
+
+/* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
+typedef struct em_fault {
+    em_status status;
+    int first, second;
+    double size; /* the pivot, gap or residual that was too small or too large */
+} em_fault;
+
+/* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
+typedef struct em_slice {
+    const char *name;
+    int start, length;
+} em_slice;
+
+/* One run-time signal u_i(t). count = 0 with values[0]: constant. */
+typedef enum em_signal_kind { EM_CONSTANT = 0, EM_HOLD, EM_LINEAR, EM_CUBIC } em_signal_kind;
+typedef struct em_signal {
+    em_signal_kind kind;
+    size_t count;              /* samples */
+    const double *times;       /* (count), increasing */
+    const double *values;      /* (count); EM_CUBIC: (count - 1, 4) coefficients, highest power first, local time */
+} em_signal;
+
+typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853 } em_method;
+
+enum { EM_DENSE_COEFFICIENTS = 8 }; /* rows a dense step stores at the most, each (n_state) */
+
+/* A growing table: one time and `width` numbers a row. Owned by the run; em_release frees it. */
+typedef struct em_rows {
+    size_t count, capacity, width;
+    double *t;
+    double *y; /* (capacity, width) */
+} em_rows;
+
+/* One accepted step kept for dense output: t in [t, t + h], coefficients in the run's dense table. */
+typedef struct em_dense_step {
+    double t, h;
+    int mode;
+} em_dense_step;
+
+struct em_model;
+
+/* One simulation. The caller fills the first part (zero the whole struct before), em_model.simulate the second;
+ * em_release(run) frees what simulate allocated. */
+typedef struct em_run {
+    /* --- what to do --- */
+    double t_start, t_end;
+    const double *y_start;       /* (n_state), published meaning */
+    const double *prepared;      /* (n_prepared), from em_model.prepare */
+    const em_signal *inputs;     /* (n_inputs) or NULL */
+    em_method method;
+    double rtol;
+    const double *atol;          /* (n): of x_k [u_k] and of its velocity [u_k / s] */
+    double first_step;           /* 0: chosen */
+    double max_step;             /* INFINITY: none */
+    long max_steps;
+    int stabilise;               /* 1 "project", 0 "none" */
+    int least_norm;              /* 1: dependent rows get multipliers of least norm, 0: they are a fault */
+    int dense;                   /* 1: keep every step's interpolant */
+    const double *t_eval;        /* (n_t_eval) in the direction of time, or NULL: a row for every accepted step */
+    size_t n_t_eval;
+    const int *event_direction;  /* (n_events) -1, 0, 1 */
+    const int *event_terminal;   /* (n_events) */
+    int (*poll)(void *);         /* called about every 20 ms; non-zero ends the run as EM_INTERRUPTED; or NULL */
+    void *poll_argument;
+
+    /* --- what came of it --- */
+    em_fault fault;              /* fault.status says how it ended */
+    em_rows rows;                /* width n_state, published meaning */
+    em_rows *events;             /* (n_events), width n_state */
+    em_dense_step *dense_steps;  /* (n_dense) */
+    double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */
+    size_t n_dense, dense_capacity;
+    long n_rhs, n_steps, n_rejected;
+    long n_bounded;              /* accepted steps that did not run the published equations */
+    double t_reached;
+    const struct em_model *model;
+} em_run;
+
+/* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
+ * x, v (n); y, dy (n_state); c: the prepared parameters (n_prepared); u (n_inputs).
+ * Functions that return int return 0, or -1 and fill *fault. */
+typedef struct em_model {
+    int abi;
+    const char *name, *formulation, *close_eigenvalues, *schur;
+    int n, m, h, n_state, n_parameters, n_prepared, n_inputs, n_outputs, n_events, n_layout, n_left_out;
+    const char *const *coordinates;      /* (n) the user's names */
+    const char *const *parameters;       /* (n_parameters) */
+    const double *parameter_defaults;    /* (n_parameters) */
+    const char *const *inputs;           /* (n_inputs) */
+    const double *input_defaults;        /* (n_inputs) */
+    const double *initial_x, *initial_v; /* (n) */
+    const char *const *outputs;          /* (n_outputs) */
+    const char *const *events;           /* (n_events) */
+    const int *event_direction, *event_terminal; /* (n_events) */
+    const em_slice *layout;              /* (n_layout) */
+    const char *const *left_out;         /* (n_left_out) what this scene does not need, and why */
+    const int *block;                    /* (n) the block of M each coordinate belongs to, 0, 1, ... */
+    const double *scales;                /* (n) units of the eigenproblem */
+    int conserves_energy;                /* 1: T2 - T0 + V is a constant of the motion */
+
+    int (*prepare)(const double *parameters, double *c, em_fault *fault);
+    int (*state)(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault);
+    int (*velocity)(double t, const double *y, const double *c, double *v, em_fault *fault);
+    int (*rhs)(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault);
+    void (*mass_matrix)(double t, const double *x, const double *c, double *M);           /* (n, n) */
+    void (*mass_matrix_gradient)(double t, const double *x, const double *c, double *dM); /* (n, n, n) [k, i, j] */
+    void (*pfaffian)(double t, const double *x, const double *c, double *A, double *b);   /* (m, n), (m) */
+    void (*position)(double t, const double *x, const double *c, double *phi);            /* (h) */
+    int (*acceleration)(double t, const double *x, const double *v, const double *c, const double *u,
+                        int least_norm, double *a, double *lambda, em_fault *fault);      /* (n), (m) */
+    int (*project)(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault);
+    void (*energy)(double t, const double *x, const double *v, const double *c, double *e); /* (4) T2, T1, T0, V */
+    /* C (n, n), s (n): in, a neighbour's eigenfactors to stay continuous with (C = 0: none); out, those of M(x). */
+    int (*eigenfactors)(double t, const double *x, const double *c, double *C, double *s, em_fault *fault);
+    int (*output)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+                  double *out, em_fault *fault);                                           /* (n_outputs) */
+    int (*simulate)(em_run *run);                                             /* the status */
+    int (*interpolate)(const em_run *run, size_t step, double t, double *y);  /* y published, projected */
+    void (*release)(em_run *run);
+} em_model;
+
+#endif

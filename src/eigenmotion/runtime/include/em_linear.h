@@ -1,0 +1,304 @@
+/* em_linear.h: the small dense linear algebra that generated code shares. Dimensions are constants at every call,
+ * so that the compiler unrolls what is small. Matrices are row-major. */
+#ifndef EM_LINEAR_H
+#define EM_LINEAR_H
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "eigenmotion.h"
+
+enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8 };
+
+#define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
+
+#define EM_INLINE static inline __attribute__((always_inline, unused))
+#define EM_COLD static __attribute__((noinline, unused))
+
+EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
+    fault->status = status;
+    fault->first = first;
+    fault->second = second;
+    fault->size = size;
+    return -1;
+}
+
+/* L (n, n) lower with M = L L^T; reads the lower triangle of M. r (n): 1 / L_ii.
+ * Returns -1, or the index of the first pivot that is not above `tolerance` M_ii. */
+EM_INLINE int em_cholesky(int n, const double *restrict M, double *restrict L, double *restrict r, double tolerance) {
+    for (int j = 0; j < n; ++j) {
+        double pivot = M[j * n + j];
+        for (int k = 0; k < j; ++k) pivot -= L[j * n + k] * L[j * n + k];
+        if (!(pivot > tolerance * M[j * n + j])) return j;
+        L[j * n + j] = sqrt(pivot);
+        r[j] = 1.0 / L[j * n + j];
+        for (int i = j + 1; i < n; ++i) {
+            double sum = M[i * n + j];
+            for (int k = 0; k < j; ++k) sum -= L[i * n + k] * L[j * n + k];
+            L[i * n + j] = sum * r[j];
+        }
+    }
+    return -1;
+}
+
+/* b <- L^-1 b */
+EM_INLINE void em_forward(int n, const double *restrict L, const double *restrict r, double *restrict b) {
+    for (int i = 0; i < n; ++i) {
+        double sum = b[i];
+        for (int k = 0; k < i; ++k) sum -= L[i * n + k] * b[k];
+        b[i] = sum * r[i];
+    }
+}
+
+/* b <- L^-T b */
+EM_INLINE void em_backward(int n, const double *restrict L, const double *restrict r, double *restrict b) {
+    for (int i = n - 1; i >= 0; --i) {
+        double sum = b[i];
+        for (int k = i + 1; k < n; ++k) sum -= L[k * n + i] * b[k];
+        b[i] = sum * r[i];
+    }
+}
+
+/* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, as often as
+ * it takes. */
+EM_INLINE void em_orthonormalise(int n, double *restrict C) {
+    double K[n * n], D[n * n], deviation = 1.0;
+    for (int pass = 0; pass < 8 && deviation > 1e-8; ++pass) {
+        deviation = 0.0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j <= i; ++j) {
+                double sum = i == j ? 1.0 : 0.0;
+                for (int k = 0; k < n; ++k) sum -= C[i * n + k] * C[j * n + k];
+                deviation = fmax(deviation, fabs(sum));
+                K[i * n + j] = K[j * n + i] = 0.5 * sum;
+            }
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                double sum = C[i * n + j];
+                for (int k = 0; k < n; ++k) sum += K[i * n + k] * C[k * n + j];
+                D[i * n + j] = sum;
+            }
+        memcpy(C, D, sizeof D);
+    }
+}
+
+/* Lambda (n, n) <- C M C^T, both triangles; M full. */
+EM_INLINE void em_congruence(int n, const double *restrict C, const double *restrict M, double *restrict Lambda) {
+    double W[n * n];
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < n; ++k) sum += C[i * n + k] * M[k * n + j];
+            W[i * n + j] = sum;
+        }
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < n; ++k) sum += W[i * n + k] * C[j * n + k];
+            Lambda[i * n + j] = sum;
+            Lambda[j * n + i] = sum;
+        }
+}
+
+/* X (n, n) <- L^-1 X */
+EM_INLINE void em_forward_columns(int n, const double *restrict L, const double *restrict r, double *restrict X) {
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            double sum = X[i * n + j];
+            for (int k = 0; k < i; ++k) sum -= L[i * n + k] * X[k * n + j];
+            X[i * n + j] = sum * r[i];
+        }
+}
+
+/* One Jacobi rotation that makes Lambda_pq zero; C and eta (which may be NULL) turn with it. */
+EM_INLINE void em_rotate(int n, int p, int q, double *restrict Lambda, double *restrict C, double *restrict eta) {
+    const double off = Lambda[p * n + q];
+    const double theta = 0.5 * (Lambda[q * n + q] - Lambda[p * n + p]) / off;
+    const double tangent = copysign(1.0, theta) / (fabs(theta) + sqrt(theta * theta + 1.0));
+    const double cosine = 1.0 / sqrt(tangent * tangent + 1.0), sine = tangent * cosine;
+    Lambda[p * n + p] -= tangent * off;
+    Lambda[q * n + q] += tangent * off;
+    Lambda[p * n + q] = Lambda[q * n + p] = 0.0;
+    for (int k = 0; k < n; ++k) {
+        const double Cp = C[p * n + k], Cq = C[q * n + k];
+        C[p * n + k] = cosine * Cp - sine * Cq;
+        C[q * n + k] = sine * Cp + cosine * Cq;
+        if (k == p || k == q) continue;
+        const double Lp = Lambda[p * n + k], Lq = Lambda[q * n + k];
+        Lambda[p * n + k] = Lambda[k * n + p] = cosine * Lp - sine * Lq;
+        Lambda[q * n + k] = Lambda[k * n + q] = sine * Lp + cosine * Lq;
+    }
+    if (eta) {
+        const double eta_p = eta[p], eta_q = eta[q];
+        eta[p] = cosine * eta_p - sine * eta_q;
+        eta[q] = sine * eta_p + cosine * eta_q;
+    }
+}
+
+/* Cyclic Jacobi sweeps on Lambda = C M C^T until what is off the diagonal is at rounding (Golub & Van Loan, 8.5).
+ * Small rotations only where Lambda is nearly diagonal: rows of C keep their order and sign. */
+EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C, double *restrict eta) {
+    for (int sweep = 0, rotated = 1; rotated && sweep < 40; ++sweep) {
+        rotated = 0;
+        for (int p = 0; p < n; ++p)
+            for (int q = p + 1; q < n; ++q)
+                if (Lambda[p * n + q] * Lambda[p * n + q] >
+                    DBL_EPSILON * DBL_EPSILON * fabs(Lambda[p * n + p] * Lambda[q * n + q])) {
+                    em_rotate(n, p, q, Lambda, C, eta);
+                    rotated = 1;
+                }
+    }
+}
+
+/* C, s <- eigenfactors of M (n, n), near the C given; eta turns with C. Returns -1, or an index where M is singular. */
+EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
+    double Lambda[n * n];
+    em_orthonormalise(n, C);
+    em_congruence(n, C, M, Lambda);
+    em_jacobi(n, Lambda, C, eta);
+    for (int i = 0; i < n; ++i) {
+        if (!(Lambda[i * n + i] > 0.0)) return i;
+        s[i] = sqrt(Lambda[i * n + i]);
+    }
+    return -1;
+}
+
+/* The smallest distance of two eigenvalues, relative to the larger. */
+EM_INLINE double em_gap(int n, const double *restrict s) {
+    double gap = INFINITY;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double larger = fmax(s[i], s[j]);
+            gap = fmin(gap, fabs((s[i] - s[j]) * (s[i] + s[j])) / (larger * larger));
+        }
+    return gap;
+}
+
+/* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
+EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s) {
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) C[i * n + j] = i == j;
+    const int singular = em_refresh(n, M, C, s, NULL);
+    if (singular >= 0) return singular;
+    for (int i = 0; i < n; ++i) {
+        int least = i, largest = 0;
+        for (int k = i + 1; k < n; ++k)
+            if (s[k] < s[least]) least = k;
+        const double root = s[i];
+        s[i] = s[least];
+        s[least] = root;
+        for (int j = 0; j < n; ++j) {
+            const double entry = C[i * n + j];
+            C[i * n + j] = C[least * n + j];
+            C[least * n + j] = entry;
+            if (fabs(C[i * n + j]) > fabs(C[i * n + largest]) * (1.0 + 1e-9)) largest = j;
+        }
+        if (C[i * n + largest] < 0.0)
+            for (int j = 0; j < n; ++j) C[i * n + j] = -C[i * n + j];
+    }
+    return -1;
+}
+
+/* Both factors of a constant block: M = C^T S^2 C = L L^T. */
+EM_COLD int em_prepare_block(int n, const double *M, double *C, double *s, double *L, double *r) {
+    memset(L, 0, sizeof *L * (size_t)(n * n));
+    const int singular = em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
+    return singular >= 0 ? singular : em_eigenfactors(n, M, C, s);
+}
+
+/* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is
+ * given. Returns -1, or a row if the rows contradict each other. */
+EM_COLD int em_least_norm(int m, const double *Delta, double *rhs) {
+    double Lambda[m * m], C[m * m], part[m], largest = 0.0, total = 0.0, missed = 0.0;
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j <= i; ++j) {
+            Lambda[i * m + j] = Lambda[j * m + i] = Delta[i * m + j];
+            C[i * m + j] = i == j;
+            C[j * m + i] = i == j;
+        }
+    em_jacobi(m, Lambda, C, NULL);
+    for (int i = 0; i < m; ++i) largest = fmax(largest, Lambda[i * m + i]);
+    for (int i = 0; i < m; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < m; ++j) sum += C[i * m + j] * rhs[j];
+        const int kept = Lambda[i * m + i] > 1e-11 * largest;
+        total += sum * sum;
+        missed += kept ? 0.0 : sum * sum;
+        part[i] = kept ? sum / Lambda[i * m + i] : 0.0;
+    }
+    for (int j = 0; j < m; ++j) {
+        rhs[j] = 0.0;
+        for (int i = 0; i < m; ++i) rhs[j] += C[i * m + j] * part[i];
+    }
+    return missed <= 1e-12 * total || missed < 1e-24 ? -1 : 0;
+}
+
+/* rhs (m) <- Delta^-1 rhs; Delta (m, m) by its lower triangle. */
+EM_INLINE int em_solve_delta(int m, double *restrict Delta, double *restrict rhs, int flags, em_fault *fault) {
+    if (m == 1) {
+        if (!(Delta[0] > 0.0)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, 0, -1, Delta[0]);
+        rhs[0] /= Delta[0];
+        return 0;
+    }
+    double L[m * m], r[m];
+    const int row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
+    if (row < 0) {
+        em_forward(m, L, r, rhs);
+        em_backward(m, L, r, rhs);
+        return 0;
+    }
+    if ((flags & EM_LEAST_NORM) && em_least_norm(m, Delta, rhs) < 0) return 0;
+    return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, 0.0);
+}
+
+/* eta = S C v <-> eta = L^T v: the same velocities under another root of M. */
+EM_INLINE void em_transposed(int n, const double *restrict L, double *restrict v) {
+    for (int i = 0; i < n; ++i) {
+        double sum = 0.0;
+        for (int k = i; k < n; ++k) sum += L[k * n + i] * v[k];
+        v[i] = sum;
+    }
+}
+
+/* v <- C^T S^-1 eta */
+EM_INLINE void em_from_axes(int n, const double *restrict C, const double *restrict s, double *restrict eta) {
+    double v[n];
+    for (int j = 0; j < n; ++j) {
+        v[j] = 0.0;
+        for (int i = 0; i < n; ++i) v[j] += C[i * n + j] * eta[i] / s[i];
+    }
+    memcpy(eta, v, sizeof v);
+}
+
+/* b <- S^-1 C b */
+EM_INLINE void em_to_axes(int n, const double *restrict C, const double *restrict s, double *restrict b) {
+    double a[n];
+    for (int i = 0; i < n; ++i) {
+        a[i] = 0.0;
+        for (int j = 0; j < n; ++j) a[i] += C[i * n + j] * b[j];
+        a[i] /= s[i];
+    }
+    memcpy(b, a, sizeof a);
+}
+
+/* eta <- S C v */
+EM_INLINE void em_onto_axes(int n, const double *restrict C, const double *restrict s, double *restrict v) {
+    double eta[n];
+    for (int i = 0; i < n; ++i) {
+        eta[i] = 0.0;
+        for (int j = 0; j < n; ++j) eta[i] += C[i * n + j] * v[j];
+        eta[i] *= s[i];
+    }
+    memcpy(v, eta, sizeof eta);
+}
+
+EM_INLINE double em_sign(double a) {
+    return (a > 0.0) - (a < 0.0);
+}
+
+EM_INLINE double em_heaviside(double a) {
+    return a > 0.0;
+}
+
+#endif

@@ -1,0 +1,182 @@
+/* em_mechanics.h: what every model can be asked, written once over the model's own functions.
+ *
+ * Included by NAME.c after it defined N, N_ROWS, N_POSITIONS, block, scales, mass_matrix, pfaffian, position,
+ * motion_bias and observe. Nothing here is on the path of a right-hand side. */
+#ifndef EM_MECHANICS_H
+#define EM_MECHANICS_H
+
+#include "em_linear.h"
+
+enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
+
+/* The unit of coordinate k in which a root of M is taken: the eigenproblem's, or its own. */
+#define EM_SCALE(k) (EM_SCALED_ROOT ? scales[k] : 1.0)
+
+/* M = L L^T of all coordinates and B = A L^-T (m, n), b (m), Delta = B B^T by its lower triangle. */
+typedef struct em_root {
+    double L[N * N], r[N];
+    double B[EM_SOME_ROWS * N], b[EM_SOME_ROWS], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
+} em_root;
+
+EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root, em_fault *fault) {
+    double M[N * N];
+    mass_matrix(t, x, c, M);
+    memset(root->L, 0, sizeof root->L);
+    const int singular = em_cholesky(N, M, root->L, root->r, EM_SINGULAR_PIVOT);
+    if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, singular, -1, 0.0);
+    pfaffian(t, x, c, root->B, root->b);
+    for (int row = 0; row < N_ROWS; ++row) {
+        em_forward(N, root->L, root->r, root->B + row * N);
+        for (int column = 0; column <= row; ++column) {
+            double sum = 0.0;
+            for (int k = 0; k < N; ++k) sum += root->B[row * N + k] * root->B[column * N + k];
+            root->Delta[row * N_ROWS + column] = sum;
+        }
+    }
+    return 0;
+}
+
+/* lambda (m) <- Delta^-1 lambda */
+EM_COLD int em_delta(em_root *root, double *lambda, int least_norm, em_fault *fault) {
+#define EM_ROWS_TO_SOLVE EM_SOME_ROWS
+    if (N_ROWS == 0) return 0;
+    return em_solve_delta(EM_ROWS_TO_SOLVE, root->Delta, lambda, least_norm ? EM_LEAST_NORM : 0, fault);
+#undef EM_ROWS_TO_SOLVE
+}
+
+/* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0. */
+EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
+                            int least_norm, double *a, double *lambda, em_fault *fault) {
+    em_root root;
+    double gamma[EM_SOME_ROWS];
+    if (em_root_at(t, x, c, &root, fault)) return -1;
+    motion_bias(t, x, v, c, u, a, gamma);
+    em_forward(N, root.L, root.r, a);
+    for (int row = 0; row < N_ROWS; ++row) {
+        for (int k = 0; k < N; ++k) gamma[row] += root.B[row * N + k] * a[k];
+    }
+    if (em_delta(&root, gamma, least_norm, fault)) return -1;
+    for (int row = 0; row < N_ROWS; ++row) {
+        lambda[row] = gamma[row];
+        for (int k = 0; k < N; ++k) a[k] -= root.B[row * N + k] * gamma[row];
+    }
+    em_backward(N, root.L, root.r, a);
+    return 0;
+}
+
+/* x (n) <- x - M^-1 A^T Delta^-1 e, e (m) the residual: the least change in the mass metric that removes it. */
+EM_COLD int em_correct(em_root *root, double *x, double *residual, int least_norm, em_fault *fault) {
+    double change[N] = {0.0};
+    if (em_delta(root, residual, least_norm, fault)) return -1;
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int k = 0; k < N; ++k) change[k] += root->B[row * N + k] * residual[row];
+    em_backward(N, root->L, root->r, change);
+    for (int k = 0; k < N; ++k) x[k] -= change[k];
+    return 0;
+}
+
+/* The rounding of phi: what phi changes by when x changes in its last place. */
+EM_COLD double em_position_rounding(const double *x, const double *A) {
+    double size = 0.0;
+    for (int row = 0; row < N_POSITIONS; ++row) {
+        double sum = 0.0;
+        for (int k = 0; k < N; ++k) sum += fabs(A[row * N + k] * x[k]);
+        size = fmax(size, sum);
+    }
+    return DBL_EPSILON * size;
+}
+
+/* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most.
+ * Returns whether x changed, or -1. */
+EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
+    double phi[EM_SOME_POSITIONS], residual[EM_SOME_ROWS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], before = INFINITY;
+    for (int step = 0;; ++step) {
+        double size = 0.0;
+        int worst = 0;
+        memset(residual, 0, sizeof residual);
+        position(t, x, c, phi);
+        for (int row = 0; row < N_POSITIONS; ++row) {
+            residual[row] = phi[row];
+            if (!(fabs(phi[row]) <= size)) size = fabs(phi[row]), worst = row;
+        }
+        pfaffian(t, x, c, A, b);
+        if (size <= em_position_rounding(x, A)) return step > 0;
+        if (step == steps) return size <= 1e-12 || size < before ? 1 : em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, size);
+        before = size;
+        em_root root;
+        if (em_root_at(t, x, c, &root, fault) || em_correct(&root, x, residual, least_norm, fault)) return -1;
+    }
+}
+
+/* x, v <- the nearest state in the mass metric that satisfies the constraints on positions and velocities. */
+EM_COLD int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+    if (N_POSITIONS && em_newton(t, x, c, 50, least_norm, fault) < 0) return -1;
+    if (N_ROWS == 0) return 0;
+    em_root root;
+    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
+    if (em_root_at(t, x, c, &root, fault)) return -1;
+    pfaffian(t, x, c, A, b);
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int k = 0; k < N; ++k) b[row] += A[row * N + k] * v[k];
+    return em_correct(&root, v, b, least_norm, fault);
+}
+
+/* C (n, n), s (n) of M(x) in units of `scales`, block by block; near the C given, or from scratch where C is 0. */
+EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
+    double M[N * N], Mb[N * N], Cb[N * N], sb[N];
+    mass_matrix(t, x, c, M);
+    for (int number = 0, done = 0; done < N; ++number) {
+        int member[N], size = 0;
+        for (int k = 0; k < N; ++k)
+            if (block[k] == number) member[size++] = k;
+        double given = 0.0;
+        for (int i = 0; i < size; ++i)
+            for (int j = 0; j < size; ++j) {
+                const int place = member[i] * N + member[j];
+                Mb[i * size + j] = scales[member[i]] * scales[member[j]] * M[place];
+                Cb[i * size + j] = C[place];
+                given += fabs(C[place]);
+            }
+        const int singular = given > 0.0 ? em_refresh(size, Mb, Cb, sb, NULL) : em_eigenfactors(size, Mb, Cb, sb);
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, member[singular], -1, 0.0);
+        for (int i = 0; i < size; ++i) {
+            s[member[i]] = sb[i];
+            for (int j = 0; j < size; ++j) C[member[i] * N + member[j]] = Cb[i * size + j];
+        }
+        done += size;
+    }
+    return 0;
+}
+
+/* eta (size) <- L^-T eta for the block of these coordinates, M (n, n) = L L^T, in units of `scales`. */
+EM_COLD int em_velocity_of_root(int size, const int *coordinate, const double *M, double *eta, em_fault *fault) {
+    double Mb[size * size], L[size * size], r[size];
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const int row = coordinate[i], column = coordinate[j];
+            Mb[i * size + j] = EM_SCALE(row) * EM_SCALE(column) * M[row * N + column];
+        }
+    const int singular = em_cholesky(size, Mb, L, r, EM_SINGULAR_PIVOT);
+    if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+    em_backward(size, L, r, eta);
+    return 0;
+}
+
+/* The published right-hand side does not exist where two eigenvalues of a block are equal. */
+EM_COLD int em_coincident(int size, const int *coordinate, const double *s, em_fault *fault) {
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j < i; ++j)
+            if (s[i] == s[j]) return em_fail(fault, EM_COINCIDENT_EIGENVALUES, coordinate[j], coordinate[i], 0.0);
+    return 0;
+}
+
+/* out (n_outputs) at x, v */
+EM_COLD int em_observe(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+                       double *out, em_fault *fault) {
+    double a[N], lambda[EM_SOME_ROWS];
+    if (em_acceleration(t, x, v, c, u, least_norm, a, lambda, fault)) return -1;
+    observe(t, x, v, a, lambda, c, u, out);
+    return 0;
+}
+
+#endif

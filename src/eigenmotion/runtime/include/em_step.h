@@ -1,0 +1,183 @@
+/* em_step.h: one step of an explicit Runge-Kutta method and its error in x and v.
+ *
+ * em_take_step is inlined once for each method, with its tableau a constant: the loops over stages and coefficients
+ * unroll, zero coefficients vanish, and what stays are vector loops over the states.
+ */
+#ifndef EM_STEP_H
+#define EM_STEP_H
+
+#include <time.h>
+
+#include "em_linear.h"
+#include "em_tableaux.h"
+
+enum {
+    EM_LANES = 4,
+    EM_WIDTH = (N_STATE + EM_LANES - 1) / EM_LANES * EM_LANES, /* a state padded with zeros */
+    EM_SOME_EVENTS = N_EVENTS > 0 ? N_EVENTS : 1,
+    EM_SOME_INPUTS = N_INPUTS > 0 ? N_INPUTS : 1,
+    EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1
+};
+
+/* fmin and fmax for numbers: inline where the library's, which mind NaN, are calls. */
+EM_INLINE double em_min(double a, double b) { return a < b ? a : b; }
+EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }
+
+struct em_scheme;
+
+/* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
+typedef struct em_walk {
+    double K[EM_STAGES][EM_WIDTH]; /* K[0] = f(t, y) */
+    double y[EM_WIDTH], y_new[EM_WIDTH], f_new[EM_WIDTH];
+    double y_raw[EM_WIDTH];                    /* y_new before it was settled */
+    double argument[EM_WIDTH], error[EM_WIDTH], weight[EM_WIDTH];
+    double F[EM_DENSE_COEFFICIENTS][N_STATE];  /* the interpolant of the step: y, F_0, F_1, ... */
+    double memory[EM_SOME_MEMORY], memory_new[EM_SOME_MEMORY];
+    double u[EM_SOME_INPUTS];
+    double g[EM_SOME_EVENTS], g_new[EM_SOME_EVENTS];
+    long piece[EM_SOME_INPUTS];                /* of each signal, valid within the step */
+    em_run *run;
+    const struct em_scheme *scheme;
+    double rtol, direction, t, t_new, h;
+    double h_next;                             /* size the controller proposes, positive */
+    double signals_end;                        /* where the first piece ends: no step goes beyond */
+    double error_norm;
+    em_fault reason;                           /* why the last attempt at a step failed */
+    int mode, mode_new, moved, has_interpolant, crossings;
+    size_t next_t_eval;
+    struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
+    struct timespec polled;
+    unsigned looks_every, attempts_since_look;
+    void *block;                               /* what to free */
+} em_walk;
+
+/* The three methods as the stepping loop sees them. */
+typedef struct em_scheme {
+    const em_tableau *tableau;
+    int (*step)(em_walk *w);   /* stages, y_new and error_norm; 0, or -1 and w->reason */
+    int (*extra)(em_walk *w);  /* the stages that only the interpolant needs */
+    void (*correct)(em_walk *w); /* F_3 ... */
+} em_scheme;
+
+static void em_signals(em_walk *w, double t) {
+    for (int i = 0; i < N_INPUTS; ++i) w->u[i] = em_signal_at(&w->run->inputs[i], w->piece[i], t);
+}
+
+/* dy <- f(t, y) with the signals at t. */
+EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const double *memory, double *dy) {
+    em_run *run = w->run;
+    if (N_INPUTS > 0) em_signals(w, t);
+    ++run->n_rhs;
+    return model_rhs(mode, t, y, run->prepared, w->u, memory, run->least_norm ? EM_LEAST_NORM : 0, dy, &w->reason);
+}
+
+static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double h,
+                     em_fault *fault) {
+    if (!SETTLES && run->stabilise && !(flags & EM_BEGIN)) return 0;
+    if (run->stabilise) flags |= EM_STABILISE;
+    if (run->least_norm) flags |= EM_LEAST_NORM;
+    return model_settle(mode, flags, t, y, run->prepared, memory, h, fault);
+}
+
+/* out <- y + h sum_j a_j K_j over j < n, with a constant. */
+EM_INLINE void em_combine(const double *restrict a, int n, double h, const double *restrict y,
+                          double (*restrict K)[EM_WIDTH], double *restrict out) {
+    for (int k = 0; k < EM_WIDTH; ++k) {
+        double sum = 0.0;
+#pragma GCC unroll 16
+        for (int j = 0; j < n; ++j)
+            if (a[j] != 0.0) sum += a[j] * K[j][k];
+        out[k] = y[k] + h * sum;
+    }
+}
+
+/* K_first .. K_last; where stage `solution` is among them its argument is y_new. */
+EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
+#pragma GCC unroll 16
+    for (int i = first; i <= last; ++i) {
+        double *argument = i == rk->solution ? w->y_new : w->argument;
+        em_combine(rk->a[i], i, w->h, w->y, w->K, argument);
+        if (em_rhs(w, w->mode, w->t + rk->c[i] * w->h, argument, w->memory, w->K[i])) return -1;
+    }
+    return 0;
+}
+
+/* sum_k (e_k weight_k)^2, in EM_LANES partial sums so that it is vectorised. */
+EM_INLINE double em_weighted_squares(int n, const double *restrict e, const double *restrict weight) {
+    double sum[EM_LANES] = {0.0}, rest = 0.0;
+    int k = 0;
+    for (; k + EM_LANES <= n; k += EM_LANES)
+        for (int lane = 0; lane < EM_LANES; ++lane) {
+            const double r = e[k + lane] * weight[k + lane];
+            sum[lane] += r * r;
+        }
+    for (; k < n; ++k) rest += e[k] * weight[k] * (e[k] * weight[k]);
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest;
+}
+
+/* NaN and infinity survive a product with zero. */
+EM_INLINE int em_all_finite(const double *restrict y) {
+    double sum[EM_LANES] = {0.0};
+    for (int k = 0; k < EM_WIDTH; k += EM_LANES)
+        for (int lane = 0; lane < EM_LANES; ++lane) sum[lane] += 0.0 * y[k + lane];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]) == 0.0;
+}
+
+/* 1 / (atol + rtol max(|before|, |after|)); finite where both tolerances vanish. */
+EM_INLINE void em_weigh(int n, const double *restrict atol, double rtol, const double *restrict before,
+                        const double *restrict after, double *restrict weight) {
+    for (int k = 0; k < n; ++k) {
+        weight[k] = 1.0 / (atol[k] + rtol * em_max(fabs(before[k]), fabs(after[k])) + DBL_MIN);
+    }
+}
+
+/* Eigenfactors, which count where nothing settles them: C is of size one, s scales with itself. */
+static void em_weigh_factors(em_walk *w, const double *before, const double *after) {
+    const int start[] = {2 * N, 2 * N + N_C, 2 * N + N_C + N_S, 2 * N + N_C + N_S + N_CD, N_STATE};
+    for (int part = 0; part < 4; ++part)
+        for (int k = start[part]; k < start[part + 1]; ++k) {
+            const double size = part % 2 == 0 ? 1.0 : em_max(fabs(before[k]), fabs(after[k]));
+            w->weight[k] = 1.0 / (w->rtol * size + DBL_MIN);
+        }
+}
+
+/* The weights of x and v (and, unless settled, of the eigenfactors) between two states and their right-hand sides. */
+static void em_set_weights(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
+    em_weigh(N, w->run->atol, w->rtol, y, y_new, w->weight);
+    em_weigh(N, w->run->atol, w->rtol, dy, dy_new, w->weight + N);
+    if (!w->run->stabilise) em_weigh_factors(w, y, y_new);
+}
+
+/* The weighted sum of squares of e (n_state), whose part of eta becomes one of v in place. */
+static double em_squares(const em_walk *w, double *restrict e) {
+    double ev[N];
+    model_velocity_error(w->mode, w->y, w->run->prepared, w->memory, e + N, ev);
+    memcpy(e + N, ev, sizeof ev);
+    double sum = em_weighted_squares(2 * N, e, w->weight);
+    if (!w->run->stabilise) sum += em_weighted_squares(N_STATE - 2 * N, e + 2 * N, w->weight + 2 * N);
+    return sum;
+}
+
+static double em_count(const em_walk *w) { return w->run->stabilise ? 2.0 * N : (double)N_STATE; }
+
+static const double em_zero[EM_WIDTH] = {0.0};
+
+/* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
+EM_INLINE double em_error_norm(const em_tableau *rk, em_walk *w) {
+    em_set_weights(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
+    em_combine(rk->e[0], rk->stages, 1.0, em_zero, w->K, w->error);
+    const double first = em_squares(w, w->error);
+    if (rk->errors == 1) return fabs(w->h) * sqrt(first / em_count(w));
+    em_combine(rk->e[1], rk->stages, 1.0, em_zero, w->K, w->error);
+    const double denominator = first + 0.01 * em_squares(w, w->error);
+    return denominator == 0.0 ? 0.0 : fabs(w->h) * first / sqrt(denominator * em_count(w));
+}
+
+EM_INLINE int em_take_step(const em_tableau *rk, em_walk *w) {
+    if (em_stages(rk, w, 1, rk->stages - 1)) return -1;
+    if (rk->solution == rk->stages) em_combine(rk->a[rk->solution], rk->stages, w->h, w->y, w->K, w->y_new);
+    w->error_norm = em_error_norm(rk, w);
+    return 0;
+}
+
+#endif

@@ -1,0 +1,159 @@
+"""A run: its options, the checks before it, and its result."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .codegen.model import ModelError
+from .names import unknown
+from .options import OptionError, Task, choice, least_norm_of, rows_at, span, step_limits, tolerances
+from .runtime import EvaluationError, Run, StopReason
+from .signals import bind
+from .solution import DenseOutput, Solution
+from .start import Start
+from .stiff import METHODS, simulate_stiff
+from .trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from .system import System
+
+_COMPILED = {"rk34": 0, "dopri5": 1, "dop853": 2}  # em_method
+_METHODS = {name: name for name in (*_COMPILED, *METHODS)}
+_OPTIONS = (
+    *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
+    *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints"),
+)
+
+
+def simulate(
+    system: "System",
+    t_span: tuple[float, float],
+    *,
+    x0: Mapping[Any, float] | ArrayLike | None = None,
+    v0: Mapping[Any, float] | ArrayLike | None = None,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | None = None,
+    method: str = "dop853",
+    rtol: float = 1e-6,
+    atol: float | Mapping[Any, float] | ArrayLike = 1e-9,
+    t_eval: ArrayLike | None = None,
+    dense_output: bool = False,
+    first_step: float | None = None,
+    max_step: float = np.inf,
+    max_steps: int = 1_000_000,
+    stabilisation: str = "project",
+    dependent_constraints: str = "refuse",
+    **misspelt: Any,
+) -> Solution:
+    """Integrate the motion from t_span[0] to t_span[1], forwards or backwards.
+
+    Parameters
+    ----------
+    x0, v0
+        (n,), or mapping coordinate -> value over the model's `initial`. They must satisfy the constraints (to ten
+        times rtol); `System.project_initial_state` gives the nearest that do.
+    parameters
+        Mapping name -> value over the defaults, array, or what `System.prepare` returned.
+    inputs
+        Mapping name -> number, (times, values) (linear interpolation), or Signal.
+    method
+        "rk34", "dopri5", "dop853": compiled. "Radau", "BDF", "LSODA": SciPy's, for stiff scenes, on the published
+        equations: nothing is projected there whatever `stabilisation` says, so that errors in constraints and
+        eigenfactors are those of rtol and add up; the residuals of the solution show them. Events of the model
+        are not located by them. Upper or lower case.
+    rtol, atol
+        A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
+        (carried over to the velocity; 1e-9 where missing).
+    t_eval
+        (k,) times of the rows, sorted in the direction of time; None: one row for every accepted step.
+    dense_output
+        Keep y(t) as `Solution.sol`.
+    first_step, max_step
+        [s]; chosen and unbounded by default.
+    max_steps
+        Attempts at a step, accepted or not, before the run ends as TOO_MANY_STEPS. A million rows of 20 states are
+        160 MB.
+    stabilisation
+        "project": constraints and eigenfactors are restored after every step. "none": the paper.
+    dependent_constraints
+        "refuse", or "least_norm": dependent but consistent rows share the multipliers of least norm.
+
+    Returns
+    -------
+    Solution
+        What was computed, also where the run failed or Ctrl-C ended it: `success`, `stop` and `message` say.
+
+    Raises
+    ------
+    ModelError
+        Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
+    """
+    if misspelt:
+        raise OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
+    chosen = choice(method, _METHODS, "method")
+    start, end = span(t_span)
+    relative, absolute = tolerances(system.compiled, rtol, atol)
+    first, longest, most = step_limits(first_step, max_step, max_steps, abs(end - start))
+    prepared = _prepared(system, parameters)
+    task = Task(
+        model=system.compiled,
+        prepared=prepared,
+        inputs=_inputs(system, inputs, start, end),
+        t_start=start,
+        t_end=end,
+        y=Start(system.compiled, prepared, start, *system.start(x0, v0)).state(relative),
+        rtol=relative,
+        atol=absolute,
+        t_eval=rows_at(t_eval, start, end),
+        dense=bool(dense_output),
+        first_step=first,
+        max_step=longest,
+        max_steps=most,
+        project=choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
+        least_norm=least_norm_of(dependent_constraints),
+    )
+    if chosen in _COMPILED:
+        return _simulate_compiled(task, _COMPILED[chosen])
+    if system.events:
+        raise ModelError(
+            f"{system.name}: {method} does not locate events ({', '.join(system.events)}); "
+            f"use one of {', '.join(_COMPILED)}, or a model without events"
+        )
+    return simulate_stiff(task, chosen)
+
+
+def _prepared(system: "System", parameters: Any) -> Any:
+    try:
+        return system.prepare(parameters)
+    except EvaluationError as error:
+        raise ModelError(str(error)) from error
+
+
+def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
+    bound = bind(given, tuple(system.inputs), system.compiled.input_defaults)
+    if (gap := bound.uncovered(start, end)) is not None:
+        name = tuple(system.inputs)[gap[0]]
+        raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")
+    return bound
+
+
+def _simulate_compiled(task: Task, method: int) -> Solution:
+    run = Run(
+        task.model, task.prepared, t_start=task.t_start, t_end=task.t_end, y=task.y, inputs=task.inputs.compiled,
+        method=method, rtol=task.rtol, atol=task.atol, first_step=task.first_step, max_step=task.max_step,
+        max_steps=task.max_steps, project=task.project, least_norm=task.least_norm, dense=task.dense,
+        t_eval=task.t_eval,
+    )  # fmt: skip
+    t, rows = run.rows
+    events = run.events
+    stop: StopReason = run.stop
+    nfev, nsteps, nrejected, n_bounded = run.counts
+    return Solution(
+        Trajectory(task.model, task.prepared, task.inputs, task.least_norm, t, rows),
+        t=t, y=rows.T, sol=DenseOutput(run) if task.dense and len(run.step_times) else None,
+        t_events=[t for t, _ in events] or None, y_events=[y for _, y in events] or None,
+        nfev=nfev, njev=0, nlu=0, status={StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1),
+        message=run.message, success=stop.success, nsteps=nsteps, nrejected=nrejected, n_bounded=n_bounded, stop=stop,
+    )  # fmt: skip

@@ -1,0 +1,94 @@
+"""Whether a mechanism can start where it is told to."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .codegen.model import ModelError
+from .names import Vector
+from .runtime import CompiledModel, EvaluationError, Prepared
+
+_LOOSEST = 1e-4  # a start is never further off the constraints than this, relative to the terms that cancel in them
+_TIGHTEST = 1e-9  # and rounding in what the user computed is forgiven up to this
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Where a run is to start: x (n,) and v (n,) at t."""
+
+    model: CompiledModel
+    prepared: Prepared
+    t: float
+    x: Vector
+    v: Vector
+
+    def state(self, rtol: float) -> Vector:
+        """Return y (n_state,), having checked M > 0, phi = 0 and A v + b = 0.
+
+        Residuals up to ten times rtol of the terms that cancel in a row are left to the projection.
+
+        Raises
+        ------
+        ModelError
+            One of them does not hold; says which coordinate or row, by how much, and which start would do.
+        """
+        tolerance = min(max(10 * rtol, _TIGHTEST), _LOOSEST)
+        self._check_mass_matrix()
+        self._check_position(tolerance)
+        self._check_velocity(tolerance)
+        try:
+            y = self.model.state(self.t, self.x, self.v, self.prepared)
+        except EvaluationError as error:
+            raise ModelError(str(error)) from error
+        if not np.isfinite(y).all():
+            raise ModelError(f"{self.model.name}: the state at x0, v0 is not finite; look for a division by zero there")
+        return y
+
+    def _check_mass_matrix(self) -> None:
+        names, M = self.model.coordinates, self.model.mass_matrix(self.t, self.x, self.prepared)
+        if not np.isfinite(M).all():
+            i, j = (names[k] for k in np.argwhere(~np.isfinite(M))[0])
+            raise ModelError(f"{self.model.name}: the mass matrix at x0 is not finite in row {i!r}, column {j!r}")
+        if (k := _first_bad_pivot(M)) is not None:
+            raise ModelError(
+                f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}. "
+                "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
+            )
+
+    def _check_position(self, tolerance: float) -> None:
+        phi = self.model.position(self.t, self.x, self.prepared)
+        A = self.model.pfaffian(self.t, self.x, self.prepared)[0][: self.model.h]
+        reach = np.abs(A) @ np.maximum(np.abs(self.x), 1.0)  # phi of coordinates that are off by one, at the least
+        self._refuse("x0 is off holonomic constraint", phi, tolerance * reach)
+
+    def _check_velocity(self, tolerance: float) -> None:
+        A, b = self.model.pfaffian(self.t, self.x, self.prepared)
+        terms = np.abs(A) @ np.abs(self.v) + np.abs(b)
+        self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, tolerance * terms)
+
+    def _refuse(self, what: str, residual: Vector, allowed: Vector) -> None:
+        wrong = ~(np.abs(residual) <= allowed + 1e-12)  # NaN is wrong too
+        if wrong.any():
+            rows = ", ".join(f"row {k} by {residual[k]:.6g}" for k in np.flatnonzero(wrong))
+            raise ModelError(f"{self.model.name}: {what} {rows}. {self._offer()}")
+
+    def _offer(self) -> str:
+        remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
+        try:
+            x, v = self.model.project(self.t, self.x, self.v, self.prepared, True)
+        except EvaluationError:
+            return f"Start closer to a consistent state; {remedy} where it can be reached."
+        return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
+
+
+def _first_bad_pivot(M: Vector) -> int | None:
+    """Return the first k at which the pivot M_kk - M_k: M_::^-1 M_:k is not above rounding."""
+    for k in range(len(M)):
+        column = np.linalg.solve(M[:k, :k], M[:k, k])
+        if not M[k, k] - M[k, :k] @ column > 1e-13 * abs(M[k, k]):
+            return k
+    return None
+
+
+def _listed(values: Vector) -> str:
+    return "[" + ", ".join(f"{value:.9g}" for value in values) + "]"

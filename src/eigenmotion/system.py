@@ -1,0 +1,285 @@
+"""One compiled model, in Python's terms."""
+
+from collections.abc import Mapping
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .codegen.model import ModelError
+from .names import Vector, overlay
+from .options import least_norm_of
+from .runtime import CompiledModel, Prepared
+from .signals import Signal, bind
+from .simulate import simulate
+from .solution import Solution
+
+Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
+Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
+
+
+class System:
+    """The functions of one compiled model. Immutable; threads may share it.
+
+    Everywhere: x0, v0 are arrays (n,) or mappings coordinate -> value over the model's `initial`; `parameters` is a
+    mapping name -> value over the defaults, an array in the order of `System.parameters`, or what `prepare` returned;
+    `inputs` a mapping name -> number, (times, values) or Signal. A mapping with an unknown name raises ModelError.
+
+    Parameters
+    ----------
+    capsule
+        A PyCapsule "eigenmotion.em_model", as generated modules make it.
+    """
+
+    __slots__ = ("_compiled", "_defaults", "_layout")
+
+    def __init__(self, capsule: object) -> None:
+        self._compiled = CompiledModel(capsule)
+        self._defaults = self._compiled.prepare(self._compiled.parameter_defaults)
+        self._layout = {name: slice(start, start + length) for name, start, length in self._compiled.layout}
+
+    def __repr__(self) -> str:
+        c = self._compiled
+        return f"<System {c.name}: n={c.n}, m={c.m}, {c.n_state} states, {c.formulation}>"
+
+    @property
+    def name(self) -> str:
+        """The model's name."""
+        return self._compiled.name
+
+    @property
+    def n(self) -> int:
+        """How many coordinates."""
+        return self._compiled.n
+
+    @property
+    def m(self) -> int:
+        """How many constraint rows."""
+        return self._compiled.m
+
+    @property
+    def h(self) -> int:
+        """How many of the rows, the first ones, are holonomic."""
+        return self._compiled.h
+
+    @property
+    def n_state(self) -> int:
+        """How many numbers y has."""
+        return self._compiled.n_state
+
+    @property
+    def formulation(self) -> str:
+        """One of "eigenfactor", "cholesky", "lagrange", "inverse"."""
+        return self._compiled.formulation
+
+    @property
+    def close_eigenvalues(self) -> str:
+        """One of "bounded", "extrapolate"."""
+        return self._compiled.close_eigenvalues
+
+    @property
+    def schur(self) -> str:
+        """How Delta is factored."""
+        return self._compiled.schur
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of x, in order."""
+        return self._compiled.coordinates
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Names and defaults, in order. A copy: defaults do not change."""
+        return dict(zip(self._compiled.parameters, self._compiled.parameter_defaults.tolist(), strict=True))
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Names and defaults, in order. A copy."""
+        return dict(zip(self._compiled.inputs, self._compiled.input_defaults.tolist(), strict=True))
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs."""
+        return self._compiled.outputs
+
+    @property
+    def events(self) -> tuple[str, ...]:
+        """Names of the events, in the order of `Solution.t_events`."""
+        return self._compiled.events
+
+    @property
+    def initial(self) -> tuple[Vector, Vector]:
+        """The model's x (n,), v (n,) at the start. Copies."""
+        return self._compiled.initial_x.copy(), self._compiled.initial_v.copy()
+
+    @property
+    def layout(self) -> dict[str, slice]:
+        """Name of a part of y -> its slice."""
+        return dict(self._layout)
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """What this model's program does without, and why."""
+        return self._compiled.left_out
+
+    @property
+    def blocks(self) -> tuple[tuple[int, ...], ...]:
+        """The coordinates of each diagonal block of M."""
+        block = self._compiled.block
+        return tuple(tuple(k for k, b in enumerate(block) if b == which) for which in sorted(set(block)))
+
+    @property
+    def scales(self) -> Vector:
+        """(n,) units of the coordinates inside the eigenproblem. A copy."""
+        return self._compiled.scales.copy()
+
+    @property
+    def conserves_energy(self) -> bool:
+        """Whether `jacobi_integral` is a constant of the motion."""
+        return self._compiled.conserves_energy
+
+    @property
+    def compiled(self) -> CompiledModel:
+        """The functions on bare float64 arrays."""
+        return self._compiled
+
+    def prepare(self, parameters: Parameters = None) -> Prepared:
+        """Return the constants of a parameter set, to be passed as `parameters` in its place.
+
+        Raises
+        ------
+        EvaluationError
+            A block of M that no state changes is not positive definite.
+        """
+        if parameters is None:
+            return self._defaults
+        if isinstance(parameters, Prepared):
+            if parameters.model is not self._compiled:
+                raise ModelError(f"parameters were prepared for {parameters.model.name}, another compiled model")
+            return parameters
+        values = overlay(parameters, self._compiled.parameters, self._compiled.parameter_defaults, "parameter")
+        return self._compiled.prepare(values)
+
+    def state(
+        self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
+    ) -> Vector:
+        """Return y (n_state,) of the published equations at x0, v0.
+
+        Raises
+        ------
+        EvaluationError
+            M is not positive definite at x0; names the coordinate.
+        """
+        return self._compiled.state(t, *self.start(x0, v0), self.prepare(parameters))
+
+    def start(self, x0: Coordinates = None, v0: Coordinates = None) -> tuple[Vector, Vector]:
+        """Return x (n,), v (n,): what is given, over the model's `initial`."""
+        c = self._compiled
+        x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
+        return x, overlay(v0, c.coordinates, c.initial_v, "coordinate of v0")
+
+    def rhs(
+        self,
+        t: float,
+        y: ArrayLike,
+        parameters: Parameters = None,
+        inputs: Mapping[Any, Any] | ArrayLike | None = None,
+        out: Vector | None = None,
+    ) -> Vector:
+        """Return dy/dt (n_state,), equations (20), (30), (35), (46): `fun` of `scipy.integrate.solve_ivp`.
+
+        Parameters
+        ----------
+        y
+            (n_state,) any stride; never written.
+        inputs
+            As everywhere, or an array in the order of `System.inputs`.
+        out
+            Where to write; returned.
+
+        Raises
+        ------
+        EvaluationError
+            M is singular, constraint rows depend on each other, or eigenvalues of one block coincide; names which.
+        """
+        c = self._defaults if parameters is None else self.prepare(parameters)
+        u = None if inputs is None else self._signals(inputs, t)
+        return self._compiled.rhs(t, y, c, u, out)
+
+    def _signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
+        names, defaults = self._compiled.inputs, self._compiled.input_defaults
+        if isinstance(inputs, Mapping) and any(isinstance(u, tuple | list | Signal) for u in inputs.values()):
+            return bind(inputs, names, defaults).at(t)
+        return overlay(inputs, names, defaults, "input")
+
+    def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
+        """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
+        return self._compiled.mass_matrix(t, self._x(x), self.prepare(parameters))
+
+    def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
+        """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
+        return self._compiled.mass_matrix_gradient(t, self._x(x), self.prepare(parameters))
+
+    def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
+        """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
+        return self._compiled.pfaffian(t, self._x(x), self.prepare(parameters))
+
+    def acceleration(
+        self,
+        x: ArrayLike,
+        v: ArrayLike,
+        t: float = 0.0,
+        parameters: Parameters = None,
+        inputs: Mapping[Any, Any] | ArrayLike | None = None,
+        *,
+        dependent_constraints: str = "refuse",
+    ) -> tuple[Vector, Vector]:
+        """Return d2x/dt2 (n,) and multipliers (m,); the constraints push with -A^T lambda (7).
+
+        Raises
+        ------
+        EvaluationError
+            M is singular, or constraint rows depend on each other and "least_norm" was not asked for.
+        """
+        x, v = self.start(x, v)
+        least_norm = least_norm_of(dependent_constraints)
+        return self._compiled.acceleration(t, x, v, self.prepare(parameters), self._signals(inputs, t), least_norm)
+
+    def project_initial_state(
+        self,
+        x0: Coordinates = None,
+        v0: Coordinates = None,
+        t: float = 0.0,
+        parameters: Parameters = None,
+        *,
+        dependent_constraints: str = "refuse",
+    ) -> tuple[Vector, Vector]:
+        """Return x (n,), v (n,): the nearest state, in the mass metric, with phi(x, t) = 0 and A v + b = 0.
+
+        Raises
+        ------
+        EvaluationError
+            Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
+        """
+        x, v = self.start(x0, v0)
+        return self._compiled.project(t, x, v, self.prepare(parameters), least_norm_of(dependent_constraints))
+
+    def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
+        """Return T + V [J]."""
+        return float(self._energies(x, v, t, parameters) @ (1.0, 1.0, 1.0, 1.0))
+
+    def jacobi_integral(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
+        """Return T2 - T0 + V [J], conserved where nothing depends on time and no force does work."""
+        return float(self._energies(x, v, t, parameters) @ (1.0, 0.0, -1.0, 1.0))
+
+    def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> Vector:
+        x, v = self.start(x, v)
+        rows = self._compiled.energy_rows(np.array([t], dtype=float), x[None], v[None], self.prepare(parameters))
+        return np.asarray(rows[0])
+
+    def _x(self, x: ArrayLike) -> Vector:
+        return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
+
+    def simulate(self, t_span: tuple[float, float], **options: Any) -> Solution:
+        """Integrate the motion over t_span; the options are those of `eigenmotion.simulate`."""
+        return simulate(self, t_span, **options)

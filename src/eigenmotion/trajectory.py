@@ -1,0 +1,123 @@
+"""What follows from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+
+import numpy as np
+
+from .names import Vector
+from .runtime import CompiledModel, Prepared
+from .signals import Inputs
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """Rows of a run, time first, and what is derived from them (all arrays here have the time first).
+
+    Parameters
+    ----------
+    t : (k,) [s]
+    rows : (k, n_state), published meaning
+    least_norm : multipliers of least norm where constraint rows depend on each other
+    """
+
+    model: CompiledModel
+    prepared: Prepared
+    inputs: Inputs
+    least_norm: bool
+    t: Vector
+    rows: Vector
+
+    @cached_property
+    def x(self) -> Vector:
+        """(k, n)."""
+        return np.ascontiguousarray(self.rows[:, : self.model.n])
+
+    @cached_property
+    def v(self) -> Vector:
+        """(k, n)."""
+        return self.model.velocity_rows(self.t, self.rows, self.prepared)
+
+    @cached_property
+    def u(self) -> Vector:
+        """(k, n_inputs)."""
+        return np.ascontiguousarray(self.inputs.at(self.t))
+
+    @cached_property
+    def eta(self) -> Vector:
+        """(k, n): the quasi-velocities the state carries (S C xdot (17), or L^T xdot), else S C xdot of M(x)."""
+        for name, start, length in self.model.layout:
+            if name == "eta":
+                return self.rows[:, start : start + length]
+        C, s = self.factors
+        return np.asarray(s * np.einsum("kij,kj->ki", C, self.v / self.model.scales))
+
+    @cached_property
+    def factors(self) -> tuple[Vector, Vector]:
+        """C (k, n, n), s (k, n): those the state carries, the others (and all, where it has none) those of M(x)."""
+        found = self.model.eigenfactor_rows(self.t, self.x, self.prepared)
+        parts = {name: self.rows[:, start : start + length] for name, start, length in self.model.layout}
+        if "s" not in parts:
+            return found
+        C, s = parts.get("C", self.rows[:, :0]), parts["s"]
+        choices = [_filled(found, C, s, blocks) for blocks in _carriers(self.model.block, C.shape[1], s.shape[1])]
+        return choices[0] if len(choices) == 1 else min(choices, key=self._misfit)
+
+    def _misfit(self, factors: tuple[Vector, Vector]) -> float:
+        """Return how badly factors fit M(x): tells blocks of one size apart, as the layout of y does not name them."""
+        return float(np.nansum(self.model.factor_rows(self.t, self.x, *factors, self.prepared)))
+
+    @cached_property
+    def factor_residual(self) -> Vector:
+        """(k,): max|M - C^T S^2 C| / max|M|."""
+        return self.model.factor_rows(self.t, self.x, *self.factors, self.prepared)
+
+    @cached_property
+    def energies(self) -> Vector:
+        """(k, 4): T2, T1, T0, V [J]."""
+        return self.model.energy_rows(self.t, self.x, self.v, self.prepared)
+
+    @cached_property
+    def multipliers(self) -> Vector:
+        """(k, m)."""
+        if self.model.m == 0:
+            return np.empty((len(self.t), 0))
+        arguments = self.t, self.x, self.v, self.u, self.prepared, self.least_norm
+        return self.model.acceleration_rows(*arguments)[1]
+
+    @cached_property
+    def constraint_residual(self) -> Vector:
+        """(k, m): A v + b."""
+        return self.model.constraint_rows(self.t, self.x, self.v, self.prepared)
+
+    @cached_property
+    def position_residual(self) -> Vector:
+        """(k, h): phi."""
+        return self.model.position_rows(self.t, self.x, self.prepared)
+
+    @cached_property
+    def outputs(self) -> dict[str, Vector]:
+        """Name -> (k,)."""
+        arguments = self.t, self.x, self.v, self.u, self.prepared, self.least_norm
+        columns = self.model.output_rows(*arguments)
+        return {name: columns[:, k] for k, name in enumerate(self.model.outputs)}
+
+
+def _carriers(block: tuple[int, ...], n_C: int, n_s: int) -> list[list[list[int]]]:
+    """Return the sets of blocks of M whose C and s can be the n_C and n_s numbers that a state carries."""
+    blocks = [[k for k, b in enumerate(block) if b == which] for which in sorted(set(block))]
+    choices = (list(c) for count in range(len(blocks) + 1) for c in combinations(blocks, count))
+    return [c for c in choices if sum(len(b) ** 2 for b in c) == n_C and sum(map(len, c)) == n_s]
+
+
+def _filled(found: tuple[Vector, Vector], C: Vector, s: Vector, blocks: list[list[int]]) -> tuple[Vector, Vector]:
+    """Return the eigenfactors found, with those of the given blocks replaced by the ones carried, block by block."""
+    full, roots = found[0].copy(), found[1].copy()
+    at, root = 0, 0
+    for block in blocks:
+        size = len(block)
+        full[np.ix_(range(len(full)), block, block)] = C[:, at : at + size**2].reshape(-1, size, size)
+        roots[:, block] = s[:, root : root + size]
+        at, root = at + size**2, root + size
+    return full, roots

@@ -1,0 +1,101 @@
+"""Lagrange's equations (7) by plain differentiation in time, for any model: no mass matrix is ever formed by hand.
+
+The residual d/dt (dL/dxdot) - dL/dx - Q + A^T lambda and the constraints' derivatives are linear in the accelerations
+and multipliers; their coefficients are read off by differentiation, and the system is solved with numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+import sympy
+from eigenmotion import Model, t
+from sympy.core.function import AppliedUndef
+
+from .arithmetic import array, compiled, solve
+
+
+class Lagrange:
+    """Accelerations and multipliers of a model, in the precision asked for (see `arithmetic`)."""
+
+    def __init__(self, model: Model, precision: str = "double") -> None:
+        self.model, self.precision = model, precision
+        self.n, self.m = len(model.coordinates), len(_rows(model))
+        self._plain = _plain_symbols(model)
+        residual, rows, A = self._equations()
+        self._names = [str(symbol) for symbol, _ in model.parameters]
+        arguments = [*self._plain.values(), *(symbol for symbol, _ in model.parameters)]
+        rates_only = [symbol for name, symbol in self._plain.items() if name not in self._second()]
+        accelerations = [self._plain[a] for a in self._second()]
+        at_rest = dict.fromkeys(accelerations, sympy.Integer(0))
+        M = [entry.diff(a) for entry in residual for a in accelerations]
+        forces = [-entry.xreplace(at_rest) for entry in residual]
+        drift = [-entry.xreplace(at_rest) for entry in rows]
+        kept = [*rates_only, *arguments[len(self._plain) :]]
+        self._function = compiled(kept, [*M, *forces, *drift, *A], precision)
+
+    def __call__(
+        self,
+        x: Iterable[Any],
+        v: Iterable[Any],
+        time: Any = 0.0,
+        parameters: Mapping[str, float] | None = None,
+        inputs: Mapping[str, float] | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return xddot (n,) and lambda (m,) of (7) and the derivative of (8)."""
+        n, m = self.n, self.m
+        values = array(self._function(*self._arguments(x, v, time, parameters, inputs)), self.precision)
+        M, forces, drift, A = np.split(values, np.cumsum([n * n, n, m]))
+        A = A.reshape(m, n)
+        zeros = array([0] * (m * m), self.precision).reshape(m, m)
+        matrix = np.block([[M.reshape(n, n), A.T], [A, zeros]])
+        solution = solve(matrix, np.concatenate([forces, drift]))
+        return solution[:n], solution[n:]
+
+    def _arguments(self, x: Any, v: Any, time: Any, parameters: Any, inputs: Any) -> np.ndarray:
+        model = self.model
+        p = {str(symbol): value for symbol, value in model.parameters} | dict(parameters or {})
+        u = {u.func.__name__: value for u, value in model.inputs} | dict(inputs or {})
+        return array([*x, *v, *u.values(), time, *(p[name] for name in self._names)], self.precision)
+
+    def _second(self) -> list[sympy.Expr]:
+        return [x.diff(t, 2) for x in self.model.coordinates]
+
+    def _equations(self) -> tuple[list[sympy.Expr], list[sympy.Expr], list[sympy.Expr]]:
+        """Residual of (7) without A^T lambda, rows differentiated until they hold accelerations, and A row by row."""
+        model = self.model
+        L = _in_rates(model, model.kinetic_energy) - model.potential_energy
+        residual = [
+            L.diff(x.diff(t)).diff(t) - L.diff(x) - _in_rates(model, Q)
+            for x, Q in zip(model.coordinates, model.forces, strict=True)
+        ]
+        rows = [row.diff(t) for row in _rows(model)]
+        A = [row.diff(a) for row in rows for a in self._second()]
+        return self._replaced(residual), self._replaced(rows), self._replaced(A)
+
+    def _replaced(self, expressions: list[sympy.Expr]) -> list[sympy.Expr]:
+        """Plain symbols for functions of time and their derivatives, the highest first."""
+        return [entry.doit().xreplace(self._plain) for entry in expressions]
+
+
+def _plain_symbols(model: Model) -> dict[sympy.Expr, sympy.Symbol]:
+    """What a state consists of -> plain symbols, in the order of the arguments; the accelerations come last."""
+    names = [x.func.__name__ for x in model.coordinates]
+    x = {q: sympy.Symbol(f"x_{name}") for q, name in zip(model.coordinates, names, strict=True)}
+    v = {q.diff(t): sympy.Symbol(f"v_{name}") for q, name in zip(model.coordinates, names, strict=True)}
+    a = {q.diff(t, 2): sympy.Symbol(f"a_{name}") for q, name in zip(model.coordinates, names, strict=True)}
+    u = {q: sympy.Symbol(f"u_{q.func.__name__}") for q, _ in model.inputs}
+    return x | v | u | {t: sympy.Symbol("time")} | a
+
+
+def _in_rates(model: Model, expression: sympy.Expr) -> sympy.Expr:
+    """The expression with the quasi-velocities written out (3)."""
+    return expression.subs(list(model.quasi_velocities)).doit() if expression.has(AppliedUndef) else expression
+
+
+def _rows(model: Model) -> list[sympy.Expr]:
+    """Constraint rows on the velocity level (8), holonomic ones first."""
+    holonomic = [phi.diff(t) for phi in model.holonomic_constraints]
+    return holonomic + [_in_rates(model, row) for row in model.nonholonomic_constraints]

@@ -1,0 +1,206 @@
+"""Sources -> compiled System: the cache, two at once, and failures that say why."""
+
+import importlib.machinery
+import os
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from sympy import cos, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion.build import cached_sources, compiled, make
+from eigenmotion.order import order
+from eigenmotion.toolchain import Toolchain, toolchain
+
+ROOT = Path(__file__).parents[1]
+PENDULUM = ROOT / "models" / "pendulum.py"
+
+
+@pytest.fixture(autouse=True)
+def own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path / "cache"))
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.delenv("EIGENMOTION_CFLAGS", raising=False)
+    return tmp_path / "cache"
+
+
+def swing(name="swing", gravity=9.81):
+    angle = dynamicsymbols("angle")
+    m, g, length = symbols("m g l", positive=True)
+    return em.Model(
+        name=name,
+        coordinates=[angle],
+        kinetic_energy=m * length**2 * angle.diff() ** 2 / 2,
+        potential_energy=-m * g * length * cos(angle),
+        parameters={m: 2.0, g: gravity, length: 0.5},
+        initial={angle: 0.3},
+    )
+
+
+def entries(cache, kind):
+    return sorted(path.name for path in (cache / kind).glob("*"))
+
+
+def test_a_model_becomes_a_system(own_cache):
+    system = em.build(swing())
+    acceleration, _ = system.acceleration([0.3], [0.0])
+    assert acceleration == pytest.approx([-9.81 / 0.5 * np.sin(0.3)], rel=1e-14)
+    assert len(entries(own_cache, "binaries")) == 1
+
+
+def test_a_built_model_is_not_built_again(own_cache):
+    em.build(swing())
+    before = entries(own_cache, "binaries"), entries(own_cache, "sources")
+    start = time.perf_counter()
+    em.build(swing())
+    assert time.perf_counter() - start < 0.2
+    assert (entries(own_cache, "binaries"), entries(own_cache, "sources")) == before
+
+
+def test_what_differs_is_built_apart(own_cache):
+    em.build(swing())
+    assert em.build(swing(gravity=1.62)).parameters["g"] == 1.62
+    assert em.build(swing()).parameters["g"] == 9.81
+    assert em.build(swing(), formulation="lagrange").formulation == "lagrange"
+    assert len(entries(own_cache, "binaries")) == 3
+
+
+def test_flags_make_another_binary_of_the_same_sources(own_cache, monkeypatch):
+    em.build(swing())
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O1")
+    em.build(swing())
+    em.build(swing(), flags="-O1")
+    assert len(entries(own_cache, "binaries")) == 2
+    assert len(entries(own_cache, "sources")) == 1
+
+
+def test_the_processor_is_part_of_the_compilers_identity():
+    native = toolchain()
+    other = replace(native, flags=("-march=x86-64",)) if sys.platform == "linux" else replace(native, flags=("-O0",))
+    assert native.identity == toolchain().identity
+    assert native.identity != other.identity
+
+
+def test_nothing_of_the_process_is_changed(own_cache):
+    before = Path.cwd(), list(sys.path), dict(os.environ)
+    em.build(PENDULUM)
+    assert (Path.cwd(), list(sys.path), dict(os.environ)) == before
+
+
+def test_output_gets_sources_and_an_importable_module(tmp_path):
+    em.build(PENDULUM, output=tmp_path / "generated")
+    names = {path.name.partition(".")[0] + path.suffix for path in (tmp_path / "generated").iterdir()}
+    assert names == {"pendulum.c", "pendulum.h", "pendulum.pyx", f"pendulum{Path(suffix()).suffix}"}
+    script = "from generated import pendulum; print(pendulum.system.name)"
+    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "pendulum"
+
+
+def suffix():
+    return importlib.machinery.EXTENSION_SUFFIXES[0]
+
+
+def test_two_processes_build_the_same_model_at_once(own_cache):
+    script = f"import eigenmotion as em; print(em.build({str(PENDULUM)!r}).state()[0])"
+    started = [
+        subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        for _ in range(2)
+    ]
+    answers = [process.communicate(timeout=120) for process in started]
+    assert [process.returncode for process in started] == [0, 0], answers
+    assert answers[0] == answers[1]
+    assert len(entries(own_cache, "binaries")) == 1
+
+
+def test_threads_build_the_same_model_at_once(own_cache):
+    script = (
+        "from concurrent.futures import ThreadPoolExecutor as Pool; import eigenmotion as em\n"
+        f"with Pool(4) as pool: found = list(pool.map(em.build, [{str(PENDULUM)!r}] * 4))\n"
+        "print(len(set(map(id, found))))"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "1"
+
+
+@pytest.mark.parametrize("where", ["CC", "argument"])
+def test_a_missing_compiler_is_named_with_a_remedy(monkeypatch, own_cache, where):
+    if where == "CC":
+        monkeypatch.setenv("CC", "no-such-compiler -m64")
+    with pytest.raises(em.CompilerNotFoundError, match=r"no-such-compiler not found\. Install GCC") as caught:
+        em.build(swing(), compiler="no-such-compiler" if where == "argument" else None)
+    assert isinstance(caught.value, em.ModelError)
+    assert isinstance(caught.value, em.BuildError)
+    assert not own_cache.exists()
+
+
+def test_no_compiler_at_all(monkeypatch, tmp_path):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(em.CompilerNotFoundError, match="cc gcc clang not found"):
+        em.build(swing())
+
+
+def test_a_failed_compilation_shows_the_compilers_words(own_cache, tmp_path):
+    sources = cached_sources(order(swing()))
+    broken = tuple(
+        replace(file, text=file.text + "\nint broken(void) { return undeclared_name; }\n")
+        if file.name == "swing.c"
+        else file
+        for file in sources.files
+    )
+    with pytest.raises(em.BuildError) as caught:
+        compiled(replace(sources, files=broken), toolchain())
+    assert "undeclared_name" in str(caught.value)
+    assert "the command was: " in str(caught.value)
+    assert "-Werror" in str(caught.value)
+    assert entries(own_cache, "binaries") == []
+
+
+def test_a_warning_is_a_failure():
+    sources = cached_sources(order(swing()))
+    careless = tuple(
+        replace(file, text=file.text + "\nstatic int idle(void) { return 1; }\n") for file in sources.files
+    )
+    with pytest.raises(em.BuildError, match="idle"):
+        compiled(replace(sources, files=careless), toolchain())
+
+
+def test_a_failed_build_leaves_the_output_alone(tmp_path):
+    with pytest.raises(em.BuildError, match="no-such-flag"):
+        make(order(PENDULUM), Toolchain(("cc",), ("-fno-such-flag",)), tmp_path / "generated")
+    assert not (tmp_path / "generated").exists()
+
+
+def test_a_compiler_that_dies_is_reported_with_its_exit_code(tmp_path):
+    script = tmp_path / "crash"
+    script.write_text("#!/bin/sh\nexit 70\n")
+    script.chmod(0o755)
+    with pytest.raises(em.BuildError, match="exit code 70"):
+        em.build(swing(), compiler=str(script))
+
+
+@pytest.mark.skipif(shutil.which("clang") is None, reason="needs Clang")
+def test_clang_builds_it_too():
+    assert em.build(swing(), compiler="clang").n == 1
+
+
+def test_a_function_stays_a_function_when_its_module_is_imported():
+    names = "em.build.__name__, em.simulate.__name__"
+    script = f"import eigenmotion.build, eigenmotion.simulate, eigenmotion as em; print({names})"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["build", "simulate"]
+
+
+def test_every_public_name_is_there():
+    for name in ("Model", "ModelError", "Event", "t", "multiplier", "load_model", "build", "simulate", "System",
+                 "Solution", "StopReason", "BuildError"):  # fmt: skip
+        assert getattr(em, name) is not None
+        assert name in dir(em)
+    with pytest.raises(AttributeError, match="no attribute 'absent'"):
+        _ = em.absent

@@ -1,0 +1,270 @@
+"""The command line: what it writes, says and answers."""
+
+import os
+import re
+import subprocess
+import sys
+import time
+from importlib.machinery import EXTENSION_SUFFIXES
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from eigenmotion.cli import main
+
+ROOT = Path(__file__).parents[1]
+MODELS = ROOT / "models"
+SCENE = """\
+from sympy import cos, symbols
+from sympy.physics.mechanics import dynamicsymbols
+from eigenmotion import Model
+
+angle = dynamicsymbols("angle")
+m, g = symbols("m g", positive=True)
+
+def model(n: int = 1, tag: str = ""):
+    return Model(name=f"swing{n}{tag}", coordinates=[angle], kinetic_energy=m * angle.diff() ** 2 / 2,
+                 potential_energy=-n * m * g * cos(angle), parameters={m: 1.0, g: 9.81}, initial={angle: 0.5})
+"""
+
+
+@pytest.fixture(autouse=True)
+def own_cache(tmp_path_factory, monkeypatch):
+    """One cache for this file's tests, none of the user's."""
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "cli-cache"))
+
+
+@pytest.fixture
+def scene(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "scene.py"
+    path.write_text(SCENE)
+    return path
+
+
+def files(folder="generated"):
+    return {path.name: path.read_text() for path in Path(folder).glob("*") if path.suffix in {".c", ".h", ".pyx"}}
+
+
+def test_generate_writes_sources_that_do_not_name_this_machine(scene, tmp_path):
+    assert main(["generate", "scene.py"]) == 0
+    assert set(files()) == {"swing1.c", "swing1.h", "swing1.pyx"}
+    for text in files().values():
+        assert "eigenmotion generate scene.py" in text
+        assert str(tmp_path) not in text
+        assert os.uname().nodename not in text
+
+
+def test_the_folder_and_the_way_to_the_model_change_no_byte(scene, tmp_path):
+    main(["generate", "scene.py"])
+    assert main(["generate", str(scene), "-o", "elsewhere/deep"]) == 0
+    assert files("elsewhere/deep") == files()
+
+
+def test_generate_leaves_what_is_right_alone(scene, capsys):
+    main(["generate", "scene.py"])
+    before = Path("generated/swing1.c").stat().st_mtime_ns
+    assert main(["generate", "scene.py"]) == 0
+    assert Path("generated/swing1.c").stat().st_mtime_ns == before
+    assert "same  generated/swing1.c" in capsys.readouterr().out
+
+
+def test_definitions_reach_the_model_and_the_header(scene):
+    assert main(["generate", "scene.py", "-D", "n=3", "-D", "tag=_b"]) == 0
+    assert "eigenmotion generate scene.py -D n=3 -D tag=_b" in files()["swing3_b.c"]
+    assert main(["generate", "--check", "--strict", "scene.py", "-D", "tag=_b", "-D", "n=3"]) == 0
+
+
+@pytest.mark.parametrize("options", [["--check"], ["--check", "--strict"], ["--strict"], ["--check", "--diff"]])
+def test_check_answers_0_when_nothing_differs(scene, options, capsys):
+    main(["generate", "scene.py"])
+    capsys.readouterr()
+    assert main(["generate", *options, "scene.py"]) == 0
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("options", [["--check"], ["--check", "--strict"], ["--check", "--diff"]])
+@pytest.mark.parametrize("suffix", [".c", ".h", ".pyx"])
+@pytest.mark.parametrize("edit", ["append", "first line", "delete", "inside"])
+def test_check_finds_an_edited_file(scene, capsys, options, suffix, edit):
+    main(["generate", "scene.py"])
+    path = Path(f"generated/swing1{suffix}")
+    text = path.read_text()
+    lines = text.splitlines(keepends=True)
+    middle = len(lines) // 2
+    edited = {
+        "append": text + "\n",
+        "first line": text.replace("generate", "degenerate", 1),
+        "inside": "".join([*lines[:middle], " ", *lines[middle:]]),
+        "delete": None,
+    }[edit]
+    path.unlink() if edited is None else path.write_text(edited)
+    assert main(["generate", *options, "scene.py"]) == 1
+    out, err = capsys.readouterr()
+    assert str(path) in err
+    assert ("+++ " in out) == ("--diff" in options)
+    assert (path.read_text() if path.exists() else None) == edited
+
+
+@pytest.mark.parametrize("options", [["--check"], ["--strict"]])
+@pytest.mark.parametrize(("old", "new"), [("9.81", "9.82"), ("- n * m", "- 2 * n * m"), ("angle: 0.5", "angle: 0.6")])
+def test_check_finds_an_edited_model(scene, options, old, new):
+    scene.write_text(SCENE.replace("=-n * m", "=- n * m"))
+    main(["generate", "scene.py"])
+    scene.write_text(SCENE.replace("=-n * m", "=- n * m").replace(old, new))
+    assert main(["generate", *options, "scene.py"]) == 1
+
+
+def test_check_finds_another_option(scene):
+    main(["generate", "scene.py"])
+    assert main(["generate", "--check", "--formulation", "lagrange", "scene.py"]) == 1
+
+
+def test_diff_alone_writes_nothing_and_answers_0(scene, capsys):
+    assert main(["generate", "--diff", "scene.py"]) == 0
+    assert not Path("generated").exists()
+    out = capsys.readouterr().out
+    assert "--- /dev/null\n+++ generated/swing1.c" in out
+
+
+def test_committed_sources_are_those_of_the_models():
+    models = sorted(str(path) for path in MODELS.glob("*.py") if path.stem != "__init__")
+    assert main(["generate", "--check", "-o", str(ROOT / "generated"), *models]) == 0
+
+
+def test_build_makes_an_importable_module(scene):
+    assert main(["build", "scene.py"]) == 0
+    assert Path(f"generated/swing1{EXTENSION_SUFFIXES[0]}").is_file()
+    script = "from generated import swing1; print(swing1.system.coordinates)"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "('angle',)"
+    assert main(["generate", "--check", "--strict", "scene.py"]) == 0
+
+
+def test_explain_names_states_and_what_was_left_out(capsys):
+    assert main(["explain", str(MODELS / "dual_link.py")]) == 0
+    text = capsys.readouterr().out
+    for word in ("20", "theta1", "theta4", "operations"):
+        assert word in text
+
+
+def summary_of(text):
+    return {match[1].strip(): match[2] for match in re.finditer(r"^(\S.{0,21}) (\S.*)$", text, re.M)}
+
+
+def test_run_prints_a_summary(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "2", "--rtol", "1e-9"]) == 0
+    rows = summary_of(capsys.readouterr().out)
+    assert rows["ended"] == "finished at t = 2"
+    assert float(rows["energy drift"].split()[0]) < 1e-7
+    assert "constraint violation" not in rows
+    assert "angle" in rows
+
+
+def test_run_takes_parameters_initial_values_and_rates(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "1.5", "--set", "g=0", "--set", "angle=0.25", "--set", "angle'=2"]) == 0
+    final = capsys.readouterr().out.splitlines()[-1].split()
+    assert [float(word) for word in final[1:]] == pytest.approx([3.25, 2.0], rel=1e-8)
+
+
+def test_run_saves_and_draws(scene, capsys):
+    assert main(["run", "scene.py", "--t-end", "1", "--save", "a.npz", "--plot", "a.png"]) == 0
+    assert main(["run", "scene.py", "--t-end", "1", "--save", "a.csv"]) == 0
+    saved = np.load("a.npz")
+    names = Path("a.csv").read_text().splitlines()[0].split(",")
+    table = np.loadtxt("a.csv", delimiter=",", skiprows=1)
+    assert names == ["t", "angle", "angle'", "energy"]
+    assert np.array_equal(table[:, 0], saved["t"])
+    assert np.array_equal(table[:, 1], saved["x"][0])
+    assert np.array_equal(table[:, 2], saved["v"][0])
+    assert Path("a.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([], "Usage"),
+        (["frobnicate"], "No such command"),
+        (["generate"], "Missing argument"),
+        (["generate", "absent.py"], "no such file"),
+        (["generate", "scene.py", "scene.py"], "more than one model is named swing1"),
+        (["generate", "scene.py", "-D", "links=3"], "no argument `links`; it has `n`, `tag`"),
+        (["generate", "scene.py", "-D", "n=three"], "n=three is not an int"),
+        (["generate", "scene.py", "-D", "n"], "expected NAME=VALUE"),
+        (["generate", "scene.py", "--formulation", "newton"], "newton"),
+        (["run", "scene.py", "--set", "gee=1"], "gee: not known to swing1, which has"),
+        (["run", "scene.py", "--set", "g=heavy"], "heavy is not a number"),
+        (["run", "scene.py", "--method", "euler"], "euler"),
+        (["run", "scene.py", "--save", "a.xlsx"], "known endings are .npz, .csv"),
+        (["run", "scene.py", "--plot", "absent/a.png"], "there is no folder"),
+    ],
+)
+def test_the_users_mistakes_answer_2(scene, capsys, arguments, words):
+    assert main(arguments) == 2
+    out, err = capsys.readouterr()
+    assert words in out + err
+    assert "Traceback" not in err
+    assert {path.name for path in scene.parent.iterdir()} == {"scene.py"}
+
+
+def test_a_mistake_in_the_model_answers_2_and_names_the_line(scene, capsys):
+    scene.write_text(SCENE.replace("n * m * g", "n * m * gravity"))
+    assert main(["generate", "scene.py"]) == 2
+    assert "scene.py:10: NameError" in capsys.readouterr().err
+
+
+def test_a_run_that_ends_early_answers_2_and_says_why(scene, capsys):
+    scene.write_text(SCENE.replace("- n", "-n").replace("=-n * m * g * cos(angle)", "=-m * g * angle**4"))
+    assert main(["run", "scene.py", "--t-end", "100"]) == 2
+    out = capsys.readouterr().out
+    assert "finished" not in out
+    assert "angle" in out
+
+
+def test_a_failed_compilation_answers_3(scene, monkeypatch, capsys):
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-fno-such-flag-at-all")
+    assert main(["build", "scene.py"]) == 3
+    assert "-fno-such-flag-at-all" in capsys.readouterr().err
+    assert not Path("generated").exists()
+
+
+def test_a_missing_compiler_answers_3(scene, monkeypatch, capsys):
+    monkeypatch.setenv("CC", "no-such-compiler")
+    assert main(["build", "scene.py"]) == 3
+    assert "Install GCC or Clang" in capsys.readouterr().err
+
+
+def test_tracebacks_are_shown_when_asked_for(scene, monkeypatch, capsys):
+    monkeypatch.setenv("EIGENMOTION_DEBUG", "1")
+    assert main(["generate", "absent.py"]) == 2
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_an_interrupt_answers_130(scene):
+    scene.write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n" + SCENE)
+    command = [sys.executable, "-m", "eigenmotion", "generate", "scene.py"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr.strip()) == (130, "interrupted")
+
+
+def test_help_does_not_wait_for_sympy():
+    heavy = "{'sympy', 'numpy', 'scipy'} & set(sys.modules)"
+    script = f"import sys; from eigenmotion.cli import main; main(['--help']); print({heavy})"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "set()"
+
+
+def test_help_comes_at_once():
+    times = []
+    for _ in range(3):
+        start = time.perf_counter()
+        subprocess.run([sys.executable, "-m", "eigenmotion", "--help"], capture_output=True, check=True)
+        times.append(time.perf_counter() - start)
+    assert min(times) < 0.4
+
+
+@pytest.mark.parametrize("name", ["generate", "build", "explain", "run"])
+def test_every_command_has_help(name, capsys):
+    assert main([name, "--help"]) == 0
+    assert "MODEL" in capsys.readouterr().out

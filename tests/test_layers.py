@@ -1,0 +1,90 @@
+"""Rules of dependency (docs/architecture.md), read off the sources."""
+
+import ast
+import importlib.util
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PACKAGES = {
+    "eigenmotion.codegen": ROOT / "codegen",
+    "eigenmotion.models": ROOT / "models",
+    "eigenmotion.templates": ROOT / "templates",
+    "eigenmotion": ROOT / "src" / "eigenmotion",
+}
+
+
+def modules() -> dict[str, Path]:
+    """Name of each module of ours -> its file."""
+    found: dict[str, Path] = {}
+    for package, folder in PACKAGES.items():
+        for file in [*folder.rglob("*.py"), *folder.rglob("*.pyi")]:
+            parts = file.relative_to(folder).with_suffix("").parts
+            found.setdefault(".".join([package, *(part for part in parts if part != "__init__")]), file)
+    return found
+
+
+def imports(module: str, file: Path) -> Iterator[str]:
+    """Absolute names of what a file imports, anywhere in it."""
+    package = module if file.stem == "__init__" else module.rpartition(".")[0]
+    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            source = importlib.util.resolve_name("." * node.level + (node.module or ""), package)
+            yield source
+            yield from (f"{source}.{alias.name}" for alias in node.names)
+
+
+MODULES = modules()
+
+
+def within(name: str, package: str) -> bool:
+    return name == package or name.startswith(f"{package}.")
+
+
+def test_the_sources_are_found():
+    assert {"eigenmotion", "eigenmotion.build", "eigenmotion.codegen.model", "eigenmotion.runtime.core"} <= set(MODULES)
+
+
+@pytest.mark.parametrize("module", [name for name in MODULES if within(name, "eigenmotion.codegen")])
+def test_codegen_imports_sympy_jinja_and_the_standard_library(module):
+    for name in imports(module, MODULES[module]):
+        top = name.partition(".")[0]
+        ours = within(name, "eigenmotion.codegen") or within(name, "eigenmotion.templates")
+        assert ours or top in {"sympy", "jinja2"} or top in sys.stdlib_module_names, f"{module} imports {name}"
+
+
+@pytest.mark.parametrize("module", [name for name in MODULES if within(name, "eigenmotion.runtime")])
+def test_runtime_imports_nothing_of_ours(module):
+    for name in imports(module, MODULES[module]):
+        assert not within(name, "eigenmotion") or within(name, "eigenmotion.runtime"), f"{module} imports {name}"
+
+
+def test_runtime_extension_imports_nothing_of_ours():
+    text = (PACKAGES["eigenmotion"] / "runtime" / "core.pyx").read_text(encoding="utf-8")
+    named = [line.split()[1] for line in text.splitlines() if line.startswith(("from ", "import ", "cimport "))]
+    assert named
+    assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
+
+
+def test_nothing_imports_the_command_line():
+    users = {
+        module
+        for module, file in MODULES.items()
+        if not within(module, "eigenmotion.cli") and module != "eigenmotion.__main__"
+        for name in imports(module, file)
+        if within(name, "eigenmotion.cli")
+    }
+    assert not users
+
+
+def test_codegen_is_not_importable_a_second_time():
+    """Run plain `pytest`: `python -m pytest` puts the checkout on sys.path, and `codegen` would be there twice."""
+    assert str(ROOT) not in sys.path
+    assert importlib.util.find_spec("codegen") is None
+    assert importlib.util.find_spec("templates") is None
+    assert "codegen" not in sys.modules

@@ -1,0 +1,324 @@
+"""simulate and Solution on a model written by hand, against the pendulum on paper."""
+
+import os
+import pickle
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+from eigenmotion.codegen.model import ModelError
+from scipy.integrate import solve_ivp
+from scipy.interpolate import CubicSpline
+from scipy.optimize import OptimizeResult
+from scipy.special import ellipk
+
+from eigenmotion.runtime import StopReason
+from eigenmotion.signals import Signal
+from eigenmotion.simulate import simulate
+from eigenmotion.solution import Solution
+from eigenmotion.trajectory import _carriers, _filled
+
+from .hand_written import bead
+
+M, G, L = 2.0, 9.81, 1.5
+COMPILED = ("rk34", "dopri5", "dop853")
+TIGHT = {"rtol": 1e-10, "atol": 1e-12}
+START = {"x0": L * np.array([np.sin(1.0), -np.cos(1.0)]), "v0": [0.0, 0.0]}
+
+
+def pendulum(t: np.ndarray, push=lambda t: 0.0) -> np.ndarray:
+    """Positions (2, k) by way of the angle, from rest at one radian."""
+    found = solve_ivp(
+        lambda t, q: [q[1], (-G * np.sin(q[0]) + push(t) * np.cos(q[0]) / M) / L],
+        (0, max(t)), [1.0, 0.0], "DOP853", t_eval=t, rtol=1e-12, atol=1e-13, max_step=0.05,
+    )  # fmt: skip
+    return L * np.array([np.sin(found.y[0]), -np.cos(found.y[0])])
+
+
+@pytest.fixture(scope="module")
+def motion() -> Solution:
+    return bead().simulate((0, 5), **START, **TIGHT, dense_output=True)
+
+
+def test_is_a_result_of_scipy(motion):
+    assert isinstance(motion, OptimizeResult)
+    assert motion.success is True
+    assert motion.status == 0
+    assert motion.stop is StopReason.FINISHED
+    assert motion.y.shape == (4, motion.t.size)
+    assert motion["y"] is motion.y
+    assert motion.nsteps == motion.t.size - 1
+    assert motion.nfev > 12 * motion.nsteps
+    assert motion.sol.t_min == 0
+    assert motion.sol.t_max == 5
+
+
+@pytest.mark.parametrize("method", [*COMPILED, "DOP853"])
+def test_follows_the_pendulum(method):
+    t = np.linspace(0, 3, 31)
+    found = simulate(bead(), (0, 3), **START, rtol=1e-8, atol=1e-10, t_eval=t, method=method)
+    np.testing.assert_array_equal(found.t, t)
+    np.testing.assert_allclose(found.x, pendulum(t), atol=2e-6)
+
+
+def test_period_is_that_of_the_elliptic_integral(motion):
+    crossings = motion.t_events[0]
+    np.testing.assert_allclose(np.diff(crossings), 2 * np.sqrt(L / G) * ellipk(np.sin(0.5) ** 2), rtol=1e-9)
+    assert motion.y_events[0].shape == (crossings.size, 4)
+    np.testing.assert_allclose(motion.y_events[0][:, :2], np.tile([0, -L], (crossings.size, 1)), atol=1e-12)
+
+
+def test_derived_rows(motion):
+    angle = np.arctan2(motion.x[0], -motion.x[1])
+    speed = np.hypot(*motion.v)
+    k = motion.t.size
+    assert motion.x.shape == motion.v.shape == motion.eta.shape == motion.s.shape == (2, k)
+    assert motion.C.shape == (2, 2, k)
+    np.testing.assert_array_equal(motion.v, motion.y[2:])
+    np.testing.assert_allclose(motion.eta, np.sqrt(M) * motion.v, atol=1e-14)
+    np.testing.assert_allclose(motion.s, np.sqrt(M))
+    np.testing.assert_allclose(motion.energy, M * speed**2 / 2 + M * G * motion.x[1])
+    np.testing.assert_allclose(motion.energy, motion.energy[0], atol=1e-8)
+    np.testing.assert_array_equal(motion.jacobi_integral, motion.energy)
+    tension = M * speed**2 / L + M * G * np.cos(angle)
+    np.testing.assert_allclose(motion.multipliers, [tension / L], atol=1e-9)
+    np.testing.assert_allclose(motion.outputs["tension"], tension, atol=1e-9)
+    assert motion.constraint_residual.shape == motion.position_residual.shape == (1, k)
+    assert abs(motion.constraint_residual).max() < 1e-13
+    assert abs(motion.position_residual).max() < 1e-14
+    assert motion.factor_residual.shape == (k,)
+    assert motion.factor_residual.max() < 1e-15
+
+
+def test_residuals_are_those_of_the_rows():
+    drifting = bead().simulate((0, 5), **START, rtol=1e-4, stabilisation="none")
+    (x, y), (vx, vy) = drifting.y[:2], drifting.y[2:]
+    np.testing.assert_allclose(drifting.position_residual[0], (x**2 + y**2 - L**2) / 2, atol=1e-15)
+    np.testing.assert_allclose(drifting.constraint_residual[0], x * vx + y * vy, atol=1e-14)
+    assert abs(drifting.position_residual[0, -1]) > 1e-6
+
+
+def test_derived_rows_are_found_like_any_other():
+    found = bead().simulate((0, 1), **START)
+    assert "eta" in found
+    assert "eta" in found.keys()  # noqa: SIM118
+    assert "nonsense" not in found
+    assert found["eta"] is found.eta
+    assert set(found) == set(found.keys()) == {name for name, _ in found.items()}
+    assert len(found) == len(list(found))
+    assert {"t", "y", "C", "factor_residual"} <= set(dir(found))
+    assert found.get("nonsense", 3) == 3
+    assert dict(found)["multipliers"].shape == (1, found.t.size)
+    with pytest.raises(AttributeError):
+        found.nonsense  # noqa: B018
+    with pytest.raises(KeyError):
+        found["nonsense"]
+
+
+def test_representation_is_a_summary(motion):
+    assert repr(motion).startswith("<Solution of bead: finished, t = 0 ... 5 in")
+    assert len(repr(motion)) < 300
+
+
+def test_a_copy_travels_between_processes(motion):
+    twin = pickle.loads(pickle.dumps(motion))
+    np.testing.assert_array_equal(twin.multipliers, motion.multipliers)
+    assert twin.stop is StopReason.FINISHED
+    assert twin.sol is None
+
+
+def test_dense_output_is_projected_and_joins_the_rows(motion):
+    t = np.linspace(0, 5, 999)
+    y = motion.sol(t)
+    assert y.shape == (4, 999)
+    np.testing.assert_allclose(y[:2], pendulum(t), atol=1e-7)
+    np.testing.assert_allclose(np.hypot(*y[:2]), L, atol=1e-14)
+    np.testing.assert_allclose(motion.sol(motion.t), motion.y, atol=1e-13)
+    assert motion.sol(2.5).shape == (4,)
+    np.testing.assert_array_equal(motion.sol(2.5), motion.sol([2.5])[:, 0])
+    with pytest.raises(ValueError, match="outside"):
+        motion.sol(5.1)
+
+
+def test_dense_output_outlives_the_solution():
+    dense = bead().simulate((1, 0), **START, dense_output=True).sol
+    assert (dense.t_min, dense.t_max) == (0, 1)
+    np.testing.assert_allclose(np.hypot(*dense(np.linspace(0, 1, 50))[:2]), L, atol=1e-14)
+
+
+def test_backwards_is_the_mirror_of_forwards():
+    there = bead().simulate((0, 2), **START, **TIGHT)
+    back = bead().simulate((2, 0), x0=there.x[:, -1], v0=there.v[:, -1], **TIGHT)
+    np.testing.assert_allclose(back.x[:, -1], START["x0"], atol=1e-8)
+    assert back.t[-1] == 0
+
+
+@pytest.mark.parametrize("kind", ["hold", "linear", "cubic"])
+def test_inputs_are_signals(kind):
+    times, values = np.linspace(0, 3, 7), np.array([0, 3, -2, 5, 1, -4, 2.0])
+    u = Signal(times, values, kind)
+    truth = {
+        "hold": lambda t: values[np.minimum((t / 0.5).astype(int), 6)],
+        "linear": lambda t: np.interp(t, times, values),
+        "cubic": CubicSpline(times, values),
+    }[kind]
+    t = np.linspace(0, 3, 40)
+    found = bead().simulate((0, 3), **START, **TIGHT, t_eval=t, inputs={"push": u})
+    loose = 1e-3 if kind == "hold" else 1e-8  # the reference steps over the jumps of "hold"
+    np.testing.assert_allclose(found.x, pendulum(t, lambda t: truth(np.asarray(t))), atol=loose)
+    np.testing.assert_allclose(found.outputs["push_seen"], truth(t), atol=1e-12)
+
+
+def test_a_pair_of_samples_is_linear():
+    samples = [0, 1], [0, 4]
+    pair = bead().simulate((0, 1), **START, inputs={"push": samples})
+    np.testing.assert_array_equal(pair.y, bead().simulate((0, 1), **START, inputs={"push": Signal(*samples)}).y)
+
+
+def test_a_terminal_event_ends_the_run():
+    found = bead().simulate((0, 5), x0=[0, -L], v0=[8.0, 0], rtol=1e-9)
+    assert (found.stop, found.status, found.success) == (StopReason.TERMINAL_EVENT, 1, True)
+    assert found.t[-1] == found.t_events[1][0]
+    np.testing.assert_allclose(found.x[:, -1], [L, 0], atol=1e-9)
+
+
+def test_too_many_steps_keeps_what_was_computed():
+    found = bead().simulate((0, 5), **START, max_steps=7)
+    assert (found.stop, found.status, found.success) == (StopReason.TOO_MANY_STEPS, -1, False)
+    assert 0 < found.t[-1] < 5
+    assert "max_steps" in found.message
+    assert found.energy.size == found.t.size
+
+
+def test_ctrl_c_ends_a_run_within_a_tenth_of_a_second():
+    sent = []
+
+    def press() -> None:
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.3, press)
+    timer.start()
+    found = bead().simulate((0, 1e9), **START, max_steps=10**12, t_eval=[0.0, 1.0])
+    assert time.perf_counter() - sent[0] < 0.1
+    assert (found.stop, found.success) == (StopReason.INTERRUPTED, False)
+    assert found.t.size == 2
+
+
+def test_other_exceptions_of_signal_handlers_are_raised():
+    def complain(*_: object) -> None:
+        raise TimeoutError
+
+    before = signal.signal(signal.SIGALRM, complain)
+    signal.setitimer(signal.ITIMER_REAL, 0.2)
+    try:
+        with pytest.raises(TimeoutError):
+            bead().simulate((0, 1e9), **START, max_steps=10**12, t_eval=[0.0])
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_threads_run_side_by_side():
+    alone = bead().simulate((0, 20), **START)
+    found: list[Solution] = []
+    threads = [threading.Thread(target=lambda: found.append(bead().simulate((0, 20), **START))) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for other in found:
+        np.testing.assert_array_equal(other.y, alone.y)
+
+
+def test_stiff_methods_follow_the_same_pendulum(monkeypatch):
+    monkeypatch.setattr(type(bead()), "events", ())  # which they do not locate
+    t = np.linspace(0, 2, 9)
+    for method in ("Radau", "BDF", "lsoda"):
+        found = bead().simulate((0, 2), **START, method=method, rtol=1e-7, t_eval=t, dense_output=True)
+        np.testing.assert_allclose(found.x, pendulum(t), atol=1e-4)
+        np.testing.assert_allclose(found.sol(t), found.y)
+        assert found.multipliers.shape == (1, 9)
+        assert found.success
+
+
+def test_stiff_methods_stop_at_the_samples_of_held_inputs(monkeypatch):
+    monkeypatch.setattr(type(bead()), "events", ())
+    push = {"push": Signal([0, 0.5, 0.501], [0.0, 4000.0, 0.0], "hold")}  # an impulse of 4: narrow enough to step over
+    options = {**START, "inputs": push, "rtol": 1e-8}
+    compiled, stiff = bead().simulate((0, 1), **options), bead().simulate((0, 1), **options, method="Radau")
+    assert 0.501 in stiff.t
+    np.testing.assert_allclose(stiff.x[:, -1], compiled.x[:, -1], atol=1e-4)
+    assert abs(compiled.x[0, -1] - bead().simulate((0, 1), **START).x[0, -1]) > 0.1
+
+
+def test_stiff_methods_keep_what_was_computed(monkeypatch):
+    monkeypatch.setattr(type(bead()), "events", ())
+    found = bead().simulate((0, 5), **START, method="BDF", max_steps=7)
+    assert (found.stop, found.success, found.nsteps) == (StopReason.TOO_MANY_STEPS, False, 7)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"x0": [1, 0]}, r"x0 is off holonomic constraint row 0 by -0\.625.*x0 = \[1\.5, 0\]"),
+        ({"v0": {"x": 2, "y": 1}}, r"v0 .*row 0 by 3\..*project_initial_state.*v0 = \[0, 1\]"),
+        ({"x0": [np.nan, 0]}, "'x' is not a finite number"),
+        ({"parameters": {"m": 0}}, "not positive definite at coordinate 'x'"),
+        ({"parameters": {"mass": 0}}, "known: m, g, l"),
+        ({"inputs": {"pushh": 0}}, "Did you mean 'push'"),
+        ({"inputs": {"push": ([0, 0.5], [1, 1])}}, "does not cover"),
+        ({"inputs": {"push": ([0, 1, 1], [1, 1, 1])}}, "'push'.*increase"),
+        ({"inputs": {"push": "hard"}}, "'push'"),
+        ({"t_eval": [0.5, 2]}, "outside t_span"),
+        ({"t_eval": [0.5, 0.2]}, "increase"),
+        ({"rtol": -1}, "rtol"),
+        ({"atol": -1}, "atol of 'x'"),
+        ({"atol": {"z": 1}}, "known: x, y"),
+        ({"rtol": 0, "atol": {"y": 0}}, "both 0"),
+        ({"first_step": 0}, "first_step"),
+        ({"max_step": -1}, "max_step"),
+        ({"max_steps": 0}, "max_steps"),
+        ({"method": "dop583"}, "Did you mean 'dop853'"),
+        ({"method": "Radau"}, "events"),
+        ({"stabilisation": "projects"}, "Did you mean 'project'"),
+        ({"dependent_constraints": "ignore"}, "refuse, least_norm"),
+        ({"rtoll": 1e-3}, "Did you mean 'rtol'"),
+    ],
+)
+def test_mistakes_are_named_before_the_run(options, words):
+    with pytest.raises(ModelError, match=words):
+        bead().simulate((0, 1), **options)
+
+
+@pytest.mark.parametrize("span", [(0, np.inf), (1, 1), (0,), "ab", 3])
+def test_bad_spans(span):
+    with pytest.raises(ModelError, match="t_span"):
+        bead().simulate(span)
+
+
+def test_unknown_options_are_type_errors_too():
+    with pytest.raises(TypeError, match="rtoll"):
+        bead().simulate((0, 1), rtoll=1)
+
+
+def test_tolerance_of_a_coordinate_counts():
+    fine = bead().simulate((0, 1), **START, rtol=1e-12, atol={"x": 1e-12, "y": 1e-12})
+    half = bead().simulate((0, 1), **START, rtol=1e-12, atol={"x": 1e-12, "y": 10.0})
+    coarse = bead().simulate((0, 1), **START, rtol=1e-12, atol=10.0)
+    assert fine.nsteps >= half.nsteps > coarse.nsteps
+
+
+def test_carried_factors_are_put_into_their_blocks():
+    """Three blocks {0, 2}, {1}, {3, 4}; the state carries either pair."""
+    block = (0, 1, 0, 2, 2)
+    choices = _carriers(block, 4, 2)
+    assert choices == [[[0, 2]], [[3, 4]]]
+    assert _carriers(block, 8, 4) == [[[0, 2], [3, 4]]]
+    found = np.tile(np.eye(5), (3, 1, 1)), np.ones((3, 5))
+    carried, roots = np.arange(12.0).reshape(3, 4), np.arange(6.0).reshape(3, 2) + 7
+    C, s = _filled(found, carried, roots, choices[1])
+    np.testing.assert_array_equal(C[1, 3:, 3:], [[4, 5], [6, 7]])
+    np.testing.assert_array_equal(C[1, :3, :3], np.eye(3))
+    np.testing.assert_array_equal(s[1], [1, 1, 1, 9, 10])
