@@ -45,7 +45,7 @@ class Defaults:
 def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     """Lay out state and memory, and write the straight-line part of each function."""
     names, mechanics, eigen = scene.mechanics.name, scene.mechanics, choices.formulation == "eigenfactor"
-    blocks, n_state, n_memory, n_fixed = _views(scene, eigen)
+    blocks, n_state, n_memory, n_fixed = _views(scene, choices.formulation)
     bodies, n_constants = _Writing(scene, choices, blocks, n_fixed).bodies()
     n, turning = scene.n, [block for block in blocks if block.turning]
     return Program(
@@ -86,11 +86,12 @@ def _block_of(scene: Scene) -> tuple[int, ...]:
     return tuple(by_coordinate[k] for k in range(scene.n))
 
 
-def _views(scene: Scene, eigen: bool) -> tuple[tuple[BlockView, ...], int, int, int]:
+def _views(scene: Scene, formulation: str) -> tuple[tuple[BlockView, ...], int, int, int]:
     """Lay out C and s in the state, factors in the memory and, for fixed blocks, in the prepared parameters.
 
     Returns the blocks and the lengths of state, memory and fixed factors.
     """
+    eigen = formulation == "eigenfactor"
     n, turning, first_fixed = scene.n, scene.turning, len(scene.mechanics.parameters)
     C = s = 2 * n
     s += sum(block.size**2 for block in turning) * eigen
@@ -99,7 +100,7 @@ def _views(scene: Scene, eigen: bool) -> tuple[tuple[BlockView, ...], int, int, 
     for block in scene.blocks:
         views.append(_view(scene, block, eigen, (C, s, kept, fixed)))
         room = block.size**2 + block.size
-        kept += room * (block.kind is not Kind.FIXED)
+        kept += room * (block.kind is not Kind.FIXED and formulation != "lagrange")
         fixed += 2 * room * (block.kind is Kind.FIXED)
         if eigen and block.kind is Kind.TURNING:
             C, s = C + block.size**2, s + block.size
@@ -198,10 +199,13 @@ class _Writing:
 
     # -- assignments ---------------------------------------------------------------------------------------------
 
-    def masses(self, full: bool) -> list[tuple[str, Node]]:
+    def masses(self, full: bool, settle: bool = False) -> list[tuple[str, Node]]:
         """M of the blocks that vary: the lower triangle, or both; of a single coordinate a number."""
-        given = []
+        given: list[tuple[str, Node]] = []
+        velocities_only = settle and self.choices.formulation == "lagrange"
         for block in self.blocks:
+            if velocities_only and not block.constrained:
+                continue
             if block.single:
                 (k,) = block.coordinates
                 given.append((f"const double M{block.number}", self.scaled(self.terms.M[k][k], k, k)))
@@ -257,7 +261,7 @@ class _Writing:
                           ("t", "c", "u"))  # fmt: skip
 
     def settle(self, full: bool) -> Body:
-        given = [*self.masses(full), *self.constraint_rows(), *self.column("b", self.terms.b)]
+        given = [*self.masses(full, settle=True), *self.constraint_rows(), *self.column("b", self.terms.b)]
         return self.write([given], self.naming("y", "v"), ("t", "c"))
 
     def mass_matrix(self) -> Body:
@@ -298,8 +302,8 @@ class _Writing:
         return self.write([given], self.naming("x", "v", places), ("t", "x", "v", "c", "u", "a", "lambda", "out"))
 
     def events(self) -> Body:
-        given = self.column("g", (self.terms.node(expression) for _, expression in self.mechanics.events))
-        return self.write([given], self.naming("x", "v"), ("t", "x", "v", "c", "u", "g"))
+        given = self.column("crossing", (self.terms.node(expression) for _, expression in self.mechanics.events))
+        return self.write([given], self.naming("x", "v"), ("t", "x", "v", "c", "u", "crossing"))
 
     def prepare(self) -> Body:
         """M of the fixed blocks, then the constants that the other functions asked for."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 import re
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,20 +9,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from .graph import Graph, Kind, Node, Number
+from .reserved import is_reserved
 from .schedule import Constants, Cost, Operation, Schedule, operands_of, schedule
 
 SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""
 WIDTH = 110
-C_WORDS = frozenset(
-    "auto break case char const continue default do double else enum extern float for goto if inline int long "
-    "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
-    "asm typeof main errno NULL EOF INFINITY NAN I complex imaginary bool true false linux unix i386 "
-    "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log pow sqrt fabs fmin fmax erf floor "
-    "ceil y dy x v c u t e a h memory fault flags mode row eta lambda A b phi M dM B Delta gamma bias out i j k "
-    "N N_ROWS N_POSITIONS N_STATE N_INPUTS N_EVENTS N_MEMORY N_C N_S N_CD N_SD SETTLES run poll size_t model".split()
-)
-OURS = re.compile(r"^(C|s|r|w|v|q|mu|Omega|eta|eta_dot|f|a|b|B|A|L|M|Mdot|Phi|N|d|em_.*|model_.*|[cz]_)\d*$|^(c|z)_\d+$")
 CALLS: Mapping[str, str] = {"abs": "fabs", "min": "fmin", "max": "fmax", "sign": "em_sign", "step": "em_heaviside"}
 INFIX: Mapping[str, str] = {"and": "&&", "or": "||"}
 
@@ -33,9 +24,7 @@ def c_identifier(name: str) -> str:
     identifier = re.sub(r"\W", "_", name, flags=re.ASCII)
     if not identifier or identifier[0].isdigit():
         identifier = f"_{identifier}"
-    if identifier in C_WORDS or keyword.iskeyword(identifier) or OURS.match(identifier):
-        identifier += "_"
-    return identifier
+    return identifier + "_" if is_reserved(identifier) else identifier
 
 
 def c_identifiers(names: Iterable[str]) -> dict[str, str]:

@@ -145,7 +145,7 @@ def test_build_makes_an_importable_module(scene):
 def test_explain_names_states_and_what_was_left_out(capsys):
     assert main(["explain", str(MODELS / "dual_link.py")]) == 0
     text = capsys.readouterr().out
-    for word in ("20", "theta1", "theta4", "operations"):
+    for word in ("20 states", "theta1", "theta4", "additions"):
         assert word in text
 
 

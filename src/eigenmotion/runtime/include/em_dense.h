@@ -12,7 +12,7 @@
 /* F_3 + i = h sum_j d_ij K_j */
 EM_INLINE void em_corrections(const em_tableau *rk, em_walk *w) {
     const int stages = rk->last_extra > 0 ? rk->last_extra + 1 : rk->stages;
-#pragma GCC unroll 4
+    EM_UNROLL
     for (int i = 0; i < rk->corrections; ++i) {
         em_combine(rk->d[i], stages, w->h, em_zero, w->K, w->argument);
         memcpy(w->F[4 + i], w->argument, sizeof w->F[0]);

@@ -175,11 +175,14 @@ EM_INLINE double em_gap(int n, const double *restrict s) {
     return gap;
 }
 
+/* The same where n is known at run time only. */
+EM_COLD int em_refresh_any(int n, const double *M, double *C, double *s) { return em_refresh(n, M, C, s, NULL); }
+
 /* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
 EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s) {
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) C[i * n + j] = i == j;
-    const int singular = em_refresh(n, M, C, s, NULL);
+    const int singular = em_refresh_any(n, M, C, s);
     if (singular >= 0) return singular;
     for (int i = 0; i < n; ++i) {
         int least = i, largest = 0;

@@ -137,7 +137,7 @@ EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, doubl
                 Cb[i * size + j] = C[place];
                 given += fabs(C[place]);
             }
-        const int singular = given > 0.0 ? em_refresh(size, Mb, Cb, sb, NULL) : em_eigenfactors(size, Mb, Cb, sb);
+        const int singular = given > 0.0 ? em_refresh_any(size, Mb, Cb, sb) : em_eigenfactors(size, Mb, Cb, sb);
         if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, member[singular], -1, 0.0);
         for (int i = 0; i < size; ++i) {
             s[member[i]] = sb[i];

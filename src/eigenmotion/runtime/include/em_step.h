@@ -11,6 +11,13 @@
 #include "em_linear.h"
 #include "em_tableaux.h"
 
+/* Before a loop over stages or coefficients: unroll it wholly, so that the tableau's numbers become constants. */
+#if defined(__clang__)
+#define EM_UNROLL _Pragma("unroll")
+#else
+#define EM_UNROLL _Pragma("GCC unroll 16")
+#endif
+
 enum {
     EM_LANES = 4,
     EM_WIDTH = (N_STATE + EM_LANES - 1) / EM_LANES * EM_LANES, /* a state padded with zeros */
@@ -84,7 +91,7 @@ EM_INLINE void em_combine(const double *restrict a, int n, double h, const doubl
                           double (*restrict K)[EM_WIDTH], double *restrict out) {
     for (int k = 0; k < EM_WIDTH; ++k) {
         double sum = 0.0;
-#pragma GCC unroll 16
+        EM_UNROLL
         for (int j = 0; j < n; ++j)
             if (a[j] != 0.0) sum += a[j] * K[j][k];
         out[k] = y[k] + h * sum;
@@ -93,7 +100,7 @@ EM_INLINE void em_combine(const double *restrict a, int n, double h, const doubl
 
 /* K_first .. K_last; where stage `solution` is among them its argument is y_new. */
 EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
-#pragma GCC unroll 16
+    EM_UNROLL
     for (int i = first; i <= last; ++i) {
         double *argument = i == rk->solution ? w->y_new : w->argument;
         em_combine(rk->a[i], i, w->h, w->y, w->K, argument);

@@ -1,0 +1,1083 @@
+/* eigenmotion generate chain.py */
+/* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
+/* body sha256:eb36ce4ef86eec6358c6e3bdeb1bd8852b2d8e74ba2e3164a89a99860bf0692a */
+/* chain_5: equations of motion, eigenfactor formulation.
+ *
+ * State, 40 numbers:
+ *   x    y[0 .. 5)
+ *   eta  y[5 .. 10)
+ *   C    y[10 .. 35)
+ *   s    y[35 .. 40)
+ *
+ * Blocks of M that do not couple:
+ *   1: theta_1, theta_2, theta_3, theta_4, theta_5 (C and s are states)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 54 additions, 109 multiplications, 10 function calls
+ *   triangular root: 64 additions, 139 multiplications, 10 function calls
+ *   projection: 10 additions, 30 multiplications, 10 function calls
+ */
+#include "chain_5.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 5,            /* coordinates */
+    N_ROWS = 0,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 40,
+    N_C = 25,
+    N_S = 5,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 30,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 11,
+    N_PREPARED = 37, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 5 /* theta_1, theta_2, theta_3, theta_4, theta_5 */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 0, 0, 0, 0 };
+static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    const double m_1 = c[0];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double m_4 = c[3];
+    const double m_5 = c[4];
+    const double l_1 = c[5];
+    const double l_2 = c[6];
+    const double l_3 = c[7];
+    const double l_4 = c[8];
+    const double l_5 = c[9];
+    const double g = c[10];
+    const double z_5 = l_1*m_4 + l_1*m_5;
+    const double z_6 = l_1*m_3 + z_5;
+    const double z_7 = l_1*m_2 + z_6;
+    const double z_10 = m_4*l_2 + m_5*l_2;
+    const double z_11 = m_3*l_2 + z_10;
+    const double z_13 = m_4*l_3 + m_5*l_3;
+    const double z_15 = m_5*l_5;
+    const double z_18 = l_1*m_1*g;
+    const double z_19 = m_2*g;
+    const double z_20 = m_3*g;
+    const double z_21 = m_4*g;
+    const double z_22 = m_5*g;
+    const double z_23 = z_21 + z_22;
+    const double z_24 = z_20 + z_23;
+    const double z_25 = z_19 + z_24;
+    c[11] = z_7*l_2;
+    c[12] = l_3*z_6;
+    c[13] = l_3*z_11;
+    c[14] = l_4*z_5;
+    c[15] = l_4*z_10;
+    c[16] = l_4*z_13;
+    c[17] = l_1*z_15;
+    c[18] = l_2*z_15;
+    c[19] = l_3*z_15;
+    c[20] = l_4*z_15;
+    c[21] = z_18 + l_1*z_25;
+    c[22] = l_2*z_25;
+    c[23] = l_3*z_24;
+    c[24] = l_4*z_23;
+    c[25] = z_15;
+    c[26] = g*z_15;
+    c[27] = l_1*z_7 + m_1*(l_1*l_1);
+    c[28] = l_2*(m_2*l_2 + z_11);
+    c[29] = l_3*(m_3*l_3 + z_13);
+    c[30] = l_4*(m_4*l_4 + m_5*l_4);
+    c[31] = m_5*(l_5*l_5);
+    c[32] = z_19;
+    c[33] = z_20;
+    c[34] = z_21;
+    c[35] = z_22;
+    c[36] = z_18;
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double c_16 = c[27];
+    const double c_17 = c[28];
+    const double c_18 = c[29];
+    const double c_19 = c[30];
+    const double c_20 = c[31];
+    const double theta_1 = x[0];
+    const double theta_2 = x[1];
+    const double theta_3 = x[2];
+    const double theta_4 = x[3];
+    const double theta_5 = x[4];
+    const double cos_theta_1 = cos(theta_1);
+    const double cos_theta_2 = cos(theta_2);
+    const double sin_theta_1 = sin(theta_1);
+    const double sin_theta_2 = sin(theta_2);
+    const double cos_theta_3 = cos(theta_3);
+    const double sin_theta_3 = sin(theta_3);
+    const double cos_theta_4 = cos(theta_4);
+    const double sin_theta_4 = sin(theta_4);
+    const double cos_theta_5 = cos(theta_5);
+    const double sin_theta_5 = sin(theta_5);
+    M[0] = c_16;
+    M[5] = M[1] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    M[6] = c_17;
+    M[10] = M[2] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    M[11] = M[7] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    M[12] = c_18;
+    M[15] = M[3] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    M[16] = M[8] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    M[17] = M[13] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    M[18] = c_19;
+    M[20] = M[4] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    M[21] = M[9] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    M[22] = M[14] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    M[23] = M[19] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    M[24] = c_20;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double theta_1 = x[0];
+    const double theta_2 = x[1];
+    const double theta_3 = x[2];
+    const double theta_4 = x[3];
+    const double theta_5 = x[4];
+    const double cos_theta_2 = cos(theta_2);
+    const double sin_theta_1 = sin(theta_1);
+    const double cos_theta_1 = cos(theta_1);
+    const double sin_theta_2 = sin(theta_2);
+    const double z_7 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
+    const double cos_theta_3 = cos(theta_3);
+    const double sin_theta_3 = sin(theta_3);
+    const double z_12 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
+    const double cos_theta_4 = cos(theta_4);
+    const double sin_theta_4 = sin(theta_4);
+    const double z_17 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
+    const double cos_theta_5 = cos(theta_5);
+    const double sin_theta_5 = sin(theta_5);
+    const double z_22 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
+    const double z_24 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
+    const double z_26 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
+    const double z_28 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
+    const double z_30 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
+    const double z_32 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
+    const double z_34 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
+    dM[5] = dM[1] = -z_7;
+    dM[10] = dM[2] = -z_12;
+    dM[15] = dM[3] = -z_17;
+    dM[20] = dM[4] = -z_22;
+    dM[30] = dM[26] = z_7;
+    dM[36] = dM[32] = -z_24;
+    dM[41] = dM[33] = -z_26;
+    dM[46] = dM[34] = -z_28;
+    dM[60] = dM[52] = z_12;
+    dM[61] = dM[57] = z_24;
+    dM[67] = dM[63] = -z_30;
+    dM[72] = dM[64] = -z_32;
+    dM[90] = dM[78] = z_17;
+    dM[91] = dM[83] = z_26;
+    dM[92] = dM[88] = z_30;
+    dM[98] = dM[94] = -z_34;
+    dM[120] = dM[104] = z_22;
+    dM[121] = dM[109] = z_28;
+    dM[122] = dM[114] = z_32;
+    dM[123] = dM[119] = z_34;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t, (void)x, (void)c, (void)A, (void)b;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u, (void)gamma;
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double m_4 = c[3];
+    const double m_5 = c[4];
+    const double l_1 = c[5];
+    const double l_2 = c[6];
+    const double l_3 = c[7];
+    const double l_4 = c[8];
+    const double l_5 = c[9];
+    const double c_10 = c[21];
+    const double c_11 = c[22];
+    const double c_12 = c[23];
+    const double c_13 = c[24];
+    const double c_14 = c[25];
+    const double c_15 = c[26];
+    const double theta_1_dot = v[0];
+    const double theta_2_dot = v[1];
+    const double theta_3_dot = v[2];
+    const double theta_4_dot = v[3];
+    const double theta_5_dot = v[4];
+    const double theta_1 = x[0];
+    const double theta_2 = x[1];
+    const double theta_3 = x[2];
+    const double theta_4 = x[3];
+    const double theta_5 = x[4];
+    const double z_2 = theta_1_dot*l_1;
+    const double cos_theta_1 = cos(theta_1);
+    const double sin_theta_1 = sin(theta_1);
+    const double sin_theta_2 = sin(theta_2);
+    const double z_11 = theta_2_dot*l_2;
+    const double z_12 = sin_theta_1*z_2 + sin_theta_2*z_11;
+    const double sin_theta_3 = sin(theta_3);
+    const double z_17 = theta_3_dot*l_3;
+    const double z_18 = z_12 + sin_theta_3*z_17;
+    const double sin_theta_4 = sin(theta_4);
+    const double z_23 = theta_4_dot*l_4;
+    const double z_24 = z_18 + sin_theta_4*z_23;
+    const double sin_theta_5 = sin(theta_5);
+    const double z_29 = theta_5_dot*sin_theta_5;
+    const double z_30 = z_24 + l_5*z_29;
+    const double z_32 = m_5*z_30 + m_4*z_24;
+    const double z_34 = z_32 + m_3*z_18;
+    const double z_36 = z_34 + m_2*z_12;
+    const double z_37 = cos_theta_1*z_36;
+    const double cos_theta_2 = cos(theta_2);
+    const double z_39 = cos_theta_1*z_2 + cos_theta_2*z_11;
+    const double cos_theta_3 = cos(theta_3);
+    const double z_41 = z_39 + cos_theta_3*z_17;
+    const double cos_theta_4 = cos(theta_4);
+    const double z_43 = z_41 + cos_theta_4*z_23;
+    const double cos_theta_5 = cos(theta_5);
+    const double z_45 = theta_5_dot*cos_theta_5;
+    const double z_46 = z_43 + l_5*z_45;
+    const double z_47 = m_5*z_46 + m_4*z_43;
+    const double z_48 = z_47 + m_3*z_41;
+    const double z_49 = z_48 + m_2*z_39;
+    const double z_51 = theta_1_dot*theta_1_dot;
+    const double z_52 = theta_2_dot*theta_2_dot;
+    const double z_53 = z_51*(l_1*cos_theta_1) + z_52*(l_2*cos_theta_2);
+    const double z_54 = theta_3_dot*theta_3_dot;
+    const double z_55 = z_53 + z_54*(l_3*cos_theta_3);
+    const double z_56 = theta_4_dot*theta_4_dot;
+    const double z_57 = z_55 + z_56*(l_4*cos_theta_4);
+    const double z_58 = l_5*(theta_5_dot*theta_5_dot);
+    const double z_59 = z_57 + cos_theta_5*z_58;
+    const double z_60 = m_5*z_59 + m_4*z_57;
+    const double z_61 = m_3*z_55 + z_60;
+    const double z_62 = m_2*z_53 + z_61;
+    const double z_63 = z_51*(l_1*sin_theta_1) + z_52*(l_2*sin_theta_2);
+    const double z_64 = z_63 + z_54*(l_3*sin_theta_3);
+    const double z_65 = z_64 + z_56*(l_4*sin_theta_4);
+    const double z_66 = z_65 + sin_theta_5*z_58;
+    const double z_67 = m_5*z_66 + m_4*z_65;
+    const double z_68 = m_3*z_64 + z_67;
+    const double z_69 = m_2*z_63 + z_68;
+    const double z_70 = cos_theta_2*z_36;
+    const double z_72 = cos_theta_3*z_34;
+    const double z_74 = cos_theta_4*z_32;
+    const double z_77 = z_30*z_45;
+    bias[0] = (z_2*z_37 - sin_theta_1*(z_49*z_2 + c_10)) - (l_1*(theta_1_dot*z_37 + sin_theta_1*z_62) -
+        l_1*(theta_1_dot*(sin_theta_1*z_49) + cos_theta_1*z_69));
+    bias[1] = (z_11*z_70 - sin_theta_2*(z_49*z_11 + c_11)) - (l_2*(theta_2_dot*z_70 + sin_theta_2*z_62) -
+        l_2*(theta_2_dot*(sin_theta_2*z_49) + cos_theta_2*z_69));
+    bias[2] = (z_17*z_72 - sin_theta_3*(z_48*z_17 + c_12)) - (l_3*(theta_3_dot*z_72 + sin_theta_3*z_61) -
+        l_3*(theta_3_dot*(sin_theta_3*z_48) + cos_theta_3*z_68));
+    bias[3] = (z_23*z_74 - sin_theta_4*(z_47*z_23 + c_13)) - (l_4*(theta_4_dot*z_74 + sin_theta_4*z_60) -
+        l_4*(theta_4_dot*(sin_theta_4*z_47) + cos_theta_4*z_67));
+    bias[4] = (c_14*z_77 - sin_theta_5*(theta_5_dot*(z_46*c_14) + c_15)) - (c_14*(z_77 + sin_theta_5*z_59) -
+        c_14*(z_46*z_29 + cos_theta_5*z_66));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double l_1 = c[5];
+    const double l_2 = c[6];
+    const double l_3 = c[7];
+    const double l_4 = c[8];
+    const double l_5 = c[9];
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double c_16 = c[27];
+    const double c_17 = c[28];
+    const double c_18 = c[29];
+    const double c_19 = c[30];
+    const double c_20 = c[31];
+    const double c_21 = c[32];
+    const double c_22 = c[33];
+    const double c_23 = c[34];
+    const double c_24 = c[35];
+    const double c_25 = c[36];
+    const double theta_1_dot = v[0];
+    const double theta_2_dot = v[1];
+    const double theta_3_dot = v[2];
+    const double theta_4_dot = v[3];
+    const double theta_5_dot = v[4];
+    const double theta_1 = x[0];
+    const double theta_2 = x[1];
+    const double theta_3 = x[2];
+    const double theta_4 = x[3];
+    const double theta_5 = x[4];
+    const double cos_theta_1 = cos(theta_1);
+    const double cos_theta_2 = cos(theta_2);
+    const double sin_theta_1 = sin(theta_1);
+    const double sin_theta_2 = sin(theta_2);
+    const double z_10 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double cos_theta_3 = cos(theta_3);
+    const double sin_theta_3 = sin(theta_3);
+    const double z_16 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double cos_theta_4 = cos(theta_4);
+    const double sin_theta_4 = sin(theta_4);
+    const double z_22 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double cos_theta_5 = cos(theta_5);
+    const double sin_theta_5 = sin(theta_5);
+    const double z_28 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const double z_31 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const double z_33 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double z_35 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const double z_38 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double z_40 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const double z_43 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double z_47 = l_1*cos_theta_1 + l_2*cos_theta_2;
+    const double z_50 = z_47 + l_3*cos_theta_3;
+    const double z_53 = z_50 + l_4*cos_theta_4;
+    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_16 + theta_2_dot*z_10 + theta_3_dot*z_16 + theta_4_dot*z_22 +
+        theta_5_dot*z_28) + theta_2_dot*(theta_1_dot*z_10 + theta_2_dot*c_17 + theta_3_dot*z_31 + theta_4_dot*z_33
+        + theta_5_dot*z_35) + theta_3_dot*(theta_1_dot*z_16 + theta_2_dot*z_31 + theta_3_dot*c_18 +
+        theta_4_dot*z_38 + theta_5_dot*z_40) + theta_4_dot*(theta_1_dot*z_22 + theta_2_dot*z_33 + theta_3_dot*z_38
+        + theta_4_dot*c_19 + theta_5_dot*z_43) + theta_5_dot*(theta_1_dot*z_28 + theta_2_dot*z_35 +
+        theta_3_dot*z_40 + theta_4_dot*z_43 + theta_5_dot*c_20));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = -(z_47*c_21 + z_50*c_22 + z_53*c_23 + (z_53 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 10);
+    const double *const s1 = y + 35;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double m_4 = c[3];
+    const double m_5 = c[4];
+    const double l_1 = c[5];
+    const double l_2 = c[6];
+    const double l_3 = c[7];
+    const double l_4 = c[8];
+    const double l_5 = c[9];
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double c_10 = c[21];
+    const double c_11 = c[22];
+    const double c_12 = c[23];
+    const double c_13 = c[24];
+    const double c_14 = c[25];
+    const double c_15 = c[26];
+    const double theta_1_dot = v1[0];
+    const double theta_2_dot = v1[1];
+    const double theta_3_dot = v1[2];
+    const double theta_4_dot = v1[3];
+    const double theta_5_dot = v1[4];
+    const double theta_1 = y[0];
+    const double theta_2 = y[1];
+    const double theta_3 = y[2];
+    const double theta_4 = y[3];
+    const double theta_5 = y[4];
+    const double cos_theta_2 = cos(theta_2);
+    const double sin_theta_1 = sin(theta_1);
+    const double z_6 = theta_1_dot*sin_theta_1;
+    const double cos_theta_1 = cos(theta_1);
+    const double sin_theta_2 = sin(theta_2);
+    const double z_10 = theta_2_dot*sin_theta_2;
+    const double z_11 = theta_1_dot*cos_theta_1;
+    const double z_12 = theta_2_dot*cos_theta_2;
+    const double cos_theta_3 = cos(theta_3);
+    const double sin_theta_3 = sin(theta_3);
+    const double z_18 = theta_3_dot*sin_theta_3;
+    const double z_19 = theta_3_dot*cos_theta_3;
+    const double cos_theta_4 = cos(theta_4);
+    const double sin_theta_4 = sin(theta_4);
+    const double z_26 = theta_4_dot*sin_theta_4;
+    const double z_27 = theta_4_dot*cos_theta_4;
+    const double cos_theta_5 = cos(theta_5);
+    const double sin_theta_5 = sin(theta_5);
+    const double z_35 = theta_5_dot*sin_theta_5;
+    const double z_36 = theta_5_dot*cos_theta_5;
+    const double z_41 = l_1*z_11;
+    const double z_44 = l_1*z_6 + l_2*z_10;
+    const double z_46 = z_44 + l_3*z_18;
+    const double z_48 = z_46 + l_4*z_26;
+    const double z_50 = z_48 + l_5*z_35;
+    const double z_52 = m_5*z_50 + m_4*z_48;
+    const double z_54 = z_52 + m_3*z_46;
+    const double z_56 = z_54 + m_2*z_44;
+    const double z_57 = l_2*z_12;
+    const double z_58 = z_41 + z_57;
+    const double z_59 = l_3*z_19;
+    const double z_60 = z_58 + z_59;
+    const double z_61 = l_4*z_27;
+    const double z_62 = z_60 + z_61;
+    const double z_63 = z_62 + l_5*z_36;
+    const double z_64 = m_5*z_63 + m_4*z_62;
+    const double z_65 = z_64 + m_3*z_60;
+    const double z_66 = z_65 + m_2*z_58;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_6 + cos_theta_1*z_10) - c_0*(sin_theta_2*z_11 +
+        sin_theta_1*z_12));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_6 + cos_theta_1*z_18) - c_1*(sin_theta_3*z_11 +
+        sin_theta_1*z_19));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_10 + cos_theta_2*z_18) - c_2*(sin_theta_3*z_12 +
+        sin_theta_2*z_19));
+    Mdot1[2][2] = 0.0;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_6 + cos_theta_1*z_26) - c_3*(sin_theta_4*z_11 +
+        sin_theta_1*z_27));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_10 + cos_theta_2*z_26) - c_4*(sin_theta_4*z_12 +
+        sin_theta_2*z_27));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_18 + cos_theta_3*z_26) - c_5*(sin_theta_4*z_19 +
+        sin_theta_3*z_27));
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_6 + cos_theta_1*z_35) - c_6*(sin_theta_5*z_11 +
+        sin_theta_1*z_36));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_10 + cos_theta_2*z_35) - c_7*(sin_theta_5*z_12 +
+        sin_theta_2*z_36));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_18 + cos_theta_3*z_35) - c_8*(sin_theta_5*z_19 +
+        sin_theta_3*z_36));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_26 + cos_theta_4*z_35) - c_9*(sin_theta_5*z_27 +
+        sin_theta_4*z_36));
+    Mdot1[4][4] = 0.0;
+    f1[0] = z_41*z_56 - sin_theta_1*(theta_1_dot*l_1*z_66 + c_10);
+    f1[1] = z_57*z_56 - sin_theta_2*(theta_2_dot*l_2*z_66 + c_11);
+    f1[2] = z_59*z_54 - sin_theta_3*(theta_3_dot*l_3*z_65 + c_12);
+    f1[3] = z_61*z_52 - sin_theta_4*(theta_4_dot*l_4*z_64 + c_13);
+    f1[4] = z_50*c_14*z_36 - sin_theta_5*(theta_5_dot*z_63*c_14 + c_15);
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu1[N1][N1], Omega1[N1][N1];
+    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
+    for (int i = 0; i < N1; ++i) {
+        Omega1[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            Omega1[j][i] = -Omega1[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 10);
+    double *const s1_dot = dy + 35;
+    for (int i = 0; i < N1; ++i) {
+        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
+        for (int j = 0; j < N1; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
+            C1_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        const double stretch = s1_dot[i]*w1[i];
+        double sum = -s1_dot[i]*eta1[i];
+        for (int j = 0; j < N1; ++j) {
+            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+        }
+        a1[i] = r1[i]*sum;
+        (void)stretch;
+    }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[5] = a1[0];
+    dy[6] = a1[1];
+    dy[7] = a1[2];
+    dy[8] = a1[3];
+    dy[9] = a1[4];
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M1[N1][N1];
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double c_16 = c[27];
+    const double c_17 = c[28];
+    const double c_18 = c[29];
+    const double c_19 = c[30];
+    const double c_20 = c[31];
+    const double theta_1 = y[0];
+    const double theta_2 = y[1];
+    const double theta_3 = y[2];
+    const double theta_4 = y[3];
+    const double theta_5 = y[4];
+    const double cos_theta_1 = cos(theta_1);
+    const double cos_theta_2 = cos(theta_2);
+    const double sin_theta_1 = sin(theta_1);
+    const double sin_theta_2 = sin(theta_2);
+    const double cos_theta_3 = cos(theta_3);
+    const double sin_theta_3 = sin(theta_3);
+    const double cos_theta_4 = cos(theta_4);
+    const double sin_theta_4 = sin(theta_4);
+    const double cos_theta_5 = cos(theta_5);
+    const double sin_theta_5 = sin(theta_5);
+    M1[0][0] = c_16;
+    M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    M1[1][1] = c_17;
+    M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    M1[2][2] = c_18;
+    M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    M1[3][3] = c_19;
+    M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    M1[4][4] = c_20;
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: M = L L^T */
+    double L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    double v1[N1];
+    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double m_4 = c[3];
+    const double m_5 = c[4];
+    const double l_1 = c[5];
+    const double l_2 = c[6];
+    const double l_3 = c[7];
+    const double l_4 = c[8];
+    const double l_5 = c[9];
+    const double c_10 = c[21];
+    const double c_11 = c[22];
+    const double c_12 = c[23];
+    const double c_13 = c[24];
+    const double c_14 = c[25];
+    const double c_15 = c[26];
+    const double theta_1_dot = v1[0];
+    const double theta_2_dot = v1[1];
+    const double theta_3_dot = v1[2];
+    const double theta_4_dot = v1[3];
+    const double theta_5_dot = v1[4];
+    const double z_31 = theta_1_dot*sin_theta_1;
+    const double z_33 = theta_2_dot*sin_theta_2;
+    const double z_34 = theta_1_dot*cos_theta_1;
+    const double z_35 = theta_2_dot*cos_theta_2;
+    const double z_37 = theta_3_dot*sin_theta_3;
+    const double z_38 = theta_3_dot*cos_theta_3;
+    const double z_40 = theta_4_dot*sin_theta_4;
+    const double z_41 = theta_4_dot*cos_theta_4;
+    const double z_43 = theta_5_dot*sin_theta_5;
+    const double z_44 = theta_5_dot*cos_theta_5;
+    const double z_46 = l_1*z_34;
+    const double z_49 = l_1*z_31 + l_2*z_33;
+    const double z_51 = z_49 + l_3*z_37;
+    const double z_53 = z_51 + l_4*z_40;
+    const double z_55 = z_53 + l_5*z_43;
+    const double z_57 = m_5*z_55 + m_4*z_53;
+    const double z_59 = z_57 + m_3*z_51;
+    const double z_61 = z_59 + m_2*z_49;
+    const double z_62 = l_2*z_35;
+    const double z_63 = z_46 + z_62;
+    const double z_64 = l_3*z_38;
+    const double z_65 = z_63 + z_64;
+    const double z_66 = l_4*z_41;
+    const double z_67 = z_65 + z_66;
+    const double z_68 = z_67 + l_5*z_44;
+    const double z_69 = m_5*z_68 + m_4*z_67;
+    const double z_70 = z_69 + m_3*z_65;
+    const double z_71 = z_70 + m_2*z_63;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_31 + cos_theta_1*z_33) - c_0*(sin_theta_2*z_34 +
+        sin_theta_1*z_35));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_31 + cos_theta_1*z_37) - c_1*(sin_theta_3*z_34 +
+        sin_theta_1*z_38));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_33 + cos_theta_2*z_37) - c_2*(sin_theta_3*z_35 +
+        sin_theta_2*z_38));
+    Mdot1[2][2] = 0.0;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_31 + cos_theta_1*z_40) - c_3*(sin_theta_4*z_34 +
+        sin_theta_1*z_41));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_33 + cos_theta_2*z_40) - c_4*(sin_theta_4*z_35 +
+        sin_theta_2*z_41));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_37 + cos_theta_3*z_40) - c_5*(sin_theta_4*z_38 +
+        sin_theta_3*z_41));
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_31 + cos_theta_1*z_43) - c_6*(sin_theta_5*z_34 +
+        sin_theta_1*z_44));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_33 + cos_theta_2*z_43) - c_7*(sin_theta_5*z_35 +
+        sin_theta_2*z_44));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_37 + cos_theta_3*z_43) - c_8*(sin_theta_5*z_38 +
+        sin_theta_3*z_44));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_40 + cos_theta_4*z_43) - c_9*(sin_theta_5*z_41 +
+        sin_theta_4*z_44));
+    Mdot1[4][4] = 0.0;
+    f1[0] = z_46*z_61 - sin_theta_1*(theta_1_dot*l_1*z_71 + c_10);
+    f1[1] = z_62*z_61 - sin_theta_2*(theta_2_dot*l_2*z_71 + c_11);
+    f1[2] = z_64*z_59 - sin_theta_3*(theta_3_dot*l_3*z_70 + c_12);
+    f1[3] = z_66*z_57 - sin_theta_4*(theta_4_dot*l_4*z_69 + c_13);
+    f1[4] = z_55*c_14*z_44 - sin_theta_5*(theta_5_dot*z_68*c_14 + c_15);
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: a = L^-1 f - Phi eta */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
+    em_forward(N1, L1[0], r1, a1);
+    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
+    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
+            a1[i] -= Phi*eta1[j];
+        }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[5] = a1[0];
+    dy[6] = a1[1];
+    dy[7] = a1[2];
+    dy[8] = a1[3];
+    dy[9] = a1[4];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
+ * triangular root, and come back when all are farther apart than EM_APART. */
+#define EM_CLOSE 0.03
+#define EM_APART 0.06
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    double M1[N1][N1];
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double c_16 = c[27];
+    const double c_17 = c[28];
+    const double c_18 = c[29];
+    const double c_19 = c[30];
+    const double c_20 = c[31];
+    const double theta_1 = y[0];
+    const double theta_2 = y[1];
+    const double theta_3 = y[2];
+    const double theta_4 = y[3];
+    const double theta_5 = y[4];
+    const double cos_theta_1 = cos(theta_1);
+    const double cos_theta_2 = cos(theta_2);
+    const double sin_theta_1 = sin(theta_1);
+    const double sin_theta_2 = sin(theta_2);
+    const double cos_theta_3 = cos(theta_3);
+    const double sin_theta_3 = sin(theta_3);
+    const double cos_theta_4 = cos(theta_4);
+    const double sin_theta_4 = sin(theta_4);
+    const double cos_theta_5 = cos(theta_5);
+    const double sin_theta_5 = sin(theta_5);
+    M1[0][0] = c_16;
+    M1[0][1] = M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    M1[1][1] = c_17;
+    M1[0][2] = M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    M1[1][2] = M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    M1[2][2] = c_18;
+    M1[0][3] = M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    M1[1][3] = M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    M1[2][3] = M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    M1[3][3] = c_19;
+    M1[0][4] = M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    M1[1][4] = M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    M1[2][4] = M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    M1[3][4] = M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    M1[4][4] = c_20;
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5 */
+    double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    double *const C1 = y + 10, *const s1 = y + 35;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
+        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, s1));
+    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 25;
+            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N1, C1, s1, eta1);
+                em_transposed(N1, L, eta1);
+            } else if (moving) { /* and back */
+                em_backward(N1, L, r, eta1);
+                em_onto_axes(N1, C1, s1, eta1);
+            }
+        }
+        *mode = wanted;
+    }
+    y[5] = eta1[0];
+    y[6] = eta1[1];
+    y[7] = eta1[2];
+    y[8] = eta1[3];
+    y[9] = eta1[4];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[5], y[6], y[7], y[8], y[9] };
+        if (mode) {
+            static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N1, y + 10, y + 35, eta);
+        v[0] = eta[0];
+        v[1] = eta[1];
+        v[2] = eta[2];
+        v[3] = eta[3];
+        v[4] = eta[4];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0], e[1], e[2], e[3], e[4] };
+        if (mode) em_backward(N1, memory + 0, memory + 25, eta);
+        else em_from_axes(N1, y + 10, y + 35, eta);
+        ev[0] = eta[0];
+        ev[1] = eta[1];
+        ev[2] = eta[2];
+        ev[3] = eta[3];
+        ev[4] = eta[4];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N1];
+        eta[0] = v[0];
+        eta[1] = v[1];
+        eta[2] = v[2];
+        eta[3] = v[3];
+        eta[4] = v[4];
+        em_onto_axes(N1, y + 10, y + 35, eta);
+        row[5] = eta[0];
+        row[6] = eta[1];
+        row[7] = eta[2];
+        row[8] = eta[3];
+        row[9] = eta[4];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[10 + 0*N1 + 0] = C[0*N + 0];
+    y[10 + 0*N1 + 1] = C[0*N + 1];
+    y[10 + 0*N1 + 2] = C[0*N + 2];
+    y[10 + 0*N1 + 3] = C[0*N + 3];
+    y[10 + 0*N1 + 4] = C[0*N + 4];
+    y[35 + 0] = s[0];
+    y[10 + 1*N1 + 0] = C[1*N + 0];
+    y[10 + 1*N1 + 1] = C[1*N + 1];
+    y[10 + 1*N1 + 2] = C[1*N + 2];
+    y[10 + 1*N1 + 3] = C[1*N + 3];
+    y[10 + 1*N1 + 4] = C[1*N + 4];
+    y[35 + 1] = s[1];
+    y[10 + 2*N1 + 0] = C[2*N + 0];
+    y[10 + 2*N1 + 1] = C[2*N + 1];
+    y[10 + 2*N1 + 2] = C[2*N + 2];
+    y[10 + 2*N1 + 3] = C[2*N + 3];
+    y[10 + 2*N1 + 4] = C[2*N + 4];
+    y[35 + 2] = s[2];
+    y[10 + 3*N1 + 0] = C[3*N + 0];
+    y[10 + 3*N1 + 1] = C[3*N + 1];
+    y[10 + 3*N1 + 2] = C[3*N + 2];
+    y[10 + 3*N1 + 3] = C[3*N + 3];
+    y[10 + 3*N1 + 4] = C[3*N + 4];
+    y[35 + 3] = s[3];
+    y[10 + 4*N1 + 0] = C[4*N + 0];
+    y[10 + 4*N1 + 1] = C[4*N + 1];
+    y[10 + 4*N1 + 2] = C[4*N + 2];
+    y[10 + 4*N1 + 3] = C[4*N + 3];
+    y[10 + 4*N1 + 4] = C[4*N + 4];
+    y[35 + 4] = s[4];
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
+    if (em_coincident(N1, coordinate1, y + 35, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "theta_1", "theta_2", "theta_3", "theta_4", "theta_5", NULL };
+static const char *const parameter_names[] = { "m_1", "m_2", "m_3", "m_4", "m_5", "l_1", "l_2", "l_3", "l_4", "l_5", "g", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 9.81, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.7853981633974483, 0.7853981633974483, 0.7853981633974483, 0.7853981633974483, 0.7853981633974483 };
+static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+static const em_slice layout[] = {
+    {"x", 0, 5},
+    {"eta", 5, 5},
+    {"C", 10, 25},
+    {"s", 35, 5}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    NULL
+};
+
+const em_model chain_5_model = {
+    .abi = EM_ABI,
+    .name = "chain_5",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 5,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

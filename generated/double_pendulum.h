@@ -1,0 +1,13 @@
+/* eigenmotion generate double_pendulum.py */
+/* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
+/* body sha256:3c50b145badd7f890c9262f851f837defe76053c712cb0c30054b219b5d4f0b7 */
+/* double_pendulum: 2 coordinates, 0 constraint rows, 10 states.
+ * Link double_pendulum.c with a program of your own, or import the Python module built from double_pendulum.pyx. */
+#ifndef EM_MODEL_double_pendulum_H
+#define EM_MODEL_double_pendulum_H
+
+#include "eigenmotion.h"
+
+extern const em_model double_pendulum_model;
+
+#endif

@@ -1,0 +1,533 @@
+/* eigenmotion generate driven_pendulum.py */
+/* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
+/* body sha256:33488d02ccc225d76fbf301ca31552cd46e0520c7d22933f838f59365020a5a8 */
+/* driven_pendulum: equations of motion, eigenfactor formulation.
+ *
+ * State, 4 numbers:
+ *   x    y[0 .. 2)
+ *   eta  y[2 .. 4)
+ *
+ * Blocks of M that do not couple:
+ *   1: x (constant, factored once per parameter set)
+ *   2: y (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   a factor of Delta: one constraint, Delta is a number
+ *   dM/dx, dM/dy: M does not depend on them
+ *   C, mu, Omega across blocks: {x}, {y} do not couple
+ *   C, s, mu, Omega of {x}: this block is constant, factored once per parameter set
+ *   C, s, mu, Omega of {y}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 5 additions, 11 multiplications, 2 function calls
+ *   projection: 1 additions, 6 multiplications, 2 function calls
+ */
+#include "driven_pendulum.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 2,            /* coordinates */
+    N_ROWS = 1,       /* constraint rows */
+    N_POSITIONS = 1,  /* of which holonomic */
+    N_STATE = 4,
+    N_C = 0,
+    N_S = 0,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 0,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 5,
+    N_PREPARED = 19, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1, /* x */
+    N2 = 1 /* y */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 1 };
+static const double scales[N] = { 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M1[N1][N1];
+    double M2[N2][N2];
+    const double m = c[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double a_ = c[3];
+    const double w = c[4];
+    const double z_2 = m*g;
+    const double z_5 = a_*w;
+    M1[0][0] = m;
+    M2[0][0] = m;
+    c[13] = -z_2;
+    c[14] = z_5;
+    c[15] = a_*(w*w);
+    c[16] = 2.0*z_5;
+    c[17] = l*l;
+    c[18] = z_2;
+    /* block 1 (x): C, s, L, 1 / diag L */
+    if (em_prepare_block(N1, M1[0], c + 5, c + 6, c + 7, c + 8) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    /* block 2 (y): C, s, L, 1 / diag L */
+    if (em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t, (void)x;
+    const double m = c[0];
+    M[0] = m;
+    M[2] = M[1] = 0.0;
+    M[3] = m;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t, (void)x, (void)c;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+    const double a_ = c[3];
+    const double w = c[4];
+    const double c_3 = c[16];
+    const double x_ = x[0];
+    const double y_ = x[1];
+    const double z_5 = t*w;
+    const double cos_z_5 = cos(z_5);
+    const double z_7 = y_ - a_*cos_z_5;
+    const double sin_z_5 = sin(z_5);
+    A[0] = 2.0*x_;
+    A[1] = 2.0*z_7;
+    b[0] = c_3*(z_7*sin_z_5);
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+    const double a_ = c[3];
+    const double w = c[4];
+    const double c_4 = c[17];
+    const double x_ = x[0];
+    const double y_ = x[1];
+    const double cos_5 = cos(t*w);
+    const double z_6 = y_ - a_*cos_5;
+    phi[0] = x_*x_ + z_6*z_6 - c_4;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)u;
+    const double a_ = c[3];
+    const double w = c[4];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double c_2 = c[15];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double y_ = x[1];
+    const double z_5 = t*w;
+    const double sin_z_5 = sin(z_5);
+    const double z_8 = sin_z_5*c_1;
+    const double z_9 = y_dot + z_8;
+    const double cos_z_5 = cos(z_5);
+    bias[0] = 0.0;
+    bias[1] = c_0;
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_9) + (z_8*z_9 + cos_z_5*(y_ - a_*cos_z_5)*c_2));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double m = c[0];
+    const double c_5 = c[18];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double y_ = x[1];
+    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = y_*c_5;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)u;
+    (void)flags, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[2] };
+    const double *const s1 = c + 6;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    const double *const v1 = w1;
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[3] };
+    const double *const s2 = c + 10;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[1] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double f2[N2];
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double gamma[N_ROWS];
+    const double a_ = c[3];
+    const double w = c[4];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double c_2 = c[15];
+    const double x_dot = v1[0];
+    const double y_dot = v2[0];
+    const double x_ = y[0];
+    const double y_ = y[1];
+    const double z_6 = t*w;
+    const double cos_z_6 = cos(z_6);
+    const double z_8 = y_ - a_*cos_z_6;
+    const double sin_z_6 = sin(z_6);
+    const double z_13 = sin_z_6*c_1;
+    const double z_14 = y_dot + z_13;
+    f1[0] = 0.0;
+    f2[0] = c_0;
+    A1[0][0] = 2.0*x_;
+    A2[0][0] = 2.0*z_8;
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_14) + (z_13*z_14 + cos_z_6*z_8*c_2));
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        a1[i] = r1[i]*f1[i];
+    }
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* x: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N1; ++i) {
+            B1[row][i] = r1[i]*A1[row][i];
+        }
+    /* y: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N2; ++i) {
+            B2[row][i] = r2[i]*A2[row][i];
+        }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[2] = eta_dot[0];
+    }
+    {
+        double eta_dot[N2];
+        for (int i = 0; i < N2; ++i) {
+            double sum = a2[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[3] = eta_dot[0];
+    }
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double b[N_ROWS];
+    const double a_ = c[3];
+    const double w = c[4];
+    const double c_3 = c[16];
+    const double x_ = y[0];
+    const double y_ = y[1];
+    const double z_5 = t*w;
+    const double cos_z_5 = cos(z_5);
+    const double z_7 = y_ - a_*cos_z_5;
+    const double sin_z_5 = sin(z_5);
+    A1[0][0] = 2.0*x_;
+    A2[0][0] = 2.0*z_7;
+    b[0] = c_3*(z_7*sin_z_5);
+
+    /* x */
+    double eta1[N1] = { y[2] };
+
+    /* y */
+    double eta2[N2] = { y[3] };
+
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+        const double *const gamma = b;
+        double B1[N_ROWS][N1];
+        memcpy(B1, A1, sizeof B1);
+        for (int row = 0; row < N_ROWS; ++row) {
+            em_to_axes(N1, c + 5, c + 6, B1[row]);
+        }
+        double *const a1 = eta1;
+        double B2[N_ROWS][N2];
+        memcpy(B2, A2, sizeof B2);
+        for (int row = 0; row < N_ROWS; ++row) {
+            em_to_axes(N2, c + 9, c + 10, B2[row]);
+        }
+        double *const a2 = eta2;
+    /* Delta = B B^T (43), Delta lambda = B a (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+        for (int i = 0; i < N1; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
+        for (int i = 0; i < N2; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
+    }
+    y[2] = eta1[0];
+    y[3] = eta2[0];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    {
+        double eta[N1] = { y[2] };
+        em_from_axes(N1, c + 5, c + 6, eta);
+        v[0] = eta[0];
+    }
+    {
+        double eta[N2] = { y[3] };
+        em_from_axes(N2, c + 9, c + 10, eta);
+        v[1] = eta[0];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0] };
+        em_from_axes(N1, c + 5, c + 6, eta);
+        ev[0] = eta[0];
+    }
+    {
+        double eta[N2] = { e[1] };
+        em_from_axes(N2, c + 9, c + 10, eta);
+        ev[1] = eta[0];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "x", "y", NULL };
+static const char *const parameter_names[] = { "m", "l", "g", "a", "w", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 1.0, 9.81, 0.25, 5.0, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.7173560908995228, -0.4467067093471654 };
+static const double initial_v[N] = { 0.0, 0.0 };
+static const em_slice layout[] = {
+    {"x", 0, 2},
+    {"eta", 2, 2}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "a factor of Delta: one constraint, Delta is a number",
+    "dM/dx, dM/dy: M does not depend on them",
+    "C, mu, Omega across blocks: {x}, {y} do not couple",
+    "C, s, mu, Omega of {x}: this block is constant, factored once per parameter set",
+    "C, s, mu, Omega of {y}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model driven_pendulum_model = {
+    .abi = EM_ABI,
+    .name = "driven_pendulum",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 2,
+    .n_left_out = 8,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 0,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

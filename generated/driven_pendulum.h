@@ -1,0 +1,13 @@
+/* eigenmotion generate driven_pendulum.py */
+/* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
+/* body sha256:02b724caef9fd69742d06573b829ca66a39a9e6d179de9b45000bc967d583cb6 */
+/* driven_pendulum: 2 coordinates, 1 constraint rows, 4 states.
+ * Link driven_pendulum.c with a program of your own, or import the Python module built from driven_pendulum.pyx. */
+#ifndef EM_MODEL_driven_pendulum_H
+#define EM_MODEL_driven_pendulum_H
+
+#include "eigenmotion.h"
+
+extern const em_model driven_pendulum_model;
+
+#endif

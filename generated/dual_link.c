@@ -1,0 +1,908 @@
+/* eigenmotion generate dual_link.py */
+/* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
+/* body sha256:a86e5cbeca8a0debc589e76b5ba7fe47fc7dd038884baee54db68c308a09d921 */
+/* dual_link: equations of motion, eigenfactor formulation.
+ *
+ * State, 20 numbers:
+ *   x    y[0 .. 4)
+ *   eta  y[4 .. 8)
+ *   C    y[8 .. 17)
+ *   s    y[17 .. 20)
+ *
+ * Blocks of M that do not couple:
+ *   1: theta1, theta2, theta3 (C and s are states)
+ *   2: theta4 (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   a factor of Delta: one constraint, Delta is a number
+ *   b, bdot: the constraints are homogeneous in the velocities
+ *   dM/dtheta4: M does not depend on it
+ *   C, mu, Omega across blocks: {theta1, theta2, theta3}, {theta4} do not couple
+ *   C, s, mu, Omega of {theta4}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 23 additions, 43 multiplications, 4 function calls
+ *   triangular root: 23 additions, 47 multiplications, 4 function calls
+ *   projection: 3 additions, 11 multiplications, 4 function calls
+ */
+#include "dual_link.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 4,            /* coordinates */
+    N_ROWS = 1,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 20,
+    N_C = 9,
+    N_S = 3,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 12,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 9,
+    N_PREPARED = 19, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 3, /* theta1, theta2, theta3 */
+    N2 = 1 /* theta4 */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 0, 0, 1 };
+static const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M2[N2][N2];
+    const double m1 = c[0];
+    const double m2 = c[1];
+    const double m3 = c[2];
+    const double l2 = c[4];
+    const double l3 = c[5];
+    const double K2 = c[7];
+    const double z_4 = m1 + m2;
+    M2[0][0] = m3*(l3*l3);
+    c[13] = 2.0*z_4;
+    c[14] = m2*l2;
+    c[15] = l2*K2;
+    c[16] = z_4;
+    c[17] = m2*(l2*l2);
+    c[18] = m3*(l3*l3);
+    /* block 2 (theta4): C, s, L, 1 / diag L */
+    if (em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 3, 3, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double l1 = c[3];
+    const double c_1 = c[14];
+    const double c_3 = c[16];
+    const double c_4 = c[17];
+    const double c_5 = c[18];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double z_3 = theta3 + l1;
+    const double cos_theta1 = cos(theta1);
+    const double cos_theta2 = cos(theta2);
+    const double sin_theta1 = sin(theta1);
+    const double sin_theta2 = sin(theta2);
+    M[0] = c_3*(z_3*z_3);
+    M[4] = M[1] = z_3*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    M[5] = c_4;
+    M[8] = M[2] = 0.0;
+    M[9] = M[6] = c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    M[10] = c_3;
+    M[12] = M[3] = 0.0;
+    M[13] = M[7] = 0.0;
+    M[14] = M[11] = 0.0;
+    M[15] = c_5;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double l1 = c[3];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double z_2 = theta3 + l1;
+    const double cos_theta2 = cos(theta2);
+    const double sin_theta1 = sin(theta1);
+    const double cos_theta1 = cos(theta1);
+    const double sin_theta2 = sin(theta2);
+    const double z_10 = z_2*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    const double z_11 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    dM[4] = dM[1] = -z_10;
+    dM[9] = dM[6] = z_11;
+    dM[20] = dM[17] = z_10;
+    dM[25] = dM[22] = -z_11;
+    dM[32] = z_2*c_0;
+    dM[36] = dM[33] = z_11;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t;
+    const double l1 = c[3];
+    const double l2 = c[4];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double cos_theta1 = cos(theta1);
+    const double cos_theta2 = cos(theta2);
+    const double sin_theta1 = sin(theta1);
+    A[0] = (theta3 + l1)*cos_theta1;
+    A[1] = l2*cos_theta2;
+    A[2] = sin_theta1;
+    A[3] = 0.0;
+    b[0] = 0.0;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u;
+    const double l1 = c[3];
+    const double l2 = c[4];
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double K3 = c[8];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double c_2 = c[15];
+    const double c_3 = c[16];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double theta4 = x[3];
+    const double z_3 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double z_6 = theta3 + l1;
+    const double cos_theta1 = cos(theta1);
+    const double z_8 = z_6*cos_theta1;
+    const double sin_theta2 = sin(theta2);
+    const double z_13 = l2*sin_theta2;
+    const double sin_theta1 = sin(theta1);
+    const double z_15 = z_6*sin_theta1;
+    const double z_16 = 4.0 - z_13 - z_15;
+    const double z_17 = K2*z_16;
+    const double cos_theta2 = cos(theta2);
+    const double z_19 = z_8 + l2*cos_theta2;
+    const double z_20 = K2*z_19;
+    const double z_24 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_25 = theta3_dot*z_24;
+    const double z_26 = theta2_dot*z_25;
+    const double z_27 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double z_29 = theta1_dot*z_6;
+    const double z_30 = c_1*(z_26 - theta2_dot*(z_27*z_29));
+    const double z_31 = theta1_dot - theta2_dot;
+    const double z_32 = z_31*z_27;
+    const double z_37 = z_24*(theta2_dot*c_1);
+    const double z_38 = theta3_dot*cos_theta1;
+    bias[0] = -((z_3 - z_8*z_17 - z_15*z_20 - z_30) + (c_1*(z_26 - theta2_dot*(z_6*z_32)) +
+        c_0*(theta3_dot*z_29)));
+    bias[1] = (cos_theta2*z_16*c_2 + z_19*sin_theta2*c_2 - z_30) - (c_1*(theta1_dot*z_25 - z_29*z_32) +
+        c_1*z_31*z_25);
+    bias[2] = -((theta3*K1 - (z_6*c_3*(theta1_dot*theta1_dot) + sin_theta1*z_17 + theta1_dot*z_37 -
+        cos_theta1*z_20)) + z_31*z_37);
+    bias[3] = z_3;
+    gamma[0] = theta1_dot*(z_38 - sin_theta1*z_29) + theta1_dot*z_38 - z_13*(theta2_dot*theta2_dot);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double l1 = c[3];
+    const double l2 = c[4];
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double K3 = c[8];
+    const double c_1 = c[14];
+    const double c_3 = c[16];
+    const double c_4 = c[17];
+    const double c_5 = c[18];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double theta4_dot = v[3];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double theta4 = x[3];
+    const double z_6 = theta3 + l1;
+    const double z_9 = theta2_dot*c_1;
+    const double cos_theta1 = cos(theta1);
+    const double cos_theta2 = cos(theta2);
+    const double sin_theta1 = sin(theta1);
+    const double sin_theta2 = sin(theta2);
+    const double z_16 = z_6*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double z_19 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double z_23 = z_6*cos_theta1 + l2*cos_theta2;
+    const double z_24 = 4.0 - l2*sin_theta2 - z_6*sin_theta1;
+    const double z_27 = theta1 + 1.5707963267948966 - theta4;
+    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_6*z_6) + z_9*z_16) +
+        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_16 + theta3_dot*c_1*z_19) + theta3_dot*(theta3_dot*c_3 +
+        z_19*z_9));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = 0.5*(K1*(theta3*theta3) + K2*(z_23*z_23 + z_24*z_24) + K3*(z_27*z_27));
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* theta1, theta2, theta3: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[4], y[5], y[6] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 8);
+    const double *const s1 = y + 17;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    /* theta4: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[7] };
+    const double *const s2 = c + 10;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[3] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double f2[N2];
+    double A1[N_ROWS][N1];
+    double gamma[N_ROWS];
+    const double l1 = c[3];
+    const double l2 = c[4];
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double K3 = c[8];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double c_2 = c[15];
+    const double c_3 = c[16];
+    const double theta1_dot = v1[0];
+    const double theta2_dot = v1[1];
+    const double theta3_dot = v1[2];
+    const double theta1 = y[0];
+    const double theta2 = y[1];
+    const double theta3 = y[2];
+    const double theta4 = y[3];
+    const double z_4 = theta3 + l1;
+    const double cos_theta1 = cos(theta1);
+    const double cos_theta2 = cos(theta2);
+    const double sin_theta1 = sin(theta1);
+    const double sin_theta2 = sin(theta2);
+    const double z_12 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_13 = theta3_dot*z_12;
+    const double z_16 = theta1_dot - theta2_dot;
+    const double z_17 = z_4*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    const double z_20 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double z_21 = z_4*cos_theta1;
+    const double z_24 = l2*sin_theta2;
+    const double z_25 = z_4*sin_theta1;
+    const double z_26 = 4.0 - z_24 - z_25;
+    const double z_27 = K2*z_26;
+    const double z_28 = l2*cos_theta2;
+    const double z_29 = z_21 + z_28;
+    const double z_30 = K2*z_29;
+    const double z_31 = theta1_dot*theta2_dot;
+    const double z_32 = c_1*(theta2_dot*z_13 - z_17*z_31);
+    const double z_36 = theta3_dot*cos_theta1;
+    Mdot1[0][0] = c_0*(theta3_dot*z_4);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(z_13 - z_16*z_17);
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = 0.0;
+    Mdot1[1][2] = Mdot1[2][1] = z_12*(c_1*z_16);
+    Mdot1[2][2] = 0.0;
+    f1[0] = -(z_20 - z_21*z_27 - z_25*z_30 - z_32);
+    f1[1] = cos_theta2*z_26*c_2 + z_29*sin_theta2*c_2 - z_32;
+    f1[2] = -(theta3*K1 - (z_4*c_3*(theta1_dot*theta1_dot) + sin_theta1*z_27 + z_12*(c_1*z_31) -
+        cos_theta1*z_30));
+    f2[0] = z_20;
+    A1[0][0] = z_21;
+    A1[0][1] = z_28;
+    A1[0][2] = sin_theta1;
+    gamma[0] = theta1_dot*(z_36 - theta1_dot*z_25) + theta1_dot*z_36 - z_24*(theta2_dot*theta2_dot);
+
+    /* theta1, theta2, theta3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu1[N1][N1], Omega1[N1][N1];
+    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
+    for (int i = 0; i < N1; ++i) {
+        Omega1[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            Omega1[j][i] = -Omega1[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 8);
+    double *const s1_dot = dy + 17;
+    for (int i = 0; i < N1; ++i) {
+        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
+        for (int j = 0; j < N1; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
+            C1_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
+    double a1[N1], q1[N1];
+    for (int i = 0; i < N1; ++i) {
+        const double stretch = s1_dot[i]*w1[i];
+        double sum = -s1_dot[i]*eta1[i];
+        double turn = 0.0;
+        for (int j = 0; j < N1; ++j) {
+            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            turn += Omega1[i][j]*w1[j];
+        }
+        a1[i] = r1[i]*sum;
+        q1[i] = s1[i]*turn - stretch;
+    }
+
+    /* theta4: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* theta1, theta2, theta3: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N1; ++i) {
+            double sum = 0.0;
+            for (int j = 0; j < N1; ++j) sum += A1[row][j]*C1[i][j];
+            B1[row][i] = r1[i]*sum;
+        }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[4] = eta_dot[0];
+        dy[5] = eta_dot[1];
+        dy[6] = eta_dot[2];
+    }
+    dy[7] = a2[0];
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M1[N1][N1];
+    const double l1 = c[3];
+    const double c_1 = c[14];
+    const double c_3 = c[16];
+    const double c_4 = c[17];
+    const double theta1 = y[0];
+    const double theta2 = y[1];
+    const double theta3 = y[2];
+    const double z_3 = theta3 + l1;
+    const double cos_theta1 = cos(theta1);
+    const double cos_theta2 = cos(theta2);
+    const double sin_theta1 = sin(theta1);
+    const double sin_theta2 = sin(theta2);
+    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_12 = c_1*z_11;
+    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    M1[0][0] = c_3*(z_3*z_3);
+    M1[1][0] = z_3*z_12;
+    M1[1][1] = c_4;
+    M1[2][0] = 0.0;
+    M1[2][1] = c_1*z_14;
+    M1[2][2] = c_3;
+
+    /* theta1, theta2, theta3: M = L L^T */
+    double L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const double eta1[N1] = { y[4], y[5], y[6] };
+    double v1[N1];
+    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    /* theta4: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[7] };
+    const double *const s2 = c + 10;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[3] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double f2[N2];
+    double A1[N_ROWS][N1];
+    double gamma[N_ROWS];
+    const double l2 = c[4];
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double K3 = c[8];
+    const double c_0 = c[13];
+    const double c_2 = c[15];
+    const double theta1_dot = v1[0];
+    const double theta2_dot = v1[1];
+    const double theta3_dot = v1[2];
+    const double theta4 = y[3];
+    const double z_19 = theta1_dot - theta2_dot;
+    const double z_20 = z_3*z_14;
+    const double z_23 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double z_24 = z_3*cos_theta1;
+    const double z_27 = l2*sin_theta2;
+    const double z_28 = z_3*sin_theta1;
+    const double z_29 = 4.0 - z_27 - z_28;
+    const double z_30 = K2*z_29;
+    const double z_31 = l2*cos_theta2;
+    const double z_32 = z_24 + z_31;
+    const double z_33 = K2*z_32;
+    const double z_34 = theta1_dot*theta2_dot;
+    const double z_35 = c_1*(z_11*(theta2_dot*theta3_dot) - z_20*z_34);
+    const double z_38 = theta3_dot*cos_theta1;
+    Mdot1[0][0] = c_0*(theta3_dot*z_3);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_11 - z_19*z_20);
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = 0.0;
+    Mdot1[1][2] = Mdot1[2][1] = z_19*z_12;
+    Mdot1[2][2] = 0.0;
+    f1[0] = -(z_23 - z_24*z_30 - z_28*z_33 - z_35);
+    f1[1] = cos_theta2*z_29*c_2 + z_32*sin_theta2*c_2 - z_35;
+    f1[2] = -(theta3*K1 - (z_3*c_3*(theta1_dot*theta1_dot) + sin_theta1*z_30 + z_12*z_34 - cos_theta1*z_33));
+    f2[0] = z_23;
+    A1[0][0] = z_24;
+    A1[0][1] = z_31;
+    A1[0][2] = sin_theta1;
+    gamma[0] = theta1_dot*(z_38 - theta1_dot*z_28) + theta1_dot*z_38 - z_27*(theta2_dot*theta2_dot);
+
+    /* theta1, theta2, theta3: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
+    em_forward(N1, L1[0], r1, a1);
+    double q1[N1] = {0.0};
+    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
+    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
+            a1[i] -= Phi*eta1[j];
+            q1[j] -= Phi*eta1[i];
+        }
+
+    /* theta4: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* theta1, theta2, theta3: B = A L^-T */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row) {
+        for (int i = 0; i < N1; ++i) B1[row][i] = A1[row][i];
+        em_forward(N1, L1[0], r1, B1[row]);
+    }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[4] = eta_dot[0];
+        dy[5] = eta_dot[1];
+        dy[6] = eta_dot[2];
+    }
+    dy[7] = a2[0];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
+ * triangular root, and come back when all are farther apart than EM_APART. */
+#define EM_CLOSE 0.03
+#define EM_APART 0.06
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    double M1[N1][N1];
+    double A1[N_ROWS][N1];
+    double b[N_ROWS];
+    const double l1 = c[3];
+    const double l2 = c[4];
+    const double c_1 = c[14];
+    const double c_3 = c[16];
+    const double c_4 = c[17];
+    const double theta1 = y[0];
+    const double theta2 = y[1];
+    const double theta3 = y[2];
+    const double z_3 = theta3 + l1;
+    const double cos_theta1 = cos(theta1);
+    const double cos_theta2 = cos(theta2);
+    const double sin_theta1 = sin(theta1);
+    const double sin_theta2 = sin(theta2);
+    M1[0][0] = c_3*(z_3*z_3);
+    M1[0][1] = M1[1][0] = z_3*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    M1[1][1] = c_4;
+    M1[0][2] = M1[2][0] = 0.0;
+    M1[1][2] = M1[2][1] = c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    M1[2][2] = c_3;
+    A1[0][0] = z_3*cos_theta1;
+    A1[0][1] = l2*cos_theta2;
+    A1[0][2] = sin_theta1;
+    b[0] = 0.0;
+
+    /* theta1, theta2, theta3 */
+    double eta1[N1] = { y[4], y[5], y[6] };
+    double *const C1 = y + 8, *const s1 = y + 17;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
+        static const int coordinate[N1] = { 0, 1, 2 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, s1));
+    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 9;
+            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N1] = { 0, 1, 2 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N1, C1, s1, eta1);
+                em_transposed(N1, L, eta1);
+            } else if (moving) { /* and back */
+                em_backward(N1, L, r, eta1);
+                em_onto_axes(N1, C1, s1, eta1);
+            }
+        }
+        *mode = wanted;
+    }
+
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+        const double *const gamma = b;
+        double B1[N_ROWS][N1];
+        memcpy(B1, A1, sizeof B1);
+        for (int row = 0; row < N_ROWS; ++row) {
+            if (*mode) em_forward(N1, memory + 0, memory + 9, B1[row]);
+            else em_to_axes(N1, C1, s1, B1[row]);
+        }
+        double *const a1 = eta1;
+    /* Delta = B B^T (43), Delta lambda = B a (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+        for (int i = 0; i < N1; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
+    }
+    y[4] = eta1[0];
+    y[5] = eta1[1];
+    y[6] = eta1[2];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[4], y[5], y[6] };
+        if (mode) {
+            static const int coordinate[N1] = { 0, 1, 2 };
+            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N1, y + 8, y + 17, eta);
+        v[0] = eta[0];
+        v[1] = eta[1];
+        v[2] = eta[2];
+    }
+    {
+        double eta[N2] = { y[7] };
+        em_from_axes(N2, c + 9, c + 10, eta);
+        v[3] = eta[0];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0], e[1], e[2] };
+        if (mode) em_backward(N1, memory + 0, memory + 9, eta);
+        else em_from_axes(N1, y + 8, y + 17, eta);
+        ev[0] = eta[0];
+        ev[1] = eta[1];
+        ev[2] = eta[2];
+    }
+    {
+        double eta[N2] = { e[3] };
+        em_from_axes(N2, c + 9, c + 10, eta);
+        ev[3] = eta[0];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N1];
+        eta[0] = v[0];
+        eta[1] = v[1];
+        eta[2] = v[2];
+        em_onto_axes(N1, y + 8, y + 17, eta);
+        row[4] = eta[0];
+        row[5] = eta[1];
+        row[6] = eta[2];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[8 + 0*N1 + 0] = C[0*N + 0];
+    y[8 + 0*N1 + 1] = C[0*N + 1];
+    y[8 + 0*N1 + 2] = C[0*N + 2];
+    y[17 + 0] = s[0];
+    y[8 + 1*N1 + 0] = C[1*N + 0];
+    y[8 + 1*N1 + 1] = C[1*N + 1];
+    y[8 + 1*N1 + 2] = C[1*N + 2];
+    y[17 + 1] = s[1];
+    y[8 + 2*N1 + 0] = C[2*N + 0];
+    y[8 + 2*N1 + 1] = C[2*N + 1];
+    y[8 + 2*N1 + 2] = C[2*N + 2];
+    y[17 + 2] = s[2];
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate1[N1] = { 0, 1, 2 };
+    if (em_coincident(N1, coordinate1, y + 17, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
+static const char *const parameter_names[] = { "m1", "m2", "m3", "l1", "l2", "l3", "K1", "K2", "K3", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 1.0, 1.0, 0.5, 0.7071067811865476, 0.5, 1.0, 1.0, 0.5, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.5235987755982989, 1.0471975511965979, 0.0, 2.356194490192345 };
+static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
+static const em_slice layout[] = {
+    {"x", 0, 4},
+    {"eta", 4, 4},
+    {"C", 8, 9},
+    {"s", 17, 3}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "a factor of Delta: one constraint, Delta is a number",
+    "b, bdot: the constraints are homogeneous in the velocities",
+    "dM/dtheta4: M does not depend on it",
+    "C, mu, Omega across blocks: {theta1, theta2, theta3}, {theta4} do not couple",
+    "C, s, mu, Omega of {theta4}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model dual_link_model = {
+    .abi = EM_ABI,
+    .name = "dual_link",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 9,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

@@ -1,0 +1,406 @@
+/* eigenmotion generate elastic_pendulum.py */
+/* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
+/* body sha256:682ba1407336a395b8f3f760f39d43989dbeba16af6e669feb22e6143626e537 */
+/* elastic_pendulum: equations of motion, eigenfactor formulation.
+ *
+ * State, 4 numbers:
+ *   x    y[0 .. 2)
+ *   eta  y[2 .. 4)
+ *
+ * Blocks of M that do not couple:
+ *   1: theta (s = sqrt(M) in closed form)
+ *   2: r (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *   dM/dtheta: M does not depend on it
+ *   C, mu, Omega across blocks: {theta}, {r} do not couple
+ *   C, Omega of {theta}: one coordinate, s = sqrt(M) in closed form
+ *   C, s, mu, Omega of {r}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 3 additions, 11 multiplications, 2 function calls
+ *   projection: 2 multiplications
+ */
+#include "elastic_pendulum.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 2,            /* coordinates */
+    N_ROWS = 0,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 4,
+    N_C = 0,
+    N_S = 0,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 2,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 4,
+    N_PREPARED = 11, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1, /* theta */
+    N2 = 1 /* r */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 1 };
+static const double scales[N] = { 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M2[N2][N2];
+    const double m = c[0];
+    const double g = c[2];
+    const double z_2 = m*g;
+    M2[0][0] = m;
+    c[8] = 2.0*m;
+    c[9] = z_2;
+    c[10] = 2.0*z_2;
+    /* block 2 (r): C, s, L, 1 / diag L */
+    if (em_prepare_block(N2, M2[0], c + 4, c + 5, c + 6, c + 7) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double m = c[0];
+    const double r = x[1];
+    M[0] = m*(r*r);
+    M[2] = M[1] = 0.0;
+    M[3] = m;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double c_0 = c[8];
+    const double r = x[1];
+    dM[4] = r*c_0;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t, (void)x, (void)c, (void)A, (void)b;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u, (void)gamma;
+    const double m = c[0];
+    const double k = c[1];
+    const double L = c[3];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double theta_dot = v[0];
+    const double r_dot = v[1];
+    const double theta = x[0];
+    const double r = x[1];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    bias[0] = -(r*c_1*sin_theta + r*c_0*(theta_dot*r_dot));
+    bias[1] = theta_dot*theta_dot*(m*r) + cos_theta*c_1 - k*(r - L);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double m = c[0];
+    const double k = c[1];
+    const double L = c[3];
+    const double c_2 = c[10];
+    const double theta_dot = v[0];
+    const double r_dot = v[1];
+    const double theta = x[0];
+    const double r = x[1];
+    const double z_6 = r - L;
+    const double cos_theta = cos(theta);
+    e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = 0.5*(k*(z_6*z_6) - c_2*(r*cos_theta));
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    const double m = c[0];
+    const double r = y[1];
+    const double M1 = m*(r*r);
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[2] };
+    const double s1[1] = { sqrt(M1) };
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    const double *const v1 = w1;
+    dy[0] = v1[0];
+
+    /* r: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[3] };
+    const double *const s2 = c + 5;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[1] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double f2[N2];
+    const double k = c[1];
+    const double L = c[3];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double theta_dot = v1[0];
+    const double r_dot = v2[0];
+    const double theta = y[0];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    const double Mdot1 = c_0*(r_dot*r);
+    f1[0] = -r*c_1*sin_theta;
+    f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
+
+    /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
+    const double s1_dot = 0.5*Mdot1*r1[0];
+    const double a1[1] = { r1[0]*(f1[0] - s1_dot*eta1[0]) };
+
+    /* r: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[2] = a1[0];
+    dy[3] = a2[0];
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    const double m = c[0];
+    const double r = y[1];
+    const double M1 = m*(r*r);
+    if (!(M1 > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1);
+    memory[1] = 1.0/sqrt(M1);
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[2] };
+        static const int coordinate[N1] = { 0 };
+        if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        v[0] = eta[0];
+    }
+    {
+        double eta[N2] = { y[3] };
+        em_from_axes(N2, c + 4, c + 5, eta);
+        v[1] = eta[0];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0] };
+        eta[0] *= memory[1];
+        ev[0] = eta[0];
+    }
+    {
+        double eta[N2] = { e[1] };
+        em_from_axes(N2, c + 4, c + 5, eta);
+        ev[1] = eta[0];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "theta", "r", NULL };
+static const char *const parameter_names[] = { "m", "k", "g", "L", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 100.0, 9.81, 1.0, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.5235987755982989, 1.2 };
+static const double initial_v[N] = { 0.0, 0.0 };
+static const em_slice layout[] = {
+    {"x", 0, 2},
+    {"eta", 2, 2}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    "dM/dtheta: M does not depend on it",
+    "C, mu, Omega across blocks: {theta}, {r} do not couple",
+    "C, Omega of {theta}: one coordinate, s = sqrt(M) in closed form",
+    "C, s, mu, Omega of {r}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model elastic_pendulum_model = {
+    .abi = EM_ABI,
+    .name = "elastic_pendulum",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 2,
+    .n_left_out = 9,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

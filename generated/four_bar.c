@@ -1,0 +1,925 @@
+/* eigenmotion generate four_bar.py */
+/* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
+/* body sha256:123e6c32074a0513a8f714196f476008ab557300aa9ef365e08b7e49bca64ce2 */
+/* four_bar: equations of motion, eigenfactor formulation.
+ *
+ * State, 12 numbers:
+ *   x    y[0 .. 3)
+ *   eta  y[3 .. 6)
+ *   C    y[6 .. 10)
+ *   s    y[10 .. 12)
+ *
+ * Blocks of M that do not couple:
+ *   1: q1, q2 (C and s are states)
+ *   2: q3 (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   b, bdot: the constraints are homogeneous in the velocities
+ *   dM/dq3: M does not depend on it
+ *   C, mu, Omega across blocks: {q1, q2}, {q3} do not couple
+ *   C, s, mu, Omega of {q3}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 10 additions, 32 multiplications, 6 function calls
+ *   triangular root: 11 additions, 36 multiplications, 6 function calls
+ *   projection: 1 additions, 10 multiplications, 6 function calls
+ */
+#include "four_bar.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 3,            /* coordinates */
+    N_ROWS = 2,       /* constraint rows */
+    N_POSITIONS = 2,  /* of which holonomic */
+    N_STATE = 12,
+    N_C = 4,
+    N_S = 2,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 6,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 6,
+    N_PREPARED = 24, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 2, /* q1, q2 */
+    N2 = 1 /* q3 */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 0, 1 };
+static const double scales[N] = { 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M2[N2][N2];
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double density = c[4];
+    const double g = c[5];
+    const double z_2 = c_*c_;
+    const double z_3 = density*c_*z_2;
+    const double z_5 = b_*b_;
+    const double z_7 = density*a_;
+    const double z_9 = density*g;
+    const double z_10 = a_*a_;
+    const double z_11 = density*b_;
+    const double z_12 = z_10*z_7 + 3.0*z_10*z_11;
+    const double z_13 = z_5*z_11;
+    M2[0][0] = (1.0/3.0)*z_3;
+    c[10] = z_5*z_7;
+    c[11] = z_9*z_10 + 2.0*a_*b_*z_9;
+    c[12] = z_9*z_5;
+    c[13] = 0.5*(z_9*z_2);
+    c[14] = (1.0/3.0)*z_12;
+    c[15] = (1.0/3.0)*z_13;
+    c[16] = (1.0/3.0)*z_3;
+    c[17] = 2.0*z_12;
+    c[18] = 2.0*z_13;
+    c[19] = 2.0*z_3;
+    c[20] = 2.0*a_;
+    c[21] = z_10;
+    c[22] = z_2;
+    c[23] = 0.5*z_9;
+    /* block 2 (q3): C, s, L, 1 / diag L */
+    if (em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 2, 2, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double c_0 = c[10];
+    const double c_4 = c[14];
+    const double c_5 = c[15];
+    const double c_6 = c[16];
+    const double q1_ = x[0];
+    const double q2_ = x[1];
+    const double cos_q1_ = cos(q1_);
+    const double cos_q2_ = cos(q2_);
+    const double sin_q1_ = sin(q1_);
+    const double sin_q2_ = sin(q2_);
+    M[0] = c_4;
+    M[3] = M[1] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
+    M[4] = c_5;
+    M[6] = M[2] = 0.0;
+    M[7] = M[5] = 0.0;
+    M[8] = c_6;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double c_0 = c[10];
+    const double q1_ = x[0];
+    const double q2_ = x[1];
+    const double cos_q2_ = cos(q2_);
+    const double sin_q1_ = sin(q1_);
+    const double cos_q1_ = cos(q1_);
+    const double sin_q2_ = sin(q2_);
+    const double z_7 = c_0*(cos_q2_*sin_q1_ - cos_q1_*sin_q2_);
+    dM[3] = dM[1] = (-0.5)*z_7;
+    dM[12] = dM[10] = 0.5*z_7;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t;
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double q1_ = x[0];
+    const double q2_ = x[1];
+    const double q3_ = x[2];
+    const double sin_q1_ = sin(q1_);
+    const double sin_q2_ = sin(q2_);
+    const double sin_q3_ = sin(q3_);
+    const double cos_q1_ = cos(q1_);
+    const double cos_q2_ = cos(q2_);
+    const double cos_q3_ = cos(q3_);
+    A[0] = -a_*sin_q1_;
+    A[1] = -b_*sin_q2_;
+    A[2] = c_*sin_q3_;
+    A[3] = a_*cos_q1_;
+    A[4] = b_*cos_q2_;
+    A[5] = -c_*cos_q3_;
+    b[0] = 0.0;
+    b[1] = 0.0;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t;
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double d = c[3];
+    const double q1_ = x[0];
+    const double q2_ = x[1];
+    const double q3_ = x[2];
+    const double cos_q1_ = cos(q1_);
+    const double cos_q2_ = cos(q2_);
+    const double cos_q3_ = cos(q3_);
+    const double sin_q1_ = sin(q1_);
+    const double sin_q2_ = sin(q2_);
+    const double sin_q3_ = sin(q3_);
+    phi[0] = a_*cos_q1_ + b_*cos_q2_ - c_*cos_q3_ - d;
+    phi[1] = a_*sin_q1_ + b_*sin_q2_ - c_*sin_q3_;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u;
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double c_0 = c[10];
+    const double c_1 = c[11];
+    const double c_2 = c[12];
+    const double c_3 = c[13];
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double q3_dot = v[2];
+    const double q1_ = x[0];
+    const double q2_ = x[1];
+    const double q3_ = x[2];
+    const double cos_q2_ = cos(q2_);
+    const double sin_q1_ = sin(q1_);
+    const double z_7 = cos_q2_*sin_q1_;
+    const double cos_q1_ = cos(q1_);
+    const double sin_q2_ = sin(q2_);
+    const double z_10 = cos_q1_*sin_q2_;
+    const double z_11 = q1_dot*q2_dot*(c_0*(z_7 - z_10));
+    const double z_13 = c_0*(q1_dot*z_7 + q2_dot*z_10) - c_0*(q1_dot*z_10 + q2_dot*z_7);
+    const double cos_q3_ = cos(q3_);
+    const double z_19 = a_*(q1_dot*q1_dot);
+    const double z_21 = b_*(q2_dot*q2_dot);
+    const double z_24 = c_*(q3_dot*q3_dot);
+    const double sin_q3_ = sin(q3_);
+    bias[0] = (-0.5)*((z_11 + cos_q1_*c_1) - q2_dot*z_13);
+    bias[1] = 0.5*((z_11 - cos_q2_*c_2) + q1_dot*z_13);
+    bias[2] = -cos_q3_*c_3;
+    gamma[0] = -(cos_q1_*z_19 + cos_q2_*z_21 - cos_q3_*z_24);
+    gamma[1] = -(sin_q1_*z_19 + sin_q2_*z_21 - sin_q3_*z_24);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double b_ = c[1];
+    const double c_0 = c[10];
+    const double c_7 = c[17];
+    const double c_8 = c[18];
+    const double c_9 = c[19];
+    const double c_10 = c[20];
+    const double c_11 = c[21];
+    const double c_12 = c[22];
+    const double c_13 = c[23];
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double q3_dot = v[2];
+    const double q1_ = x[0];
+    const double q2_ = x[1];
+    const double q3_ = x[2];
+    const double cos_q1_ = cos(q1_);
+    const double cos_q2_ = cos(q2_);
+    const double sin_q1_ = sin(q1_);
+    const double sin_q2_ = sin(q2_);
+    const double z_9 = c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_);
+    const double sin_q3_ = sin(q3_);
+    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_9 + q1_dot*c_7) + q2_dot*(3.0*q1_dot*z_9 + q2_dot*c_8) +
+        c_9*(q3_dot*q3_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = (b_*(b_*sin_q2_ + sin_q1_*c_10) + c_11*sin_q1_ + sin_q3_*c_12)*c_13;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* q1, q2: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[3], y[4] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 6);
+    const double *const s1 = y + 10;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    /* q3: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[5] };
+    const double *const s2 = c + 7;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[2] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double f2[N2];
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double gamma[N_ROWS];
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double c_0 = c[10];
+    const double c_1 = c[11];
+    const double c_2 = c[12];
+    const double c_3 = c[13];
+    const double q1_dot = v1[0];
+    const double q2_dot = v1[1];
+    const double q3_dot = v2[0];
+    const double q1_ = y[0];
+    const double q2_ = y[1];
+    const double q3_ = y[2];
+    const double cos_q2_ = cos(q2_);
+    const double sin_q1_ = sin(q1_);
+    const double z_6 = cos_q2_*sin_q1_;
+    const double cos_q1_ = cos(q1_);
+    const double sin_q2_ = sin(q2_);
+    const double z_10 = cos_q1_*sin_q2_;
+    const double z_11 = q1_dot*q2_dot*(c_0*(z_6 - z_10));
+    const double cos_q3_ = cos(q3_);
+    const double z_18 = a_*sin_q1_;
+    const double z_20 = b_*sin_q2_;
+    const double z_21 = a_*cos_q1_;
+    const double z_22 = b_*cos_q2_;
+    const double sin_q3_ = sin(q3_);
+    const double z_25 = c_*sin_q3_;
+    const double z_26 = c_*cos_q3_;
+    const double z_27 = q1_dot*q1_dot;
+    const double z_28 = q2_dot*q2_dot;
+    const double z_30 = q3_dot*q3_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_6 + q2_dot*z_10) - c_0*(q1_dot*z_10 + q2_dot*z_6));
+    Mdot1[1][1] = 0.0;
+    f1[0] = (-0.5)*(z_11 + cos_q1_*c_1);
+    f1[1] = 0.5*(z_11 - cos_q2_*c_2);
+    f2[0] = -cos_q3_*c_3;
+    A1[0][0] = -z_18;
+    A1[0][1] = -z_20;
+    A1[1][0] = z_21;
+    A1[1][1] = z_22;
+    A2[0][0] = z_25;
+    A2[1][0] = -z_26;
+    gamma[0] = -(z_21*z_27 + z_22*z_28 - z_26*z_30);
+    gamma[1] = -(z_18*z_27 + z_20*z_28 - z_25*z_30);
+
+    /* q1, q2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu1[N1][N1], Omega1[N1][N1];
+    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
+    for (int i = 0; i < N1; ++i) {
+        Omega1[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            Omega1[j][i] = -Omega1[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 6);
+    double *const s1_dot = dy + 10;
+    for (int i = 0; i < N1; ++i) {
+        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
+        for (int j = 0; j < N1; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
+            C1_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
+    double a1[N1], q1[N1];
+    for (int i = 0; i < N1; ++i) {
+        const double stretch = s1_dot[i]*w1[i];
+        double sum = -s1_dot[i]*eta1[i];
+        double turn = 0.0;
+        for (int j = 0; j < N1; ++j) {
+            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            turn += Omega1[i][j]*w1[j];
+        }
+        a1[i] = r1[i]*sum;
+        q1[i] = s1[i]*turn - stretch;
+    }
+
+    /* q3: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* q1, q2: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N1; ++i) {
+            double sum = 0.0;
+            for (int j = 0; j < N1; ++j) sum += A1[row][j]*C1[i][j];
+            B1[row][i] = r1[i]*sum;
+        }
+    /* q3: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N2; ++i) {
+            B2[row][i] = r2[i]*A2[row][i];
+        }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[3] = eta_dot[0];
+        dy[4] = eta_dot[1];
+    }
+    {
+        double eta_dot[N2];
+        for (int i = 0; i < N2; ++i) {
+            double sum = a2[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[5] = eta_dot[0];
+    }
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M1[N1][N1];
+    const double c_0 = c[10];
+    const double c_4 = c[14];
+    const double c_5 = c[15];
+    const double q1_ = y[0];
+    const double q2_ = y[1];
+    const double cos_q1_ = cos(q1_);
+    const double cos_q2_ = cos(q2_);
+    const double sin_q1_ = sin(q1_);
+    const double sin_q2_ = sin(q2_);
+    M1[0][0] = c_4;
+    M1[1][0] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
+    M1[1][1] = c_5;
+
+    /* q1, q2: M = L L^T */
+    double L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const double eta1[N1] = { y[3], y[4] };
+    double v1[N1];
+    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    /* q3: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[5] };
+    const double *const s2 = c + 7;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[2] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double f2[N2];
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double gamma[N_ROWS];
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double c_1 = c[11];
+    const double c_2 = c[12];
+    const double c_3 = c[13];
+    const double q1_dot = v1[0];
+    const double q2_dot = v1[1];
+    const double q3_dot = v2[0];
+    const double q3_ = y[2];
+    const double z_10 = cos_q2_*sin_q1_;
+    const double z_12 = cos_q1_*sin_q2_;
+    const double z_13 = q1_dot*q2_dot*(c_0*(z_10 - z_12));
+    const double cos_q3_ = cos(q3_);
+    const double z_20 = a_*sin_q1_;
+    const double z_22 = b_*sin_q2_;
+    const double z_23 = a_*cos_q1_;
+    const double z_24 = b_*cos_q2_;
+    const double sin_q3_ = sin(q3_);
+    const double z_27 = c_*sin_q3_;
+    const double z_28 = c_*cos_q3_;
+    const double z_29 = q1_dot*q1_dot;
+    const double z_30 = q2_dot*q2_dot;
+    const double z_32 = q3_dot*q3_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_10 + q2_dot*z_12) - c_0*(q1_dot*z_12 + q2_dot*z_10));
+    Mdot1[1][1] = 0.0;
+    f1[0] = (-0.5)*(z_13 + cos_q1_*c_1);
+    f1[1] = 0.5*(z_13 - cos_q2_*c_2);
+    f2[0] = -cos_q3_*c_3;
+    A1[0][0] = -z_20;
+    A1[0][1] = -z_22;
+    A1[1][0] = z_23;
+    A1[1][1] = z_24;
+    A2[0][0] = z_27;
+    A2[1][0] = -z_28;
+    gamma[0] = -(z_23*z_29 + z_24*z_30 - z_28*z_32);
+    gamma[1] = -(z_20*z_29 + z_22*z_30 - z_27*z_32);
+
+    /* q1, q2: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
+    em_forward(N1, L1[0], r1, a1);
+    double q1[N1] = {0.0};
+    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
+    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
+            a1[i] -= Phi*eta1[j];
+            q1[j] -= Phi*eta1[i];
+        }
+
+    /* q3: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* q1, q2: B = A L^-T */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row) {
+        for (int i = 0; i < N1; ++i) B1[row][i] = A1[row][i];
+        em_forward(N1, L1[0], r1, B1[row]);
+    }
+    /* q3: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N2; ++i) {
+            B2[row][i] = r2[i]*A2[row][i];
+        }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[3] = eta_dot[0];
+        dy[4] = eta_dot[1];
+    }
+    {
+        double eta_dot[N2];
+        for (int i = 0; i < N2; ++i) {
+            double sum = a2[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[5] = eta_dot[0];
+    }
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
+ * triangular root, and come back when all are farther apart than EM_APART. */
+#define EM_CLOSE 0.03
+#define EM_APART 0.06
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
+    double M1[N1][N1];
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double b[N_ROWS];
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double c_0 = c[10];
+    const double c_4 = c[14];
+    const double c_5 = c[15];
+    const double q1_ = y[0];
+    const double q2_ = y[1];
+    const double q3_ = y[2];
+    const double cos_q1_ = cos(q1_);
+    const double cos_q2_ = cos(q2_);
+    const double sin_q1_ = sin(q1_);
+    const double sin_q2_ = sin(q2_);
+    const double sin_q3_ = sin(q3_);
+    const double cos_q3_ = cos(q3_);
+    M1[0][0] = c_4;
+    M1[0][1] = M1[1][0] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
+    M1[1][1] = c_5;
+    A1[0][0] = -a_*sin_q1_;
+    A1[0][1] = -b_*sin_q2_;
+    A1[1][0] = a_*cos_q1_;
+    A1[1][1] = b_*cos_q2_;
+    A2[0][0] = c_*sin_q3_;
+    A2[1][0] = -c_*cos_q3_;
+    b[0] = 0.0;
+    b[1] = 0.0;
+
+    /* q1, q2 */
+    double eta1[N1] = { y[3], y[4] };
+    double *const C1 = y + 6, *const s1 = y + 10;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
+        static const int coordinate[N1] = { 0, 1 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    /* q3 */
+    double eta2[N2] = { y[5] };
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, s1));
+    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 4;
+            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N1] = { 0, 1 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N1, C1, s1, eta1);
+                em_transposed(N1, L, eta1);
+            } else if (moving) { /* and back */
+                em_backward(N1, L, r, eta1);
+                em_onto_axes(N1, C1, s1, eta1);
+            }
+        }
+        *mode = wanted;
+    }
+
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+        const double *const gamma = b;
+        double B1[N_ROWS][N1];
+        memcpy(B1, A1, sizeof B1);
+        for (int row = 0; row < N_ROWS; ++row) {
+            if (*mode) em_forward(N1, memory + 0, memory + 4, B1[row]);
+            else em_to_axes(N1, C1, s1, B1[row]);
+        }
+        double *const a1 = eta1;
+        double B2[N_ROWS][N2];
+        memcpy(B2, A2, sizeof B2);
+        for (int row = 0; row < N_ROWS; ++row) {
+            em_to_axes(N2, c + 6, c + 7, B2[row]);
+        }
+        double *const a2 = eta2;
+    /* Delta = B B^T (43), Delta lambda = B a (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+        for (int i = 0; i < N1; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
+        for (int i = 0; i < N2; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
+    }
+    y[3] = eta1[0];
+    y[4] = eta1[1];
+    y[5] = eta2[0];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[3], y[4] };
+        if (mode) {
+            static const int coordinate[N1] = { 0, 1 };
+            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N1, y + 6, y + 10, eta);
+        v[0] = eta[0];
+        v[1] = eta[1];
+    }
+    {
+        double eta[N2] = { y[5] };
+        em_from_axes(N2, c + 6, c + 7, eta);
+        v[2] = eta[0];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0], e[1] };
+        if (mode) em_backward(N1, memory + 0, memory + 4, eta);
+        else em_from_axes(N1, y + 6, y + 10, eta);
+        ev[0] = eta[0];
+        ev[1] = eta[1];
+    }
+    {
+        double eta[N2] = { e[2] };
+        em_from_axes(N2, c + 6, c + 7, eta);
+        ev[2] = eta[0];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N1];
+        eta[0] = v[0];
+        eta[1] = v[1];
+        em_onto_axes(N1, y + 6, y + 10, eta);
+        row[3] = eta[0];
+        row[4] = eta[1];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[6 + 0*N1 + 0] = C[0*N + 0];
+    y[6 + 0*N1 + 1] = C[0*N + 1];
+    y[10 + 0] = s[0];
+    y[6 + 1*N1 + 0] = C[1*N + 0];
+    y[6 + 1*N1 + 1] = C[1*N + 1];
+    y[10 + 1] = s[1];
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate1[N1] = { 0, 1 };
+    if (em_coincident(N1, coordinate1, y + 10, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "q1", "q2", "q3", NULL };
+static const char *const parameter_names[] = { "a", "b", "c", "d", "density", "g", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 0.4, 1.0, 0.8, 1.0, 1.0, 9.81, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 1.5707963267948966, 0.4069607577066713, 1.6730644304861704 };
+static const double initial_v[N] = { 4.0, -0.1712309218771849, 1.9253387515666516 };
+static const em_slice layout[] = {
+    {"x", 0, 3},
+    {"eta", 3, 3},
+    {"C", 6, 4},
+    {"s", 10, 2}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "b, bdot: the constraints are homogeneous in the velocities",
+    "dM/dq3: M does not depend on it",
+    "C, mu, Omega across blocks: {q1, q2}, {q3} do not couple",
+    "C, s, mu, Omega of {q3}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model four_bar_model = {
+    .abi = EM_ABI,
+    .name = "four_bar",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 8,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

@@ -1,0 +1,617 @@
+/* eigenmotion generate heavy_top.py */
+/* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
+/* body sha256:3c5b1f0ff361a91e068afa60247fbbb1d9fcbb206cbdb62e0f5cd7638e548b1b */
+/* heavy_top: equations of motion, eigenfactor formulation.
+ *
+ * State, 12 numbers:
+ *   x    y[0 .. 3)
+ *   eta  y[3 .. 6)
+ *   C    y[6 .. 10)
+ *   s    y[10 .. 12)
+ *
+ * Blocks of M that do not couple:
+ *   1: phi, psi (C and s are states)
+ *   2: theta (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *   dM/dphi, dM/dpsi: M does not depend on them
+ *   C, mu, Omega across blocks: {phi, psi}, {theta} do not couple
+ *   C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 2 additions, 12 multiplications, 2 function calls
+ *   triangular root: 3 additions, 17 multiplications, 2 function calls
+ *   projection: 1 additions, 5 multiplications, 2 function calls
+ */
+#include "heavy_top.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 3,            /* coordinates */
+    N_ROWS = 0,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 12,
+    N_C = 4,
+    N_S = 2,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 6,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 5,
+    N_PREPARED = 12, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 2, /* phi, psi */
+    N2 = 1 /* theta */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 1, 0 };
+static const double scales[N] = { 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M2[N2][N2];
+    const double m = c[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double J = c[3];
+    const double J3 = c[4];
+    const double z_2 = J - J3;
+    M2[0][0] = J;
+    c[9] = 2.0*z_2;
+    c[10] = z_2;
+    c[11] = g*l*m;
+    /* block 2 (theta): C, s, L, 1 / diag L */
+    if (em_prepare_block(N2, M2[0], c + 5, c + 6, c + 7, c + 8) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double J = c[3];
+    const double J3 = c[4];
+    const double theta = x[1];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    M[0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M[3] = M[1] = 0.0;
+    M[4] = J;
+    M[6] = M[2] = J3*cos_theta;
+    M[7] = M[5] = 0.0;
+    M[8] = J3;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double J3 = c[4];
+    const double c_0 = c[9];
+    const double theta = x[1];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    dM[9] = c_0*(sin_theta*cos_theta);
+    dM[15] = dM[11] = -sin_theta*J3;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t, (void)x, (void)c, (void)A, (void)b;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u, (void)gamma;
+    const double J3 = c[4];
+    const double c_0 = c[9];
+    const double c_1 = c[10];
+    const double c_2 = c[11];
+    const double phi_dot = v[0];
+    const double theta_dot = v[1];
+    const double psi_dot = v[2];
+    const double theta = x[1];
+    const double sin_theta = sin(theta);
+    const double z_5 = psi_dot*J3;
+    const double cos_theta = cos(theta);
+    const double z_9 = phi_dot*sin_theta;
+    const double z_10 = theta_dot*z_9;
+    bias[0] = -(cos_theta*c_0*z_10 - theta_dot*sin_theta*z_5);
+    bias[1] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - z_9*z_5) + sin_theta*c_2;
+    bias[2] = J3*z_10;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double J = c[3];
+    const double J3 = c[4];
+    const double c_2 = c[11];
+    const double phi_dot = v[0];
+    const double theta_dot = v[1];
+    const double psi_dot = v[2];
+    const double theta = x[1];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    e[0] = 0.5*(phi_dot*(phi_dot*(J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
+        J*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = cos_theta*c_2;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* phi, psi: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[3], y[5] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 6);
+    const double *const s1 = y + 10;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[2] = v1[1];
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[4] };
+    const double *const s2 = c + 6;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[1] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double f2[N2];
+    const double J3 = c[4];
+    const double c_0 = c[9];
+    const double c_1 = c[10];
+    const double c_2 = c[11];
+    const double phi_dot = v1[0];
+    const double psi_dot = v1[1];
+    const double theta_dot = v2[0];
+    const double theta = y[1];
+    const double cos_theta = cos(theta);
+    const double sin_theta = sin(theta);
+    const double z_5 = theta_dot*sin_theta;
+    Mdot1[0][0] = cos_theta*c_0*z_5;
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_5;
+    Mdot1[1][1] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+
+    /* phi, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu1[N1][N1], Omega1[N1][N1];
+    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
+    for (int i = 0; i < N1; ++i) {
+        Omega1[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            Omega1[j][i] = -Omega1[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 6);
+    double *const s1_dot = dy + 10;
+    for (int i = 0; i < N1; ++i) {
+        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
+        for (int j = 0; j < N1; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
+            C1_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        const double stretch = s1_dot[i]*w1[i];
+        double sum = -s1_dot[i]*eta1[i];
+        for (int j = 0; j < N1; ++j) {
+            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+        }
+        a1[i] = r1[i]*sum;
+        (void)stretch;
+    }
+
+    /* theta: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[3] = a1[0];
+    dy[5] = a1[1];
+    dy[4] = a2[0];
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M1[N1][N1];
+    const double J = c[3];
+    const double J3 = c[4];
+    const double theta = y[1];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[1][0] = J3*cos_theta;
+    M1[1][1] = J3;
+
+    /* phi, psi: M = L L^T */
+    double L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 2 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const double eta1[N1] = { y[3], y[5] };
+    double v1[N1];
+    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[2] = v1[1];
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[4] };
+    const double *const s2 = c + 6;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[1] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double f2[N2];
+    const double c_0 = c[9];
+    const double c_1 = c[10];
+    const double c_2 = c[11];
+    const double phi_dot = v1[0];
+    const double psi_dot = v1[1];
+    const double theta_dot = v2[0];
+    const double z_7 = theta_dot*sin_theta;
+    Mdot1[0][0] = cos_theta*c_0*z_7;
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_7;
+    Mdot1[1][1] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+
+    /* phi, psi: a = L^-1 f - Phi eta */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
+    em_forward(N1, L1[0], r1, a1);
+    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
+    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
+            a1[i] -= Phi*eta1[j];
+        }
+
+    /* theta: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[3] = a1[0];
+    dy[5] = a1[1];
+    dy[4] = a2[0];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
+ * triangular root, and come back when all are farther apart than EM_APART. */
+#define EM_CLOSE 0.03
+#define EM_APART 0.06
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    double M1[N1][N1];
+    const double J = c[3];
+    const double J3 = c[4];
+    const double theta = y[1];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[0][1] = M1[1][0] = J3*cos_theta;
+    M1[1][1] = J3;
+
+    /* phi, psi */
+    double eta1[N1] = { y[3], y[5] };
+    double *const C1 = y + 6, *const s1 = y + 10;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
+        static const int coordinate[N1] = { 0, 2 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, s1));
+    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 4;
+            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N1] = { 0, 2 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N1, C1, s1, eta1);
+                em_transposed(N1, L, eta1);
+            } else if (moving) { /* and back */
+                em_backward(N1, L, r, eta1);
+                em_onto_axes(N1, C1, s1, eta1);
+            }
+        }
+        *mode = wanted;
+    }
+    y[3] = eta1[0];
+    y[5] = eta1[1];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[3], y[5] };
+        if (mode) {
+            static const int coordinate[N1] = { 0, 2 };
+            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N1, y + 6, y + 10, eta);
+        v[0] = eta[0];
+        v[2] = eta[1];
+    }
+    {
+        double eta[N2] = { y[4] };
+        em_from_axes(N2, c + 5, c + 6, eta);
+        v[1] = eta[0];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0], e[2] };
+        if (mode) em_backward(N1, memory + 0, memory + 4, eta);
+        else em_from_axes(N1, y + 6, y + 10, eta);
+        ev[0] = eta[0];
+        ev[2] = eta[1];
+    }
+    {
+        double eta[N2] = { e[1] };
+        em_from_axes(N2, c + 5, c + 6, eta);
+        ev[1] = eta[0];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N1];
+        eta[0] = v[0];
+        eta[1] = v[2];
+        em_onto_axes(N1, y + 6, y + 10, eta);
+        row[3] = eta[0];
+        row[5] = eta[1];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[6 + 0*N1 + 0] = C[0*N + 0];
+    y[6 + 0*N1 + 1] = C[0*N + 2];
+    y[10 + 0] = s[0];
+    y[6 + 1*N1 + 0] = C[2*N + 0];
+    y[6 + 1*N1 + 1] = C[2*N + 2];
+    y[10 + 1] = s[2];
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate1[N1] = { 0, 2 };
+    if (em_coincident(N1, coordinate1, y + 10, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "phi", "theta", "psi", NULL };
+static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 0.2, 9.81, 0.05, 0.02, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.0, 0.6, 0.0 };
+static const double initial_v[N] = { 0.0, 0.0, 40.0 };
+static const em_slice layout[] = {
+    {"x", 0, 3},
+    {"eta", 3, 3},
+    {"C", 6, 4},
+    {"s", 10, 2}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    "dM/dphi, dM/dpsi: M does not depend on them",
+    "C, mu, Omega across blocks: {phi, psi}, {theta} do not couple",
+    "C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model heavy_top_model = {
+    .abi = EM_ABI,
+    .name = "heavy_top",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 8,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

@@ -1,0 +1,13 @@
+/* eigenmotion generate polar_particle.py */
+/* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
+/* body sha256:c65353425fc431e6e5d839bf1d273ee1ddc6688ba77510fbd289db8ab48f76f4 */
+/* polar_particle: 2 coordinates, 0 constraint rows, 4 states.
+ * Link polar_particle.c with a program of your own, or import the Python module built from polar_particle.pyx. */
+#ifndef EM_MODEL_polar_particle_H
+#define EM_MODEL_polar_particle_H
+
+#include "eigenmotion.h"
+
+extern const em_model polar_particle_model;
+
+#endif

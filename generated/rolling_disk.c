@@ -1,0 +1,948 @@
+/* eigenmotion generate rolling_disk.py */
+/* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
+/* body sha256:2a4b4124ed2c977725569f01fa7e867673fe6e5c38a8ea140a0eb15f92533d9c */
+/* rolling_disk: equations of motion, eigenfactor formulation.
+ *
+ * State, 40 numbers:
+ *   x    y[0 .. 5)
+ *   eta  y[5 .. 10)
+ *   C    y[10 .. 35)
+ *   s    y[35 .. 40)
+ *
+ * Blocks of M that do not couple:
+ *   1: x, y, phi, theta, psi (C and s are states)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   b, bdot: the constraints are homogeneous in the velocities
+ *   dM/dx, dM/dy, dM/dpsi: M does not depend on them
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 13 additions, 47 multiplications, 4 function calls
+ *   triangular root: 14 additions, 59 multiplications, 4 function calls
+ *   projection: 1 additions, 14 multiplications, 4 function calls
+ */
+#include "rolling_disk.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 5,            /* coordinates */
+    N_ROWS = 2,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 40,
+    N_C = 25,
+    N_S = 5,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 30,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 3,
+    N_PREPARED = 13, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 5 /* x, y, phi, theta, psi */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 0, 0, 0, 0 };
+static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    const double m = c[0];
+    const double r = c[1];
+    const double g = c[2];
+    const double z_2 = m*r;
+    const double z_3 = m*(r*r);
+    const double z_5 = g*z_2;
+    c[3] = z_2;
+    c[4] = 2.5*z_3;
+    c[5] = 0.5*z_3;
+    c[6] = 4.0*z_2;
+    c[7] = 5.0*z_3;
+    c[8] = 2.0*z_3;
+    c[9] = 4.0*z_5;
+    c[10] = z_3;
+    c[11] = 1.25*z_3;
+    c[12] = z_5;
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double m = c[0];
+    const double c_0 = c[3];
+    const double c_2 = c[5];
+    const double c_7 = c[10];
+    const double c_8 = c[11];
+    const double phi_ = x[2];
+    const double theta = x[3];
+    const double sin_theta = sin(theta);
+    const double cos_phi_ = cos(phi_);
+    const double z_6 = cos_phi_*c_0;
+    const double sin_phi_ = sin(phi_);
+    const double z_8 = sin_phi_*c_0;
+    const double cos_theta = cos(theta);
+    M[0] = m;
+    M[5] = M[1] = 0.0;
+    M[6] = m;
+    M[10] = M[2] = -sin_theta*z_6;
+    M[11] = M[7] = -sin_theta*z_8;
+    M[12] = 0.25*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M[15] = M[3] = -cos_theta*z_8;
+    M[16] = M[8] = cos_theta*z_6;
+    M[17] = M[13] = 0.0;
+    M[18] = c_8;
+    M[20] = M[4] = 0.0;
+    M[21] = M[9] = 0.0;
+    M[22] = M[14] = -sin_theta*c_2;
+    M[23] = M[19] = 0.0;
+    M[24] = c_2;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double phi_ = x[2];
+    const double theta = x[3];
+    const double sin_theta = sin(theta);
+    const double sin_phi_ = sin(phi_);
+    const double z_5 = sin_phi_*c_0;
+    const double cos_phi_ = cos(phi_);
+    const double z_7 = cos_phi_*c_0;
+    const double cos_theta = cos(theta);
+    dM[60] = dM[52] = sin_theta*z_5;
+    dM[61] = dM[57] = -sin_theta*z_7;
+    dM[65] = dM[53] = -cos_theta*z_7;
+    dM[66] = dM[58] = -cos_theta*z_5;
+    dM[85] = dM[77] = -cos_theta*z_7;
+    dM[86] = dM[82] = -cos_theta*z_5;
+    dM[87] = c_1*(sin_theta*cos_theta);
+    dM[90] = dM[78] = sin_theta*z_5;
+    dM[91] = dM[83] = -sin_theta*z_7;
+    dM[97] = dM[89] = -cos_theta*c_2;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t;
+    const double r = c[1];
+    const double phi_ = x[2];
+    const double cos_phi_ = cos(phi_);
+    const double sin_phi_ = sin(phi_);
+    A[0] = 1.0;
+    A[1] = 0.0;
+    A[2] = 0.0;
+    A[3] = 0.0;
+    A[4] = -r*cos_phi_;
+    A[5] = 0.0;
+    A[6] = 1.0;
+    A[7] = 0.0;
+    A[8] = 0.0;
+    A[9] = -r*sin_phi_;
+    b[0] = 0.0;
+    b[1] = 0.0;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u;
+    const double r = c[1];
+    const double c_0 = c[3];
+    const double c_2 = c[5];
+    const double c_3 = c[6];
+    const double c_4 = c[7];
+    const double c_5 = c[8];
+    const double c_6 = c[9];
+    const double c_7 = c[10];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double phi_dot = v[2];
+    const double theta_dot = v[3];
+    const double psi_dot = v[4];
+    const double phi_ = x[2];
+    const double theta = x[3];
+    const double z_2 = phi_dot*phi_dot;
+    const double sin_theta = sin(theta);
+    const double sin_phi_ = sin(phi_);
+    const double z_7 = sin_theta*sin_phi_;
+    const double cos_phi_ = cos(phi_);
+    const double cos_theta = cos(theta);
+    const double z_11 = phi_dot*cos_theta;
+    const double z_12 = theta_dot*z_11;
+    const double z_13 = cos_phi_*z_12;
+    const double z_14 = theta_dot*theta_dot;
+    const double z_15 = sin_phi_*z_12;
+    const double z_16 = cos_phi_*sin_theta;
+    const double z_18 = x_dot*theta_dot;
+    const double z_19 = z_7*(x_dot*phi_dot) - z_18*(cos_phi_*cos_theta);
+    const double z_21 = y_dot*theta_dot;
+    const double z_22 = z_16*(y_dot*phi_dot) + z_21*(cos_theta*sin_phi_);
+    const double z_26 = z_11*(x_dot*cos_phi_);
+    const double z_28 = z_11*(y_dot*sin_phi_);
+    const double z_29 = z_7*z_18;
+    const double z_30 = z_16*z_21;
+    const double z_35 = r*(phi_dot*psi_dot);
+    bias[0] = -(c_0*(z_2*z_7 - z_13) - c_0*(z_13 - z_14*z_7));
+    bias[1] = c_0*(z_15 + z_2*z_16) + c_0*(z_15 + z_14*z_16);
+    bias[2] = 0.5*(2.0*c_0*(z_19 - z_22) - (2.0*c_0*z_19 + c_4*(sin_theta*z_12) - 2.0*c_0*z_22 -
+        theta_dot*cos_theta*(psi_dot*c_7)));
+    bias[3] = (-0.25)*(((z_26*c_3 + z_28*c_3 + z_30*c_3 + psi_dot*c_5*z_11 - c_4*(z_2*(sin_theta*cos_theta)) -
+        z_29*c_3) - sin_theta*c_6) - 4.0*(c_0*(z_26 - z_29) + c_0*(z_28 + z_30)));
+    bias[4] = c_2*z_12;
+    gamma[0] = sin_phi_*z_35;
+    gamma[1] = -cos_phi_*z_35;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double m = c[0];
+    const double c_0 = c[3];
+    const double c_3 = c[6];
+    const double c_4 = c[7];
+    const double c_5 = c[8];
+    const double c_7 = c[10];
+    const double c_9 = c[12];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double phi_dot = v[2];
+    const double theta_dot = v[3];
+    const double psi_dot = v[4];
+    const double phi_ = x[2];
+    const double theta = x[3];
+    const double sin_theta = sin(theta);
+    const double z_5 = phi_dot*sin_theta;
+    const double cos_phi_ = cos(phi_);
+    const double z_9 = cos_phi_*c_0;
+    const double sin_phi_ = sin(phi_);
+    const double z_11 = sin_phi_*c_0;
+    const double cos_theta = cos(theta);
+    const double z_14 = theta_dot*cos_theta;
+    const double z_18 = cos_phi_*c_3;
+    const double z_19 = sin_phi_*c_3;
+    e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_5*z_9 - z_11*z_14) + 4.0*y_dot*(y_dot*m + z_9*z_14 - z_5*z_11) -
+        phi_dot*(x_dot*sin_theta*z_18 + y_dot*sin_theta*z_19 + c_5*(psi_dot*sin_theta) -
+        phi_dot*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_19 -
+        y_dot*cos_theta*z_18 - theta_dot*c_4) - 2.0*psi_dot*(c_7*(-(psi_dot - z_5))));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = cos_theta*c_9;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 10);
+    const double *const s1 = y + 35;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double A1[N_ROWS][N1];
+    double gamma[N_ROWS];
+    const double r = c[1];
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double c_3 = c[6];
+    const double c_4 = c[7];
+    const double c_5 = c[8];
+    const double c_6 = c[9];
+    const double x_dot = v1[0];
+    const double y_dot = v1[1];
+    const double phi_dot = v1[2];
+    const double theta_dot = v1[3];
+    const double psi_dot = v1[4];
+    const double phi_ = y[2];
+    const double theta = y[3];
+    const double cos_phi_ = cos(phi_);
+    const double cos_theta = cos(theta);
+    const double z_6 = theta_dot*cos_theta;
+    const double sin_phi_ = sin(phi_);
+    const double sin_theta = sin(theta);
+    const double z_10 = phi_dot*sin_theta;
+    const double z_12 = theta_dot*sin_theta;
+    const double z_13 = phi_dot*cos_theta;
+    const double z_16 = x_dot*sin_phi_;
+    const double z_18 = y_dot*cos_phi_;
+    const double z_19 = x_dot*cos_phi_;
+    const double z_20 = y_dot*sin_phi_;
+    const double z_22 = c_3*z_13;
+    const double z_24 = c_3*z_12;
+    const double z_29 = r*cos_phi_;
+    const double z_30 = r*sin_phi_;
+    const double z_31 = phi_dot*psi_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi_*z_6 - sin_phi_*z_10));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi_*z_10 + sin_phi_*z_6);
+    Mdot1[2][2] = c_1*(sin_theta*z_6);
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi_*z_12 - cos_phi_*z_13);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi_*z_13 + cos_phi_*z_12);
+    Mdot1[2][3] = Mdot1[3][2] = 0.0;
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = 0.0;
+    Mdot1[1][4] = Mdot1[4][1] = 0.0;
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
+    Mdot1[3][4] = Mdot1[4][3] = 0.0;
+    Mdot1[4][4] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f1[2] = c_0*(z_10*z_16 - z_10*z_18 - z_6*z_19 - z_6*z_20);
+    f1[3] = (-0.25)*((z_19*z_22 + z_20*z_22 + z_18*z_24 + c_5*(psi_dot*z_13) -
+        c_4*(phi_dot*phi_dot*(sin_theta*cos_theta)) - z_16*z_24) - sin_theta*c_6);
+    f1[4] = 0.0;
+    A1[0][0] = 1.0;
+    A1[0][1] = 0.0;
+    A1[0][2] = 0.0;
+    A1[0][3] = 0.0;
+    A1[0][4] = -z_29;
+    A1[1][0] = 0.0;
+    A1[1][1] = 1.0;
+    A1[1][2] = 0.0;
+    A1[1][3] = 0.0;
+    A1[1][4] = -z_30;
+    gamma[0] = z_30*z_31;
+    gamma[1] = -z_29*z_31;
+
+    /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu1[N1][N1], Omega1[N1][N1];
+    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
+    for (int i = 0; i < N1; ++i) {
+        Omega1[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            Omega1[j][i] = -Omega1[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 10);
+    double *const s1_dot = dy + 35;
+    for (int i = 0; i < N1; ++i) {
+        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
+        for (int j = 0; j < N1; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
+            C1_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
+    double a1[N1], q1[N1];
+    for (int i = 0; i < N1; ++i) {
+        const double stretch = s1_dot[i]*w1[i];
+        double sum = -s1_dot[i]*eta1[i];
+        double turn = 0.0;
+        for (int j = 0; j < N1; ++j) {
+            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            turn += Omega1[i][j]*w1[j];
+        }
+        a1[i] = r1[i]*sum;
+        q1[i] = s1[i]*turn - stretch;
+    }
+
+    /* x, y, phi, theta, psi: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N1; ++i) {
+            double sum = 0.0;
+            for (int j = 0; j < N1; ++j) sum += A1[row][j]*C1[i][j];
+            B1[row][i] = r1[i]*sum;
+        }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[5] = eta_dot[0];
+        dy[6] = eta_dot[1];
+        dy[7] = eta_dot[2];
+        dy[8] = eta_dot[3];
+        dy[9] = eta_dot[4];
+    }
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M1[N1][N1];
+    const double m = c[0];
+    const double c_0 = c[3];
+    const double c_2 = c[5];
+    const double c_7 = c[10];
+    const double c_8 = c[11];
+    const double phi_ = y[2];
+    const double theta = y[3];
+    const double sin_theta = sin(theta);
+    const double cos_phi_ = cos(phi_);
+    const double z_6 = cos_phi_*c_0;
+    const double sin_phi_ = sin(phi_);
+    const double z_8 = sin_phi_*c_0;
+    const double cos_theta = cos(theta);
+    M1[0][0] = m;
+    M1[1][0] = 0.0;
+    M1[1][1] = m;
+    M1[2][0] = -sin_theta*z_6;
+    M1[2][1] = -sin_theta*z_8;
+    M1[2][2] = 0.25*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[3][0] = -cos_theta*z_8;
+    M1[3][1] = cos_theta*z_6;
+    M1[3][2] = 0.0;
+    M1[3][3] = c_8;
+    M1[4][0] = 0.0;
+    M1[4][1] = 0.0;
+    M1[4][2] = -sin_theta*c_2;
+    M1[4][3] = 0.0;
+    M1[4][4] = c_2;
+
+    /* x, y, phi, theta, psi: M = L L^T */
+    double L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    double v1[N1];
+    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double A1[N_ROWS][N1];
+    double gamma[N_ROWS];
+    const double r = c[1];
+    const double c_1 = c[4];
+    const double c_3 = c[6];
+    const double c_4 = c[7];
+    const double c_5 = c[8];
+    const double c_6 = c[9];
+    const double x_dot = v1[0];
+    const double y_dot = v1[1];
+    const double phi_dot = v1[2];
+    const double theta_dot = v1[3];
+    const double psi_dot = v1[4];
+    const double z_14 = theta_dot*cos_theta;
+    const double z_16 = phi_dot*sin_theta;
+    const double z_18 = theta_dot*sin_theta;
+    const double z_19 = phi_dot*cos_theta;
+    const double z_21 = x_dot*sin_phi_;
+    const double z_23 = y_dot*cos_phi_;
+    const double z_24 = x_dot*cos_phi_;
+    const double z_25 = y_dot*sin_phi_;
+    const double z_27 = c_3*z_19;
+    const double z_29 = c_3*z_18;
+    const double z_34 = r*cos_phi_;
+    const double z_35 = r*sin_phi_;
+    const double z_36 = phi_dot*psi_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi_*z_14 - sin_phi_*z_16));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi_*z_16 + sin_phi_*z_14);
+    Mdot1[2][2] = sin_theta*c_1*z_14;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi_*z_18 - cos_phi_*z_19);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi_*z_19 + cos_phi_*z_18);
+    Mdot1[2][3] = Mdot1[3][2] = 0.0;
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = 0.0;
+    Mdot1[1][4] = Mdot1[4][1] = 0.0;
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_14;
+    Mdot1[3][4] = Mdot1[4][3] = 0.0;
+    Mdot1[4][4] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f1[2] = c_0*(z_16*z_21 - z_16*z_23 - z_14*z_24 - z_14*z_25);
+    f1[3] = (-0.25)*((z_24*z_27 + z_25*z_27 + z_23*z_29 + c_5*(psi_dot*z_19) -
+        sin_theta*c_4*(cos_theta*(phi_dot*phi_dot)) - z_21*z_29) - sin_theta*c_6);
+    f1[4] = 0.0;
+    A1[0][0] = 1.0;
+    A1[0][1] = 0.0;
+    A1[0][2] = 0.0;
+    A1[0][3] = 0.0;
+    A1[0][4] = -z_34;
+    A1[1][0] = 0.0;
+    A1[1][1] = 1.0;
+    A1[1][2] = 0.0;
+    A1[1][3] = 0.0;
+    A1[1][4] = -z_35;
+    gamma[0] = z_35*z_36;
+    gamma[1] = -z_34*z_36;
+
+    /* x, y, phi, theta, psi: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
+    em_forward(N1, L1[0], r1, a1);
+    double q1[N1] = {0.0};
+    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
+    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
+            a1[i] -= Phi*eta1[j];
+            q1[j] -= Phi*eta1[i];
+        }
+
+    /* x, y, phi, theta, psi: B = A L^-T */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row) {
+        for (int i = 0; i < N1; ++i) B1[row][i] = A1[row][i];
+        em_forward(N1, L1[0], r1, B1[row]);
+    }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[5] = eta_dot[0];
+        dy[6] = eta_dot[1];
+        dy[7] = eta_dot[2];
+        dy[8] = eta_dot[3];
+        dy[9] = eta_dot[4];
+    }
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
+ * triangular root, and come back when all are farther apart than EM_APART. */
+#define EM_CLOSE 0.03
+#define EM_APART 0.06
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    double M1[N1][N1];
+    double A1[N_ROWS][N1];
+    double b[N_ROWS];
+    const double m = c[0];
+    const double r = c[1];
+    const double c_0 = c[3];
+    const double c_2 = c[5];
+    const double c_7 = c[10];
+    const double c_8 = c[11];
+    const double phi_ = y[2];
+    const double theta = y[3];
+    const double sin_theta = sin(theta);
+    const double cos_phi_ = cos(phi_);
+    const double z_6 = cos_phi_*c_0;
+    const double sin_phi_ = sin(phi_);
+    const double z_8 = sin_phi_*c_0;
+    const double cos_theta = cos(theta);
+    M1[0][0] = m;
+    M1[0][1] = M1[1][0] = 0.0;
+    M1[1][1] = m;
+    M1[0][2] = M1[2][0] = -sin_theta*z_6;
+    M1[1][2] = M1[2][1] = -sin_theta*z_8;
+    M1[2][2] = 0.25*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[0][3] = M1[3][0] = -cos_theta*z_8;
+    M1[1][3] = M1[3][1] = cos_theta*z_6;
+    M1[2][3] = M1[3][2] = 0.0;
+    M1[3][3] = c_8;
+    M1[0][4] = M1[4][0] = 0.0;
+    M1[1][4] = M1[4][1] = 0.0;
+    M1[2][4] = M1[4][2] = -sin_theta*c_2;
+    M1[3][4] = M1[4][3] = 0.0;
+    M1[4][4] = c_2;
+    A1[0][0] = 1.0;
+    A1[0][1] = 0.0;
+    A1[0][2] = 0.0;
+    A1[0][3] = 0.0;
+    A1[0][4] = -r*cos_phi_;
+    A1[1][0] = 0.0;
+    A1[1][1] = 1.0;
+    A1[1][2] = 0.0;
+    A1[1][3] = 0.0;
+    A1[1][4] = -r*sin_phi_;
+    b[0] = 0.0;
+    b[1] = 0.0;
+
+    /* x, y, phi, theta, psi */
+    double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    double *const C1 = y + 10, *const s1 = y + 35;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
+        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, s1));
+    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 25;
+            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N1, C1, s1, eta1);
+                em_transposed(N1, L, eta1);
+            } else if (moving) { /* and back */
+                em_backward(N1, L, r, eta1);
+                em_onto_axes(N1, C1, s1, eta1);
+            }
+        }
+        *mode = wanted;
+    }
+
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+        const double *const gamma = b;
+        double B1[N_ROWS][N1];
+        memcpy(B1, A1, sizeof B1);
+        for (int row = 0; row < N_ROWS; ++row) {
+            if (*mode) em_forward(N1, memory + 0, memory + 25, B1[row]);
+            else em_to_axes(N1, C1, s1, B1[row]);
+        }
+        double *const a1 = eta1;
+    /* Delta = B B^T (43), Delta lambda = B a (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+        for (int i = 0; i < N1; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
+    }
+    y[5] = eta1[0];
+    y[6] = eta1[1];
+    y[7] = eta1[2];
+    y[8] = eta1[3];
+    y[9] = eta1[4];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[5], y[6], y[7], y[8], y[9] };
+        if (mode) {
+            static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N1, y + 10, y + 35, eta);
+        v[0] = eta[0];
+        v[1] = eta[1];
+        v[2] = eta[2];
+        v[3] = eta[3];
+        v[4] = eta[4];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0], e[1], e[2], e[3], e[4] };
+        if (mode) em_backward(N1, memory + 0, memory + 25, eta);
+        else em_from_axes(N1, y + 10, y + 35, eta);
+        ev[0] = eta[0];
+        ev[1] = eta[1];
+        ev[2] = eta[2];
+        ev[3] = eta[3];
+        ev[4] = eta[4];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N1];
+        eta[0] = v[0];
+        eta[1] = v[1];
+        eta[2] = v[2];
+        eta[3] = v[3];
+        eta[4] = v[4];
+        em_onto_axes(N1, y + 10, y + 35, eta);
+        row[5] = eta[0];
+        row[6] = eta[1];
+        row[7] = eta[2];
+        row[8] = eta[3];
+        row[9] = eta[4];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[10 + 0*N1 + 0] = C[0*N + 0];
+    y[10 + 0*N1 + 1] = C[0*N + 1];
+    y[10 + 0*N1 + 2] = C[0*N + 2];
+    y[10 + 0*N1 + 3] = C[0*N + 3];
+    y[10 + 0*N1 + 4] = C[0*N + 4];
+    y[35 + 0] = s[0];
+    y[10 + 1*N1 + 0] = C[1*N + 0];
+    y[10 + 1*N1 + 1] = C[1*N + 1];
+    y[10 + 1*N1 + 2] = C[1*N + 2];
+    y[10 + 1*N1 + 3] = C[1*N + 3];
+    y[10 + 1*N1 + 4] = C[1*N + 4];
+    y[35 + 1] = s[1];
+    y[10 + 2*N1 + 0] = C[2*N + 0];
+    y[10 + 2*N1 + 1] = C[2*N + 1];
+    y[10 + 2*N1 + 2] = C[2*N + 2];
+    y[10 + 2*N1 + 3] = C[2*N + 3];
+    y[10 + 2*N1 + 4] = C[2*N + 4];
+    y[35 + 2] = s[2];
+    y[10 + 3*N1 + 0] = C[3*N + 0];
+    y[10 + 3*N1 + 1] = C[3*N + 1];
+    y[10 + 3*N1 + 2] = C[3*N + 2];
+    y[10 + 3*N1 + 3] = C[3*N + 3];
+    y[10 + 3*N1 + 4] = C[3*N + 4];
+    y[35 + 3] = s[3];
+    y[10 + 4*N1 + 0] = C[4*N + 0];
+    y[10 + 4*N1 + 1] = C[4*N + 1];
+    y[10 + 4*N1 + 2] = C[4*N + 2];
+    y[10 + 4*N1 + 3] = C[4*N + 3];
+    y[10 + 4*N1 + 4] = C[4*N + 4];
+    y[35 + 4] = s[4];
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
+    if (em_coincident(N1, coordinate1, y + 35, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "x", "y", "phi", "theta", "psi", NULL };
+static const char *const parameter_names[] = { "m", "r", "g", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 0.5, 9.81, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.0, 0.0, 0.0, 0.3, 0.0 };
+static const double initial_v[N] = { 2.146192491889161, 0.0, 1.0, 0.0, 4.292384983778322 };
+static const em_slice layout[] = {
+    {"x", 0, 5},
+    {"eta", 5, 5},
+    {"C", 10, 25},
+    {"s", 35, 5}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "b, bdot: the constraints are homogeneous in the velocities",
+    "dM/dx, dM/dy, dM/dpsi: M does not depend on them",
+    NULL
+};
+
+const em_model rolling_disk_model = {
+    .abi = EM_ABI,
+    .name = "rolling_disk",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 6,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

@@ -1,0 +1,343 @@
+/* eigenmotion generate rotating_hoop.py */
+/* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
+/* body sha256:1d18e454608f4b000551bddb33bace0474a4ceba6ac2f5687397f2300888177f */
+/* rotating_hoop: equations of motion, eigenfactor formulation.
+ *
+ * State, 2 numbers:
+ *   x    y[0 .. 1)
+ *   eta  y[1 .. 2)
+ *
+ * Blocks of M that do not couple:
+ *   1: theta (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *   dM/dtheta: M does not depend on it
+ *   C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 1 additions, 3 multiplications, 2 function calls
+ *   projection: none
+ */
+#include "rotating_hoop.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 1,            /* coordinates */
+    N_ROWS = 0,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 2,
+    N_C = 0,
+    N_S = 0,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 0,
+    SETTLES = 0,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 4,
+    N_PREPARED = 13, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1 /* theta */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0 };
+static const double scales[N] = { 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M1[N1][N1];
+    const double m = c[0];
+    const double R = c[1];
+    const double Omega = c[2];
+    const double g = c[3];
+    const double z_2 = m*(R*R);
+    const double z_5 = z_2*(Omega*Omega);
+    M1[0][0] = z_2;
+    c[8] = m*R*g;
+    c[9] = z_5;
+    c[10] = z_2;
+    c[11] = 0.5*z_2;
+    c[12] = 0.5*z_5;
+    /* block 1 (theta): C, s, L, 1 / diag L */
+    if (em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t, (void)x;
+    const double c_2 = c[10];
+    M[0] = c_2;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t, (void)x, (void)c;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t, (void)x, (void)c, (void)A, (void)b;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)v, (void)u, (void)gamma;
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double theta = x[0];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    bias[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double c_0 = c[8];
+    const double c_3 = c[11];
+    const double c_4 = c[12];
+    const double theta_dot = v[0];
+    const double theta = x[0];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    e[0] = c_3*(theta_dot*theta_dot);
+    e[1] = 0.0;
+    e[2] = c_4*(sin_theta*sin_theta);
+    e[3] = -cos_theta*c_0;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[1] };
+    const double *const s1 = c + 5;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    const double *const v1 = w1;
+    dy[0] = v1[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double theta = y[0];
+    const double sin_theta = sin(theta);
+    const double cos_theta = cos(theta);
+    f1[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
+
+    /* theta: constant factors, a = S^-1 C f (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        a1[i] = r1[i]*f1[i];
+    }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[1] = a1[0];
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    {
+        double eta[N1] = { y[1] };
+        em_from_axes(N1, c + 4, c + 5, eta);
+        v[0] = eta[0];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0] };
+        em_from_axes(N1, c + 4, c + 5, eta);
+        ev[0] = eta[0];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "theta", NULL };
+static const char *const parameter_names[] = { "m", "R", "Omega", "g", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 0.5, 6.0, 9.81, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.5 };
+static const double initial_v[N] = { 0.0 };
+static const em_slice layout[] = {
+    {"x", 0, 1},
+    {"eta", 1, 1}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    "dM/dtheta: M does not depend on it",
+    "C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model rotating_hoop_model = {
+    .abi = EM_ABI,
+    .name = "rotating_hoop",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 2,
+    .n_left_out = 6,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

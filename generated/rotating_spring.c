@@ -1,0 +1,398 @@
+/* eigenmotion generate rotating_spring.py */
+/* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
+/* body sha256:87710fcc28db971c4ed30f352d732e1a8906fe7166a37840b120f72c93cf917a */
+/* rotating_spring: equations of motion, eigenfactor formulation.
+ *
+ * State, 4 numbers:
+ *   x    y[0 .. 2)
+ *   eta  y[2 .. 4)
+ *
+ * Blocks of M that do not couple:
+ *   1: x (constant, factored once per parameter set)
+ *   2: y (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *   dM/dx, dM/dy: M does not depend on them
+ *   C, mu, Omega across blocks: {x}, {y} do not couple
+ *   C, s, mu, Omega of {x}: this block is constant, factored once per parameter set
+ *   C, s, mu, Omega of {y}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 4 additions, 4 multiplications
+ *   projection: none
+ */
+#include "rotating_spring.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 2,            /* coordinates */
+    N_ROWS = 0,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 4,
+    N_C = 0,
+    N_S = 0,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 0,
+    SETTLES = 0,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 4,
+    N_PREPARED = 17, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1, /* x */
+    N2 = 1 /* y */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 1 };
+static const double scales[N] = { 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M1[N1][N1];
+    double M2[N2][N2];
+    const double m = c[0];
+    const double k_x = c[1];
+    const double k_y = c[2];
+    const double Omega = c[3];
+    const double z_3 = Omega*Omega;
+    const double z_4 = m*z_3;
+    M1[0][0] = m;
+    M2[0][0] = m;
+    c[12] = m*Omega;
+    c[13] = k_x - z_4;
+    c[14] = k_y - z_4;
+    c[15] = z_3;
+    c[16] = 0.5*m;
+    /* block 1 (x): C, s, L, 1 / diag L */
+    if (em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    /* block 2 (y): C, s, L, 1 / diag L */
+    if (em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t, (void)x;
+    const double m = c[0];
+    M[0] = m;
+    M[2] = M[1] = 0.0;
+    M[3] = m;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t, (void)x, (void)c;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t, (void)x, (void)c, (void)A, (void)b;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u, (void)gamma;
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double c_2 = c[14];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double x_ = x[0];
+    const double y_ = x[1];
+    const double z_2 = y_dot*c_0;
+    const double z_6 = x_dot*c_0;
+    bias[0] = z_2 + (z_2 - x_*c_1);
+    bias[1] = -(z_6 + (z_6 + y_*c_2));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double m = c[0];
+    const double k_x = c[1];
+    const double k_y = c[2];
+    const double c_0 = c[12];
+    const double c_3 = c[15];
+    const double c_4 = c[16];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double x_ = x[0];
+    const double y_ = x[1];
+    const double z_7 = x_*x_;
+    const double z_8 = y_*y_;
+    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
+    e[1] = -c_0*(x_dot*y_ - y_dot*x_);
+    e[2] = c_3*(z_7 + z_8)*c_4;
+    e[3] = 0.5*(k_x*z_7 + k_y*z_8);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[2] };
+    const double *const s1 = c + 5;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    const double *const v1 = w1;
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[3] };
+    const double *const s2 = c + 9;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[1] = v2[0];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double f2[N2];
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double c_2 = c[14];
+    const double x_dot = v1[0];
+    const double y_dot = v2[0];
+    const double x_ = y[0];
+    const double y_ = y[1];
+    const double z_2 = y_dot*c_0;
+    const double z_6 = x_dot*c_0;
+    f1[0] = z_2 + (z_2 - x_*c_1);
+    f2[0] = -(z_6 + (z_6 + y_*c_2));
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        a1[i] = r1[i]*f1[i];
+    }
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[2] = a1[0];
+    dy[3] = a2[0];
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    {
+        double eta[N1] = { y[2] };
+        em_from_axes(N1, c + 4, c + 5, eta);
+        v[0] = eta[0];
+    }
+    {
+        double eta[N2] = { y[3] };
+        em_from_axes(N2, c + 8, c + 9, eta);
+        v[1] = eta[0];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0] };
+        em_from_axes(N1, c + 4, c + 5, eta);
+        ev[0] = eta[0];
+    }
+    {
+        double eta[N2] = { e[1] };
+        em_from_axes(N2, c + 8, c + 9, eta);
+        ev[1] = eta[0];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "x", "y", NULL };
+static const char *const parameter_names[] = { "m", "k_x", "k_y", "Omega", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 9.0, 14.0, 2.0, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 1.0, 0.0 };
+static const double initial_v[N] = { 0.0, 0.5 };
+static const em_slice layout[] = {
+    {"x", 0, 2},
+    {"eta", 2, 2}
+};
+static const char *const left_out[] = {
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    "dM/dx, dM/dy: M does not depend on them",
+    "C, mu, Omega across blocks: {x}, {y} do not couple",
+    "C, s, mu, Omega of {x}: this block is constant, factored once per parameter set",
+    "C, s, mu, Omega of {y}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model rotating_spring_model = {
+    .abi = EM_ABI,
+    .name = "rotating_spring",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 2,
+    .n_left_out = 7,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

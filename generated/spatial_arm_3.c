@@ -1,0 +1,981 @@
+/* eigenmotion generate spatial_arm.py */
+/* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
+/* body sha256:52fdd7743196a9276f073dc063c56134f2b025b9bc43ca22fa68473cc0f83d96 */
+/* spatial_arm_3: equations of motion, eigenfactor formulation.
+ *
+ * State, 18 numbers:
+ *   x    y[0 .. 3)
+ *   eta  y[3 .. 6)
+ *   C    y[6 .. 15)
+ *   s    y[15 .. 18)
+ *
+ * Blocks of M that do not couple:
+ *   1: q_1, q_2, q_3 (C and s are states)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *   dM/dq_1: M does not depend on it
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 56 additions, 124 multiplications, 4 function calls
+ *   triangular root: 69 additions, 149 multiplications, 4 function calls
+ *   projection: 21 additions, 41 multiplications, 4 function calls
+ */
+#include "spatial_arm_3.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 3,            /* coordinates */
+    N_ROWS = 0,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 18,
+    N_C = 9,
+    N_S = 3,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 12,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 8,
+    N_PREPARED = 44, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 3 /* q_1, q_2, q_3 */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 0, 0 };
+static const double scales[N] = { 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    const double m_1 = c[0];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double rho = c[6];
+    const double g = c[7];
+    const double z_2 = rho*rho;
+    const double z_3 = z_2;
+    const double z_5 = l_3*l_3;
+    const double z_6 = m_3*(3.0*z_3 + z_5);
+    const double z_7 = m_3*l_3;
+    const double z_11 = m_2*l_2;
+    const double z_12 = l_2*m_3;
+    const double z_13 = z_6 + 3.0*m_3*z_5;
+    const double z_14 = m_3*z_2;
+    const double z_15 = m_2*z_2;
+    const double z_16 = l_2*l_2;
+    const double z_17 = m_2*(3.0*z_3 + z_16);
+    const double z_18 = z_13 - 6.0*z_14;
+    const double z_19 = l_3*z_12;
+    const double z_21 = g*z_11;
+    const double z_23 = l_1*l_1;
+    c[8] = z_6;
+    c[9] = 3.0*z_7;
+    c[10] = 2.0*l_1;
+    c[11] = 2.0*m_3;
+    c[12] = 4.0*m_3;
+    c[13] = z_11;
+    c[14] = z_12;
+    c[15] = z_13;
+    c[16] = z_14;
+    c[17] = 6.0*l_1;
+    c[18] = 2.0*(6.0*z_15 - z_17);
+    c[19] = z_18;
+    c[20] = z_19;
+    c[21] = 2.0*l_2;
+    c[22] = 12.0*z_14;
+    c[23] = 6.0*z_19;
+    c[24] = 6.0*(z_21 + 2.0*z_12*g);
+    c[25] = 6.0*z_15;
+    c[26] = 6.0*z_14;
+    c[27] = 6.0*(z_7*g);
+    c[28] = z_17;
+    c[29] = 3.0*l_2;
+    c[30] = 12.0*m_3;
+    c[31] = 6.0*m_3;
+    c[32] = 3.0*m_1*z_23 + m_1*(z_23 + 3.0*z_3);
+    c[33] = z_17 + 3.0*m_2*z_16;
+    c[34] = 6.0*z_12;
+    c[35] = (1.0/12.0)*z_13;
+    c[36] = 4.0*z_12;
+    c[37] = 2.0*z_12;
+    c[38] = 2.0*z_13;
+    c[39] = z_18;
+    c[40] = 3.0*l_1;
+    c[41] = 0.5*z_7;
+    c[42] = m_3*g;
+    c[43] = z_21;
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_4 = c[12];
+    const double c_7 = c[15];
+    const double c_9 = c[17];
+    const double c_11 = c[19];
+    const double c_13 = c[21];
+    const double c_15 = c[23];
+    const double c_17 = c[25];
+    const double c_18 = c[26];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_24 = c[32];
+    const double c_25 = c[33];
+    const double c_26 = c[34];
+    const double c_27 = c[35];
+    const double q_2 = x[1];
+    const double q_3 = x[2];
+    const double cos_q_2 = cos(q_2);
+    const double z_6 = l_2*cos_q_2;
+    const double z_7 = l_1 + z_6;
+    const double cos_q_3 = cos(q_3);
+    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
+    const double z_12 = cos_q_2*c_0 + z_10*c_1;
+    const double sin_q_3 = sin(q_3);
+    const double z_16 = sin_q_3*sin_q_3;
+    const double sin_q_2 = sin(q_2);
+    const double z_18 = sin_q_2*sin_q_2;
+    const double z_22 = m_2*(c_2 + z_6);
+    const double z_24 = cos_q_3*z_10;
+    const double z_26 = z_7*z_16;
+    const double z_33 = sin_q_3*sin_q_2;
+    const double z_36 = c_13 + l_3*cos_q_3;
+    M[0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + c_7*z_16*z_18 + c_24 + (z_22 + m_3*z_24 +
+        c_3*z_26)*c_9 + c_17*z_18 + cos_q_2*(z_22 + c_3*z_24 + c_4*z_26)*c_21 + c_18*(z_18*(cos_q_3*cos_q_3)));
+    M[3] = M[1] = (1.0/12.0)*(cos_q_3*c_11*z_33 + c_15*z_33);
+    M[4] = (1.0/12.0)*(cos_q_3*(cos_q_3*c_0 + z_36*c_1) + c_25 + z_36*c_26 + c_18*z_16);
+    M[6] = M[2] = (1.0/12.0)*z_12;
+    M[7] = M[5] = 0.0;
+    M[8] = c_27;
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_4 = c[12];
+    const double c_5 = c[13];
+    const double c_7 = c[15];
+    const double c_9 = c[17];
+    const double c_10 = c[18];
+    const double c_11 = c[19];
+    const double c_13 = c[21];
+    const double c_14 = c[22];
+    const double c_15 = c[23];
+    const double c_21 = c[29];
+    const double c_28 = c[36];
+    const double c_29 = c[37];
+    const double c_30 = c[38];
+    const double c_31 = c[39];
+    const double c_32 = c[40];
+    const double c_33 = c[41];
+    const double q_2 = x[1];
+    const double q_3 = x[2];
+    const double cos_q_2 = cos(q_2);
+    const double z_6 = l_2*cos_q_2;
+    const double z_7 = l_1 + z_6;
+    const double cos_q_3 = cos(q_3);
+    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
+    const double sin_q_2 = sin(q_2);
+    const double z_14 = cos_q_3*sin_q_2;
+    const double z_15 = l_3*sin_q_2 + c_13*z_14;
+    const double z_16 = c_0*sin_q_2 + z_15*c_1;
+    const double z_20 = cos_q_3*c_3;
+    const double sin_q_3 = sin(q_3);
+    const double z_23 = sin_q_3*sin_q_3;
+    const double z_25 = sin_q_2*c_5;
+    const double z_26 = sin_q_2*z_23;
+    const double z_33 = cos_q_3*cos_q_3;
+    const double z_34 = cos_q_2*sin_q_2;
+    const double z_37 = cos_q_3*sin_q_3;
+    const double z_39 = cos_q_2*sin_q_3;
+    const double z_41 = z_7*z_37;
+    const double z_42 = z_41*c_4 - m_3*(z_10*sin_q_3 + 2.0*z_41);
+    dM[9] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_10*c_1)*sin_q_2 + cos_q_2*z_16) + 3.0*l_2*(sin_q_2*(m_2*(c_2 + z_6) +
+        z_10*z_20 + c_4*(z_7*z_23)) + cos_q_2*(z_25 + z_15*z_20 + z_26*c_28)) + (z_25 + z_15*(m_3*cos_q_3) +
+        z_26*c_29)*c_9 - c_30*(cos_q_2*z_26) - c_14*(z_33*z_34) - c_10*z_34);
+    dM[12] = dM[10] = (1.0/12.0)*(cos_q_2*c_11*z_37 + c_15*z_39);
+    dM[15] = dM[11] = ((-1.0/12.0))*z_16;
+    dM[18] = (1.0/6.0)*(c_31*(sin_q_2*sin_q_2)*z_37 + z_42*c_32 + cos_q_2*z_42*c_21 - c_1*(z_7*z_39));
+    dM[21] = dM[19] = ((-1.0/12.0))*(c_11*(z_26 - sin_q_2*z_33) - c_15*z_14);
+    dM[22] = ((-1.0/12.0))*((c_7*z_37 + sin_q_3*(cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)) + sin_q_3*c_15 -
+        c_14*z_37);
+    dM[24] = dM[20] = -c_33*(z_7*sin_q_3);
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t, (void)x, (void)c, (void)A, (void)b;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u, (void)gamma;
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_5 = c[13];
+    const double c_6 = c[14];
+    const double c_7 = c[15];
+    const double c_8 = c[16];
+    const double c_9 = c[17];
+    const double c_10 = c[18];
+    const double c_13 = c[21];
+    const double c_15 = c[23];
+    const double c_16 = c[24];
+    const double c_17 = c[25];
+    const double c_18 = c[26];
+    const double c_19 = c[27];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_22 = c[30];
+    const double c_23 = c[31];
+    const double q_1_dot = v[0];
+    const double q_2_dot = v[1];
+    const double q_3_dot = v[2];
+    const double q_2 = x[1];
+    const double q_3 = x[2];
+    const double sin_q_3 = sin(q_3);
+    const double cos_q_3 = cos(q_3);
+    const double sin_q_2 = sin(q_2);
+    const double z_8 = q_1_dot*sin_q_2;
+    const double z_9 = q_2_dot*sin_q_3 - cos_q_3*z_8;
+    const double z_11 = q_3_dot*sin_q_3;
+    const double cos_q_2 = cos(q_2);
+    const double z_13 = q_2_dot*cos_q_2;
+    const double z_14 = cos_q_3*z_9;
+    const double z_15 = q_3_dot*cos_q_3;
+    const double z_16 = q_2_dot*z_15 + (z_8*z_11 - q_1_dot*cos_q_3*z_13);
+    const double z_18 = q_2_dot*cos_q_3 + sin_q_3*z_8;
+    const double z_22 = c_0*z_18 + (l_3*z_18 + q_2_dot*c_13)*c_1;
+    const double z_24 = q_1_dot*sin_q_3;
+    const double z_25 = q_2_dot*z_11 - (z_8*z_15 + z_13*z_24);
+    const double z_26 = c_7*z_25;
+    const double z_27 = q_3_dot + q_1_dot*cos_q_2;
+    const double z_30 = cos_q_2*(q_1_dot*l_2);
+    const double z_31 = q_1_dot*l_1 + z_30;
+    const double z_32 = l_3*z_27 + 2.0*cos_q_3*z_31;
+    const double z_33 = c_0*z_27 + z_32*c_1;
+    const double z_34 = q_2_dot*sin_q_2;
+    const double z_35 = q_2_dot*z_8;
+    const double z_36 = z_31*z_11;
+    const double z_37 = l_3*z_35 + 2.0*(z_36 + l_2*cos_q_3*z_35);
+    const double z_38 = c_0*z_35 + c_1*z_37;
+    const double z_40 = sin_q_3*sin_q_3;
+    const double z_43 = 2.0*m_3*(2.0*z_31*z_40 + cos_q_3*z_32) + m_2*(z_30 + q_1_dot*c_2);
+    const double z_46 = 2.0*(cos_q_3*c_3*z_36 - c_6*z_40*z_35) - m_3*(z_32*z_11 + cos_q_3*z_37);
+    const double z_48 = c_5*z_35;
+    const double z_53 = q_1_dot*q_1_dot;
+    const double z_59 = c_18*z_9;
+    bias[0] = ((-1.0/12.0))*(6.0*c_8*(z_9*(sin_q_2*z_11) - z_13*z_14 - z_16*(cos_q_3*sin_q_2)) +
+        (sin_q_2*z_22*z_15 + sin_q_3*z_22*z_13 - sin_q_3*sin_q_2*z_26) + c_9*(z_46 - z_48) + c_10*(z_8*z_13) -
+        (z_33*z_34 + cos_q_2*z_38) - 3.0*l_2*(z_43*z_34 - cos_q_2*(2.0*z_46 - z_48)));
+    bias[1] = (1.0/12.0)*((cos_q_2*(z_22*z_24 + c_16 + c_17*(sin_q_2*z_53) + cos_q_3*c_19 - q_1_dot*c_18*z_14) -
+        sin_q_2*(cos_q_2*c_20*z_53 + q_1_dot*z_33 + q_1_dot*z_43*c_21)) - (6.0*c_8*(q_3_dot*z_14 + sin_q_3*z_16) -
+        (z_22*z_11 + cos_q_3*z_26) - c_15*z_25));
+    bias[2] = (1.0/12.0)*((cos_q_3*(z_22*z_8 + q_2_dot*z_59 + c_22*(sin_q_3*(z_31*z_31))) + sin_q_3*(z_8*z_59 -
+        q_2_dot*z_22 - z_31*z_32*c_23 - sin_q_2*c_19)) + z_38);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_4 = c[12];
+    const double c_7 = c[15];
+    const double c_9 = c[17];
+    const double c_11 = c[19];
+    const double c_13 = c[21];
+    const double c_15 = c[23];
+    const double c_17 = c[25];
+    const double c_18 = c[26];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_24 = c[32];
+    const double c_25 = c[33];
+    const double c_26 = c[34];
+    const double c_34 = c[42];
+    const double c_35 = c[43];
+    const double q_1_dot = v[0];
+    const double q_2_dot = v[1];
+    const double q_3_dot = v[2];
+    const double q_2 = x[1];
+    const double q_3 = x[2];
+    const double cos_q_2 = cos(q_2);
+    const double z_7 = l_2*cos_q_2;
+    const double z_8 = l_1 + z_7;
+    const double cos_q_3 = cos(q_3);
+    const double z_11 = cos_q_2*l_3 + 2.0*z_8*cos_q_3;
+    const double z_13 = cos_q_2*c_0 + z_11*c_1;
+    const double sin_q_3 = sin(q_3);
+    const double z_17 = sin_q_3*sin_q_3;
+    const double sin_q_2 = sin(q_2);
+    const double z_19 = sin_q_2*sin_q_2;
+    const double z_23 = m_2*(c_2 + z_7);
+    const double z_25 = cos_q_3*z_11;
+    const double z_27 = z_8*z_17;
+    const double z_35 = sin_q_3*sin_q_2;
+    const double z_37 = cos_q_3*c_11*z_35 + c_15*z_35;
+    const double z_40 = l_3*cos_q_3;
+    const double z_41 = c_13 + z_40;
+    e[0] = (1.0/24.0)*(q_1_dot*(q_1_dot*(cos_q_2*z_13 + c_20*(cos_q_2*cos_q_2) + c_7*z_17*z_19 + c_24 + (z_23 +
+        m_3*z_25 + c_3*z_27)*c_9 + c_17*z_19 + cos_q_2*(z_23 + c_3*z_25 + c_4*z_27)*c_21 +
+        c_18*(z_19*(cos_q_3*cos_q_3))) + q_2_dot*z_37 + q_3_dot*z_13) + q_2_dot*(q_1_dot*z_37 +
+        q_2_dot*(cos_q_3*(cos_q_3*c_0 + z_41*c_1) + c_25 + z_41*c_26 + c_18*z_17)) + q_3_dot*(q_1_dot*z_13 +
+        q_3_dot*c_7));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = (-0.5)*((sin_q_2*z_40 + sin_q_2*c_13)*c_34 + sin_q_2*c_35);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[3], y[4], y[5] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 6);
+    const double *const s1 = y + 15;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_4 = c[12];
+    const double c_5 = c[13];
+    const double c_6 = c[14];
+    const double c_7 = c[15];
+    const double c_8 = c[16];
+    const double c_9 = c[17];
+    const double c_10 = c[18];
+    const double c_11 = c[19];
+    const double c_12 = c[20];
+    const double c_13 = c[21];
+    const double c_14 = c[22];
+    const double c_15 = c[23];
+    const double c_16 = c[24];
+    const double c_17 = c[25];
+    const double c_18 = c[26];
+    const double c_19 = c[27];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_22 = c[30];
+    const double c_23 = c[31];
+    const double q_1_dot = v1[0];
+    const double q_2_dot = v1[1];
+    const double q_3_dot = v1[2];
+    const double q_2 = y[1];
+    const double q_3 = y[2];
+    const double cos_q_2 = cos(q_2);
+    const double z_6 = l_2*cos_q_2;
+    const double z_7 = l_1 + z_6;
+    const double cos_q_3 = cos(q_3);
+    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
+    const double sin_q_2 = sin(q_2);
+    const double z_14 = q_2_dot*sin_q_2;
+    const double sin_q_3 = sin(q_3);
+    const double z_17 = q_3_dot*sin_q_3;
+    const double z_18 = l_3*z_14 + 2.0*(cos_q_3*(l_2*z_14) + z_7*z_17);
+    const double z_19 = c_0*z_14 + z_18*c_1;
+    const double z_24 = sin_q_3*sin_q_3;
+    const double z_26 = c_5*z_14;
+    const double z_29 = cos_q_3*z_17;
+    const double z_30 = m_3*(z_10*z_17 + cos_q_3*z_18) + 2.0*(c_6*z_24*z_14 - z_7*c_3*z_29);
+    const double z_32 = sin_q_2*sin_q_2*z_29;
+    const double z_33 = cos_q_2*z_14;
+    const double z_35 = cos_q_3*cos_q_3;
+    const double z_39 = q_3_dot*sin_q_2;
+    const double z_40 = q_2_dot*sin_q_3;
+    const double z_41 = cos_q_2*z_40;
+    const double z_47 = q_1_dot*sin_q_2;
+    const double z_48 = q_2_dot*cos_q_3 + sin_q_3*z_47;
+    const double z_49 = c_0*z_48 + (l_3*z_48 + q_2_dot*c_13)*c_1;
+    const double z_52 = q_1_dot*q_1_dot;
+    const double z_54 = c_18*(z_40 - cos_q_3*z_47);
+    const double z_57 = q_3_dot + q_1_dot*cos_q_2;
+    const double z_58 = q_1_dot*z_6;
+    const double z_59 = q_1_dot*l_1 + z_58;
+    const double z_60 = l_3*z_57 + 2.0*cos_q_3*z_59;
+    Mdot1[0][0] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_10*c_1)*z_14 + cos_q_2*z_19) + 3.0*l_2*((m_2*(c_2 + z_6) +
+        cos_q_3*z_10*c_3 + z_7*c_4*z_24)*z_14 + cos_q_2*(z_26 + 2.0*z_30)) + 12.0*c_8*(z_32 - z_35*z_33) + (z_26 +
+        z_30)*c_9 - 2.0*c_7*(z_32 + z_24*z_33) - c_10*z_33);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_24*z_39 - z_35*z_39 - cos_q_3*z_41) -
+        6.0*c_12*(cos_q_3*z_39 + z_41));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_29 - (c_7*z_29 + (cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)*z_17) - c_15*z_17);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_19;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_49 + c_16 + c_17*(sin_q_2*z_52) + cos_q_3*c_19 -
+        z_54*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_52 + q_1_dot*(c_0*z_57 + z_60*c_1) +
+        c_21*(q_1_dot*(2.0*m_3*(2.0*z_59*z_24 + cos_q_3*z_60) + m_2*(z_58 + q_1_dot*c_2)))));
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_49*z_47 + q_2_dot*z_54 + c_22*(sin_q_3*(z_59*z_59))) + sin_q_3*(z_47*z_54 -
+        q_2_dot*z_49 - z_59*z_60*c_23 - sin_q_2*c_19));
+
+    /* q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu1[N1][N1], Omega1[N1][N1];
+    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
+    for (int i = 0; i < N1; ++i) {
+        Omega1[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            Omega1[j][i] = -Omega1[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 6);
+    double *const s1_dot = dy + 15;
+    for (int i = 0; i < N1; ++i) {
+        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
+        for (int j = 0; j < N1; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
+            C1_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        const double stretch = s1_dot[i]*w1[i];
+        double sum = -s1_dot[i]*eta1[i];
+        for (int j = 0; j < N1; ++j) {
+            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+        }
+        a1[i] = r1[i]*sum;
+        (void)stretch;
+    }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    dy[5] = a1[2];
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M1[N1][N1];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_4 = c[12];
+    const double c_7 = c[15];
+    const double c_9 = c[17];
+    const double c_11 = c[19];
+    const double c_13 = c[21];
+    const double c_15 = c[23];
+    const double c_17 = c[25];
+    const double c_18 = c[26];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_24 = c[32];
+    const double c_25 = c[33];
+    const double c_26 = c[34];
+    const double c_27 = c[35];
+    const double q_2 = y[1];
+    const double q_3 = y[2];
+    const double cos_q_2 = cos(q_2);
+    const double z_6 = l_2*cos_q_2;
+    const double z_7 = l_1 + z_6;
+    const double cos_q_3 = cos(q_3);
+    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
+    const double z_12 = cos_q_2*c_0 + z_10*c_1;
+    const double sin_q_2 = sin(q_2);
+    const double z_15 = sin_q_2*sin_q_2;
+    const double sin_q_3 = sin(q_3);
+    const double z_18 = sin_q_3*sin_q_3;
+    const double z_22 = m_2*(c_2 + z_6);
+    const double z_25 = z_7*z_18;
+    const double z_29 = z_22 + cos_q_3*z_10*c_3 + c_4*z_25;
+    const double z_32 = cos_q_3*cos_q_3;
+    const double z_33 = sin_q_3*sin_q_2;
+    const double z_37 = c_13 + l_3*cos_q_3;
+    const double z_38 = cos_q_3*c_0 + z_37*c_1;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + z_15*(c_7*z_18) + c_24 + (z_22 +
+        z_10*(m_3*cos_q_3) + c_3*z_25)*c_9 + c_17*z_15 + cos_q_2*z_29*c_21 + c_18*z_15*z_32);
+    M1[1][0] = (1.0/12.0)*(z_33*(cos_q_3*c_11) + c_15*z_33);
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_38 + c_25 + z_37*c_26 + c_18*z_18);
+    M1[2][0] = (1.0/12.0)*z_12;
+    M1[2][1] = 0.0;
+    M1[2][2] = c_27;
+
+    /* q_1, q_2, q_3: M = L L^T */
+    double L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const double eta1[N1] = { y[3], y[4], y[5] };
+    double v1[N1];
+    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    const double c_5 = c[13];
+    const double c_6 = c[14];
+    const double c_8 = c[16];
+    const double c_10 = c[18];
+    const double c_12 = c[20];
+    const double c_14 = c[22];
+    const double c_16 = c[24];
+    const double c_19 = c[27];
+    const double c_22 = c[30];
+    const double c_23 = c[31];
+    const double q_1_dot = v1[0];
+    const double q_2_dot = v1[1];
+    const double q_3_dot = v1[2];
+    const double z_43 = q_2_dot*sin_q_2;
+    const double z_45 = q_3_dot*sin_q_3;
+    const double z_46 = l_3*z_43 + 2.0*(cos_q_3*(l_2*z_43) + z_7*z_45);
+    const double z_47 = c_0*z_43 + z_46*c_1;
+    const double z_49 = c_5*z_43;
+    const double z_51 = cos_q_3*z_45;
+    const double z_52 = m_3*(z_10*z_45 + cos_q_3*z_46) + 2.0*(c_6*z_18*z_43 - c_3*(z_7*z_51));
+    const double z_53 = z_15*z_51;
+    const double z_54 = cos_q_2*z_43;
+    const double z_57 = q_3_dot*sin_q_2;
+    const double z_58 = q_2_dot*sin_q_3;
+    const double z_59 = cos_q_2*z_58;
+    const double z_63 = q_1_dot*sin_q_2;
+    const double z_64 = q_2_dot*cos_q_3 + sin_q_3*z_63;
+    const double z_65 = c_0*z_64 + (l_3*z_64 + q_2_dot*c_13)*c_1;
+    const double z_67 = q_1_dot*q_1_dot;
+    const double z_68 = c_18*(z_58 - cos_q_3*z_63);
+    const double z_70 = q_3_dot + q_1_dot*cos_q_2;
+    const double z_71 = q_1_dot*z_6;
+    const double z_72 = q_1_dot*l_1 + z_71;
+    const double z_73 = l_3*z_70 + 2.0*cos_q_3*z_72;
+    Mdot1[0][0] = ((-1.0/12.0))*((z_12*z_43 + cos_q_2*z_47) + 3.0*l_2*(z_29*z_43 + cos_q_2*(z_49 + 2.0*z_52)) +
+        12.0*c_8*(z_53 - z_32*z_54) + (z_49 + z_52)*c_9 - 2.0*c_7*(z_53 + z_18*z_54) - c_10*z_54);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_18*z_57 - z_32*z_57 - cos_q_3*z_59) -
+        6.0*c_12*(cos_q_3*z_57 + z_59));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_51 - (c_7*z_51 + z_38*z_45) - c_15*z_45);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_47;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_65 + c_16 + c_17*(sin_q_2*z_67) + cos_q_3*c_19 -
+        z_68*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_67 + q_1_dot*(c_0*z_70 + z_73*c_1) +
+        c_21*(q_1_dot*(2.0*m_3*(2.0*z_72*z_18 + cos_q_3*z_73) + m_2*(z_71 + q_1_dot*c_2)))));
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_65*z_63 + q_2_dot*z_68 + c_22*(sin_q_3*(z_72*z_72))) + sin_q_3*(z_63*z_68 -
+        q_2_dot*z_65 - z_72*z_73*c_23 - sin_q_2*c_19));
+
+    /* q_1, q_2, q_3: a = L^-1 f - Phi eta */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
+    em_forward(N1, L1[0], r1, a1);
+    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
+    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
+            a1[i] -= Phi*eta1[j];
+        }
+
+    /* etadot = a - B^T lambda (45) */
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    dy[5] = a1[2];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
+ * triangular root, and come back when all are farther apart than EM_APART. */
+#define EM_CLOSE 0.03
+#define EM_APART 0.06
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    double M1[N1][N1];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_4 = c[12];
+    const double c_7 = c[15];
+    const double c_9 = c[17];
+    const double c_11 = c[19];
+    const double c_13 = c[21];
+    const double c_15 = c[23];
+    const double c_17 = c[25];
+    const double c_18 = c[26];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_24 = c[32];
+    const double c_25 = c[33];
+    const double c_26 = c[34];
+    const double c_27 = c[35];
+    const double q_2 = y[1];
+    const double q_3 = y[2];
+    const double cos_q_2 = cos(q_2);
+    const double z_6 = l_2*cos_q_2;
+    const double z_7 = l_1 + z_6;
+    const double cos_q_3 = cos(q_3);
+    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
+    const double z_12 = cos_q_2*c_0 + z_10*c_1;
+    const double sin_q_3 = sin(q_3);
+    const double z_16 = sin_q_3*sin_q_3;
+    const double sin_q_2 = sin(q_2);
+    const double z_18 = sin_q_2*sin_q_2;
+    const double z_22 = m_2*(c_2 + z_6);
+    const double z_24 = cos_q_3*z_10;
+    const double z_26 = z_7*z_16;
+    const double z_33 = sin_q_3*sin_q_2;
+    const double z_36 = c_13 + l_3*cos_q_3;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + c_7*z_16*z_18 + c_24 + (z_22 + m_3*z_24 +
+        c_3*z_26)*c_9 + c_17*z_18 + cos_q_2*(z_22 + c_3*z_24 + c_4*z_26)*c_21 + c_18*(z_18*(cos_q_3*cos_q_3)));
+    M1[0][1] = M1[1][0] = (1.0/12.0)*(cos_q_3*c_11*z_33 + c_15*z_33);
+    M1[1][1] = (1.0/12.0)*(cos_q_3*(cos_q_3*c_0 + z_36*c_1) + c_25 + z_36*c_26 + c_18*z_16);
+    M1[0][2] = M1[2][0] = (1.0/12.0)*z_12;
+    M1[1][2] = M1[2][1] = 0.0;
+    M1[2][2] = c_27;
+
+    /* q_1, q_2, q_3 */
+    double eta1[N1] = { y[3], y[4], y[5] };
+    double *const C1 = y + 6, *const s1 = y + 15;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
+        static const int coordinate[N1] = { 0, 1, 2 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, s1));
+    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 9;
+            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N1] = { 0, 1, 2 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N1, C1, s1, eta1);
+                em_transposed(N1, L, eta1);
+            } else if (moving) { /* and back */
+                em_backward(N1, L, r, eta1);
+                em_onto_axes(N1, C1, s1, eta1);
+            }
+        }
+        *mode = wanted;
+    }
+    y[3] = eta1[0];
+    y[4] = eta1[1];
+    y[5] = eta1[2];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[3], y[4], y[5] };
+        if (mode) {
+            static const int coordinate[N1] = { 0, 1, 2 };
+            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N1, y + 6, y + 15, eta);
+        v[0] = eta[0];
+        v[1] = eta[1];
+        v[2] = eta[2];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0], e[1], e[2] };
+        if (mode) em_backward(N1, memory + 0, memory + 9, eta);
+        else em_from_axes(N1, y + 6, y + 15, eta);
+        ev[0] = eta[0];
+        ev[1] = eta[1];
+        ev[2] = eta[2];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N1];
+        eta[0] = v[0];
+        eta[1] = v[1];
+        eta[2] = v[2];
+        em_onto_axes(N1, y + 6, y + 15, eta);
+        row[3] = eta[0];
+        row[4] = eta[1];
+        row[5] = eta[2];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[6 + 0*N1 + 0] = C[0*N + 0];
+    y[6 + 0*N1 + 1] = C[0*N + 1];
+    y[6 + 0*N1 + 2] = C[0*N + 2];
+    y[15 + 0] = s[0];
+    y[6 + 1*N1 + 0] = C[1*N + 0];
+    y[6 + 1*N1 + 1] = C[1*N + 1];
+    y[6 + 1*N1 + 2] = C[1*N + 2];
+    y[15 + 1] = s[1];
+    y[6 + 2*N1 + 0] = C[2*N + 0];
+    y[6 + 2*N1 + 1] = C[2*N + 1];
+    y[6 + 2*N1 + 2] = C[2*N + 2];
+    y[15 + 2] = s[2];
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate1[N1] = { 0, 1, 2 };
+    if (em_coincident(N1, coordinate1, y + 15, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "q_1", "q_2", "q_3", NULL };
+static const char *const parameter_names[] = { "m_1", "m_2", "m_3", "l_1", "l_2", "l_3", "rho", "g", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 1.0, 1.0, 0.6, 0.6, 0.6, 0.05, 9.81, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.5, 0.7, 0.9 };
+static const double initial_v[N] = { 1.0, 0.0, 0.0 };
+static const em_slice layout[] = {
+    {"x", 0, 3},
+    {"eta", 3, 3},
+    {"C", 6, 9},
+    {"s", 15, 3}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    "dM/dq_1: M does not depend on it",
+    NULL
+};
+
+const em_model spatial_arm_3_model = {
+    .abi = EM_ABI,
+    .name = "spatial_arm_3",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 6,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

@@ -1,0 +1,1140 @@
+/* eigenmotion generate sphere.py */
+/* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
+/* body sha256:fa11371e82ad1f7f47283ac7e616070331c97d081ff46f7f8d76272b4677092e */
+/* sphere: equations of motion, eigenfactor formulation.
+ *
+ * State, 22 numbers:
+ *   x    y[0 .. 5)
+ *   eta  y[5 .. 10)
+ *   C    y[10 .. 19)
+ *   s    y[19 .. 22)
+ *
+ * Blocks of M that do not couple:
+ *   1: x (constant, factored once per parameter set)
+ *   2: y (constant, factored once per parameter set)
+ *   3: p_1, p_2, p_3 (C and s are states)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   b, bdot: the constraints are homogeneous in the velocities
+ *   dM/dx, dM/dy: M does not depend on them
+ *   C, mu, Omega across blocks: {x}, {y}, {p_1, p_2, p_3} do not couple
+ *   C, s, mu, Omega of {x}: this block is constant, factored once per parameter set
+ *   C, s, mu, Omega of {y}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 40 additions, 107 multiplications, 3 divisions
+ *   triangular root: 45 additions, 121 multiplications, 3 divisions
+ *   projection: 8 additions, 24 multiplications, 2 divisions
+ */
+#include "sphere.h"
+
+#include "em_linear.h"
+
+enum {
+    N = 5,            /* coordinates */
+    N_ROWS = 2,       /* constraint rows */
+    N_POSITIONS = 0,  /* of which holonomic */
+    N_STATE = 22,
+    N_C = 9,
+    N_S = 3,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 12,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 4,
+    N_PREPARED = 20, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1, /* x */
+    N2 = 1, /* y */
+    N3 = 3 /* p_1, p_2, p_3 */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 1, 2, 2, 2 };
+static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M1[N1][N1];
+    double M2[N2][N2];
+    const double m = c[0];
+    const double R = c[1];
+    const double g = c[2];
+    const double alpha = c[3];
+    const double z_2 = m*(R*R);
+    const double sin_alpha = sin(alpha);
+    M1[0][0] = m;
+    M2[0][0] = m;
+    c[12] = z_2;
+    c[13] = 2.0*z_2;
+    c[14] = m*g*sin_alpha;
+    c[15] = 2.0*R;
+    c[16] = (8.0/5.0)*z_2;
+    c[17] = (32.0/5.0)*z_2;
+    c[18] = 4.0*z_2;
+    c[19] = 5.0*m;
+    /* block 1 (x): C, s, L, 1 / diag L */
+    if (em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    /* block 2 (y): C, s, L, 1 / diag L */
+    if (em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11) >= 0)
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double m = c[0];
+    const double c_0 = c[12];
+    const double c_4 = c[16];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_3 = p_3*p_3;
+    const double z_5 = p_1*p_1;
+    const double z_7 = p_2*p_2;
+    const double z_8 = 1.0 + z_5 + z_7 + z_3;
+    const double z_9 = 1.0/(z_8*z_8);
+    const double z_10 = z_3*z_9;
+    const double z_11 = z_9;
+    const double z_12 = z_11 + z_7*z_9;
+    const double z_14 = c_4*z_9;
+    const double z_15 = z_5*z_9;
+    M[0] = m;
+    M[5] = M[1] = 0.0;
+    M[6] = m;
+    M[10] = M[2] = 0.0;
+    M[11] = M[7] = 0.0;
+    M[12] = (8.0/5.0)*(c_0*(z_10 + z_12));
+    M[15] = M[3] = 0.0;
+    M[16] = M[8] = 0.0;
+    M[17] = M[13] = -z_14*(p_1*p_2);
+    M[18] = (8.0/5.0)*(c_0*(z_11 + z_10 + z_15));
+    M[20] = M[4] = 0.0;
+    M[21] = M[9] = 0.0;
+    M[22] = M[14] = -z_14*(p_1*p_3);
+    M[23] = M[19] = -z_14*(p_2*p_3);
+    M[24] = (8.0/5.0)*(c_0*(z_15 + z_12));
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double c_5 = c[17];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_2 = p_1*p_1;
+    const double z_4 = p_2*p_2;
+    const double z_6 = p_3*p_3;
+    const double z_7 = 1.0 + z_2 + z_4 + z_6;
+    const double z_8 = z_7*z_7;
+    const double z_9 = 1.0/(z_7*z_8);
+    const double z_10 = p_1*z_9;
+    const double z_11 = z_10*z_4;
+    const double z_12 = z_10*z_6;
+    const double z_13 = 1.0/z_8;
+    const double z_14 = p_2*z_13;
+    const double z_15 = p_2*z_9;
+    const double z_16 = z_15*z_2;
+    const double z_18 = z_10*c_1;
+    const double z_19 = p_1*z_13;
+    const double z_20 = c_0*(z_19 - 2.0*z_10*z_2) - z_18;
+    const double z_21 = p_3*z_13;
+    const double z_22 = p_3*z_9;
+    const double z_23 = z_22*z_2;
+    const double z_25 = z_15*c_1;
+    const double z_26 = c_0*(z_14 - 2.0*z_15*z_4) - z_25;
+    const double z_27 = z_15*z_6;
+    const double z_28 = z_22*z_4;
+    const double z_29 = z_22*c_1;
+    const double z_30 = c_0*(z_21 - 2.0*z_22*z_6) - z_29;
+    dM[62] = ((-32.0/5.0))*(c_0*(z_10 + z_11 + z_12));
+    dM[67] = dM[63] = ((-8.0/5.0))*(c_0*(z_14 - 4.0*z_16));
+    dM[68] = ((-16.0/5.0))*(z_6*z_18 - z_20);
+    dM[72] = dM[64] = ((-8.0/5.0))*(c_0*(z_21 - 4.0*z_23));
+    dM[73] = dM[69] = z_10*c_5*(p_2*p_3);
+    dM[74] = ((-16.0/5.0))*(z_4*z_18 - z_20);
+    dM[87] = ((-16.0/5.0))*(z_6*z_25 - z_26);
+    dM[92] = dM[88] = ((-8.0/5.0))*(c_0*(-(4.0*z_11 - z_19)));
+    dM[93] = ((-32.0/5.0))*(c_0*(z_16 + z_15 + z_27));
+    dM[97] = dM[89] = z_10*c_5*(p_2*p_3);
+    dM[98] = dM[94] = ((-8.0/5.0))*(c_0*(z_21 - 4.0*z_28));
+    dM[99] = ((-16.0/5.0))*(z_2*z_25 - z_26);
+    dM[112] = ((-16.0/5.0))*(z_4*z_29 - z_30);
+    dM[117] = dM[113] = z_10*c_5*(p_2*p_3);
+    dM[118] = ((-16.0/5.0))*(z_2*z_29 - z_30);
+    dM[122] = dM[114] = ((-8.0/5.0))*(c_0*(-(4.0*z_12 - z_19)));
+    dM[123] = dM[119] = ((-8.0/5.0))*(c_0*(z_14 - 4.0*z_27));
+    dM[124] = ((-32.0/5.0))*(c_0*(z_23 + z_28 + z_22));
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t;
+    const double c_3 = c[15];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_4 = c_3/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
+    A[0] = 1.0;
+    A[1] = 0.0;
+    A[2] = -p_3*z_4;
+    A[3] = -z_4;
+    A[4] = p_1*z_4;
+    A[5] = 0.0;
+    A[6] = 1.0;
+    A[7] = z_4;
+    A[8] = -p_3*z_4;
+    A[9] = p_2*z_4;
+    b[0] = 0.0;
+    b[1] = 0.0;
+}
+
+/* phi (h): the holonomic constraints */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+{
+(void)t, (void)x, (void)c, (void)phi;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u;
+    const double R = c[1];
+    const double c_0 = c[12];
+    const double c_2 = c[14];
+    const double c_3 = c[15];
+    const double c_6 = c[18];
+    const double p_1_dot = v[2];
+    const double p_2_dot = v[3];
+    const double p_3_dot = v[4];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_5 = 1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3;
+    const double z_6 = z_5*z_5;
+    const double z_7 = 1.0/z_6;
+    const double z_8 = c_0*z_7;
+    const double z_12 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_13 = p_2_dot*z_12;
+    const double z_14 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_15 = p_3_dot*z_14;
+    const double z_16 = 1.0/(z_5*z_6);
+    const double z_17 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_18 = c_0*(z_16*(z_12*z_12) + z_16*(z_14*z_14) + z_16*(z_17*z_17));
+    const double z_19 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_20 = z_19*z_16;
+    const double z_21 = z_12*z_20;
+    const double z_22 = z_14*z_20;
+    const double z_24 = z_17*z_20;
+    const double z_25 = p_1_dot*z_12;
+    const double z_26 = p_3_dot*z_17;
+    const double z_27 = p_1_dot*z_14;
+    const double z_28 = p_2_dot*z_17;
+    const double z_30 = 1.0/z_5;
+    const double z_31 = z_19*z_7;
+    const double z_32 = R*(p_3_dot*z_30 - 2.0*p_3*z_31);
+    const double z_34 = c_3*z_31;
+    bias[0] = c_2;
+    bias[1] = 0.0;
+    bias[2] = (8.0/5.0)*((z_8*z_13 - z_8*z_15 - 2.0*p_1*z_18) + (c_0*(z_7*z_13 - 4.0*p_2*z_21) + c_6*z_24 -
+        c_0*(z_7*z_15 - 4.0*p_3*z_22)));
+    bias[3] = ((-8.0/5.0))*((z_8*z_25 + 2.0*p_2*z_18 - z_8*z_26) - (c_0*(z_7*z_26 - 4.0*p_3*z_24) + c_6*z_22 -
+        c_0*(z_7*z_25 - 4.0*p_1*z_21)));
+    bias[4] = (8.0/5.0)*((z_8*z_27 - z_8*z_28 - 2.0*p_3*z_18) + (c_0*(z_7*z_27 - 4.0*p_1*z_22) + c_6*z_21 -
+        c_0*(z_7*z_28 - 4.0*p_2*z_24)));
+    gamma[0] = (-2.0)*(p_1_dot*z_32 - p_3_dot*(R*(p_1_dot*z_30 - 2.0*p_1*z_31)) - p_2_dot*z_34);
+    gamma[1] = (-2.0)*(p_2_dot*z_32 + p_1_dot*z_34 - p_3_dot*(R*(p_2_dot*z_30 - 2.0*p_2*z_31)));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double c_0 = c[12];
+    const double c_2 = c[14];
+    const double c_7 = c[19];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double p_1_dot = v[2];
+    const double p_2_dot = v[3];
+    const double p_3_dot = v[4];
+    const double x_ = x[0];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_3 = p_3*p_3;
+    const double z_5 = p_1*p_1;
+    const double z_7 = p_2*p_2;
+    const double z_8 = 1.0 + z_5 + z_7 + z_3;
+    const double z_9 = 1.0/(z_8*z_8);
+    const double z_10 = z_3*z_9;
+    const double z_11 = z_9;
+    const double z_12 = z_11 + z_7*z_9;
+    const double z_13 = c_0*z_9;
+    const double z_14 = p_1*z_13;
+    const double z_16 = p_2_dot*p_2;
+    const double z_18 = p_3_dot*p_3;
+    const double z_19 = p_1_dot*z_14;
+    const double z_20 = z_5*z_9;
+    e[0] = (1.0/10.0)*(8.0*p_1_dot*(p_1_dot*(c_0*(z_10 + z_12)) - z_14*z_16 - z_14*z_18) + c_7*(x_dot*x_dot) +
+        c_7*(y_dot*y_dot) - 8.0*p_2_dot*(p_2*z_19 + p_2*z_13*z_18 - p_2_dot*(c_0*(z_11 + z_10 + z_20))) -
+        8.0*p_3_dot*(p_3*z_19 + p_3*z_13*z_16 - p_3_dot*(c_0*(z_20 + z_12))));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = -x_*c_2;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[5] };
+    const double *const s1 = c + 5;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    const double *const v1 = w1;
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[6] };
+    const double *const s2 = c + 9;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[1] = v2[0];
+
+    /* p_1, p_2, p_3: xdot = C^T S^-1 eta (20) */
+    const double eta3[N3] = { y[7], y[8], y[9] };
+    const double (*const C3)[N3] = (const double (*)[N3])(y + 10);
+    const double *const s3 = y + 19;
+    double r3[N3], w3[N3];
+    for (int i = 0; i < N3; ++i) {
+        r3[i] = 1.0/s3[i];
+        w3[i] = r3[i]*eta3[i];
+    }
+    double v3[N3] = {0.0};
+    for (int i = 0; i < N3; ++i)
+        for (int j = 0; j < N3; ++j) v3[j] += C3[i][j]*w3[i];
+    dy[2] = v3[0];
+    dy[3] = v3[1];
+    dy[4] = v3[2];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double f2[N2];
+    double f3[N3];
+    double Mdot3[N3][N3];
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double A3[N_ROWS][N3];
+    double gamma[N_ROWS];
+    const double R = c[1];
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double c_2 = c[14];
+    const double c_3 = c[15];
+    const double p_1_dot = v3[0];
+    const double p_2_dot = v3[1];
+    const double p_3_dot = v3[2];
+    const double p_1 = y[2];
+    const double p_2 = y[3];
+    const double p_3 = y[4];
+    const double z_4 = p_1*p_1;
+    const double z_6 = p_2*p_2;
+    const double z_7 = p_3*p_3;
+    const double z_8 = 1.0 + z_4 + z_6 + z_7;
+    const double z_9 = z_8*z_8;
+    const double z_10 = 1.0/z_9;
+    const double z_11 = p_3_dot*z_10;
+    const double z_14 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_15 = 1.0/(z_8*z_9);
+    const double z_16 = z_14*z_15;
+    const double z_17 = c_0*(p_3*z_11 - 2.0*z_7*z_16);
+    const double z_18 = p_2_dot*z_10;
+    const double z_20 = c_1*z_16;
+    const double z_21 = c_0*(p_2*z_18 - 2.0*z_6*z_16) - z_20;
+    const double z_22 = p_1_dot*z_10;
+    const double z_23 = c_0*(p_1*z_22 - 2.0*z_4*z_16);
+    const double z_25 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_26 = c_0*z_10;
+    const double z_27 = p_2_dot*z_26;
+    const double z_28 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_29 = p_3_dot*z_26;
+    const double z_30 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_31 = c_0*(z_15*(z_25*z_25) + z_15*(z_28*z_28) + z_15*(z_30*z_30));
+    const double z_32 = p_1_dot*z_26;
+    const double z_34 = 1.0/z_8;
+    const double z_35 = c_3*z_34;
+    const double z_37 = z_14*z_10;
+    const double z_38 = R*(p_3_dot*z_34 - 2.0*p_3*z_37);
+    const double z_39 = c_3*z_37;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_21);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_2*z_22 + p_1*z_18 - 4.0*z_16*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_20 - z_17 - z_23);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_22 + p_1*z_11 - 4.0*z_16*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_18 + p_2*z_11 - 4.0*z_16*(p_2*p_3)));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_23 - z_21);
+    f1[0] = c_2;
+    f2[0] = 0.0;
+    f3[0] = (8.0/5.0)*(z_25*z_27 - z_28*z_29 - 2.0*p_1*z_31);
+    f3[1] = ((-8.0/5.0))*(z_25*z_32 + 2.0*p_2*z_31 - z_30*z_29);
+    f3[2] = (8.0/5.0)*(z_28*z_32 - z_30*z_27 - 2.0*p_3*z_31);
+    A1[0][0] = 1.0;
+    A1[1][0] = 0.0;
+    A2[0][0] = 0.0;
+    A2[1][0] = 1.0;
+    A3[0][0] = -p_3*z_35;
+    A3[0][1] = -z_35;
+    A3[0][2] = p_1*z_35;
+    A3[1][0] = z_35;
+    A3[1][1] = -p_3*z_35;
+    A3[1][2] = p_2*z_35;
+    gamma[0] = (-2.0)*(p_1_dot*z_38 - p_3_dot*(R*(p_1_dot*z_34 - 2.0*p_1*z_37)) - p_2_dot*z_39);
+    gamma[1] = (-2.0)*(p_2_dot*z_38 + p_1_dot*z_39 - p_3_dot*(R*(p_2_dot*z_34 - 2.0*p_2*z_37)));
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        a1[i] = r1[i]*f1[i];
+    }
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* p_1, p_2, p_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu3[N3][N3], Omega3[N3][N3];
+    em_congruence(N3, C3[0], Mdot3[0], mu3[0]);
+    for (int i = 0; i < N3; ++i) {
+        Omega3[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            Omega3[i][j] = mu3[i][j]/((s3[j] - s3[i])*(s3[j] + s3[i]));
+            Omega3[j][i] = -Omega3[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C3_dot)[N3] = (double (*)[N3])(dy + 10);
+    double *const s3_dot = dy + 19;
+    for (int i = 0; i < N3; ++i) {
+        s3_dot[i] = 0.5*mu3[i][i]*r3[i];
+        for (int j = 0; j < N3; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N3; ++k) sum -= Omega3[i][k]*C3[k][j];
+            C3_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
+    double a3[N3], q3[N3];
+    for (int i = 0; i < N3; ++i) {
+        const double stretch = s3_dot[i]*w3[i];
+        double sum = -s3_dot[i]*eta3[i];
+        double turn = 0.0;
+        for (int j = 0; j < N3; ++j) {
+            sum += C3[i][j]*f3[j] - Omega3[i][j]*s3[j]*eta3[j];
+            turn += Omega3[i][j]*w3[j];
+        }
+        a3[i] = r3[i]*sum;
+        q3[i] = s3[i]*turn - stretch;
+    }
+
+    /* x: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N1; ++i) {
+            B1[row][i] = r1[i]*A1[row][i];
+        }
+    /* y: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N2; ++i) {
+            B2[row][i] = r2[i]*A2[row][i];
+        }
+    /* p_1, p_2, p_3: B = A C^T S^-1 (28) */
+    double B3[N_ROWS][N3];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N3; ++i) {
+            double sum = 0.0;
+            for (int j = 0; j < N3; ++j) sum += A3[row][j]*C3[i][j];
+            B3[row][i] = r3[i]*sum;
+        }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        for (int i = 0; i < N3; ++i) sum += B3[row][i]*(a3[i] + q3[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[5] = eta_dot[0];
+    }
+    {
+        double eta_dot[N2];
+        for (int i = 0; i < N2; ++i) {
+            double sum = a2[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[6] = eta_dot[0];
+    }
+    {
+        double eta_dot[N3];
+        for (int i = 0; i < N3; ++i) {
+            double sum = a3[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B3[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[7] = eta_dot[0];
+        dy[8] = eta_dot[1];
+        dy[9] = eta_dot[2];
+    }
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M3[N3][N3];
+    const double c_0 = c[12];
+    const double c_4 = c[16];
+    const double p_1 = y[2];
+    const double p_2 = y[3];
+    const double p_3 = y[4];
+    const double z_2 = p_3*p_3;
+    const double z_4 = p_1*p_1;
+    const double z_6 = p_2*p_2;
+    const double z_7 = 1.0 + z_4 + z_6 + z_2;
+    const double z_8 = z_7*z_7;
+    const double z_9 = 1.0/z_8;
+    const double z_10 = z_2*z_9;
+    const double z_11 = z_9;
+    const double z_12 = z_11 + z_6*z_9;
+    const double z_14 = p_1*z_9;
+    const double z_15 = c_4*z_14;
+    const double z_16 = z_4*z_9;
+    const double z_17 = p_2*p_3;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_10 + z_12));
+    M3[1][0] = -p_2*z_15;
+    M3[1][1] = (8.0/5.0)*(c_0*(z_11 + z_10 + z_16));
+    M3[2][0] = -p_3*z_15;
+    M3[2][1] = -c_4*z_9*z_17;
+    M3[2][2] = (8.0/5.0)*(c_0*(z_16 + z_12));
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[5] };
+    const double *const s1 = c + 5;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    const double *const v1 = w1;
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const double eta2[N2] = { y[6] };
+    const double *const s2 = c + 9;
+    double r2[N2], w2[N2];
+    for (int i = 0; i < N2; ++i) {
+        r2[i] = 1.0/s2[i];
+        w2[i] = r2[i]*eta2[i];
+    }
+    const double *const v2 = w2;
+    dy[1] = v2[0];
+
+    /* p_1, p_2, p_3: M = L L^T */
+    double L3[N3][N3], r3[N3];
+    const int singular3 = em_cholesky(N3, M3[0], L3[0], r3, EM_SINGULAR_PIVOT);
+    if (singular3 >= 0) {
+        static const int coordinate[N3] = { 2, 3, 4 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular3], -1, 0.0);
+    }
+    const double eta3[N3] = { y[7], y[8], y[9] };
+    double v3[N3];
+    for (int i = 0; i < N3; ++i) v3[i] = eta3[i];
+    em_backward(N3, L3[0], r3, v3);
+    dy[2] = v3[0];
+    dy[3] = v3[1];
+    dy[4] = v3[2];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double f2[N2];
+    double f3[N3];
+    double Mdot3[N3][N3];
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double A3[N_ROWS][N3];
+    double gamma[N_ROWS];
+    const double R = c[1];
+    const double c_1 = c[13];
+    const double c_2 = c[14];
+    const double c_3 = c[15];
+    const double p_1_dot = v3[0];
+    const double p_2_dot = v3[1];
+    const double p_3_dot = v3[2];
+    const double z_19 = p_3*z_9;
+    const double z_22 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_23 = 1.0/(z_7*z_8);
+    const double z_24 = z_22*z_23;
+    const double z_25 = c_0*(p_3_dot*z_19 - 2.0*z_2*z_24);
+    const double z_26 = p_2*z_9;
+    const double z_28 = c_1*z_24;
+    const double z_29 = c_0*(p_2_dot*z_26 - 2.0*z_6*z_24) - z_28;
+    const double z_30 = c_0*(p_1_dot*z_14 - 2.0*z_4*z_24);
+    const double z_32 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_33 = c_0*z_9;
+    const double z_34 = p_2_dot*z_33;
+    const double z_35 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_36 = p_3_dot*z_33;
+    const double z_37 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_38 = c_0*(z_23*(z_32*z_32) + z_23*(z_35*z_35) + z_23*(z_37*z_37));
+    const double z_39 = p_1_dot*z_33;
+    const double z_41 = 1.0/z_7;
+    const double z_42 = c_3*z_41;
+    const double z_44 = z_22*z_9;
+    const double z_45 = R*(p_3_dot*z_41 - 2.0*p_3*z_44);
+    const double z_46 = c_3*z_44;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_25 - z_29);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_26 + p_2_dot*z_14 - 4.0*z_24*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_28 - z_25 - z_30);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_19 + p_3_dot*z_14 - 4.0*z_24*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_19 + p_3_dot*z_26 - 4.0*z_24*z_17));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_30 - z_29);
+    f1[0] = c_2;
+    f2[0] = 0.0;
+    f3[0] = (8.0/5.0)*(z_32*z_34 - z_35*z_36 - 2.0*p_1*z_38);
+    f3[1] = ((-8.0/5.0))*(z_32*z_39 + 2.0*p_2*z_38 - z_37*z_36);
+    f3[2] = (8.0/5.0)*(z_35*z_39 - z_37*z_34 - 2.0*p_3*z_38);
+    A1[0][0] = 1.0;
+    A1[1][0] = 0.0;
+    A2[0][0] = 0.0;
+    A2[1][0] = 1.0;
+    A3[0][0] = -p_3*z_42;
+    A3[0][1] = -z_42;
+    A3[0][2] = p_1*z_42;
+    A3[1][0] = z_42;
+    A3[1][1] = -p_3*z_42;
+    A3[1][2] = p_2*z_42;
+    gamma[0] = (-2.0)*(p_1_dot*z_45 - p_3_dot*(R*(p_1_dot*z_41 - 2.0*p_1*z_44)) - p_2_dot*z_46);
+    gamma[1] = (-2.0)*(p_2_dot*z_45 + p_1_dot*z_46 - p_3_dot*(R*(p_2_dot*z_41 - 2.0*p_2*z_44)));
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) {
+        a1[i] = r1[i]*f1[i];
+    }
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    double a2[N2];
+    for (int i = 0; i < N2; ++i) {
+        a2[i] = r2[i]*f2[i];
+    }
+
+    /* p_1, p_2, p_3: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
+    double a3[N3];
+    for (int i = 0; i < N3; ++i) a3[i] = f3[i];
+    em_forward(N3, L3[0], r3, a3);
+    double q3[N3] = {0.0};
+    for (int j = 0; j < N3; ++j) em_forward(N3, L3[0], r3, Mdot3[j]);
+    em_forward_columns(N3, L3[0], r3, Mdot3[0]);
+    for (int i = 0; i < N3; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot3[i][j];
+            a3[i] -= Phi*eta3[j];
+            q3[j] -= Phi*eta3[i];
+        }
+
+    /* x: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N1; ++i) {
+            B1[row][i] = r1[i]*A1[row][i];
+        }
+    /* y: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N2; ++i) {
+            B2[row][i] = r2[i]*A2[row][i];
+        }
+    /* p_1, p_2, p_3: B = A L^-T */
+    double B3[N_ROWS][N3];
+    for (int row = 0; row < N_ROWS; ++row) {
+        for (int i = 0; i < N3; ++i) B3[row][i] = A3[row][i];
+        em_forward(N3, L3[0], r3, B3[row]);
+    }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        for (int i = 0; i < N3; ++i) sum += B3[row][i]*(a3[i] + q3[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[5] = eta_dot[0];
+    }
+    {
+        double eta_dot[N2];
+        for (int i = 0; i < N2; ++i) {
+            double sum = a2[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[6] = eta_dot[0];
+    }
+    {
+        double eta_dot[N3];
+        for (int i = 0; i < N3; ++i) {
+            double sum = a3[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B3[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[7] = eta_dot[0];
+        dy[8] = eta_dot[1];
+        dy[9] = eta_dot[2];
+    }
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
+ * triangular root, and come back when all are farther apart than EM_APART. */
+#define EM_CLOSE 0.03
+#define EM_APART 0.06
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    double M3[N3][N3];
+    double A1[N_ROWS][N1];
+    double A2[N_ROWS][N2];
+    double A3[N_ROWS][N3];
+    double b[N_ROWS];
+    const double c_0 = c[12];
+    const double c_3 = c[15];
+    const double c_4 = c[16];
+    const double p_1 = y[2];
+    const double p_2 = y[3];
+    const double p_3 = y[4];
+    const double z_2 = p_3*p_3;
+    const double z_4 = p_1*p_1;
+    const double z_6 = p_2*p_2;
+    const double z_7 = 1.0 + z_4 + z_6 + z_2;
+    const double z_8 = 1.0/(z_7*z_7);
+    const double z_9 = z_2*z_8;
+    const double z_10 = z_8;
+    const double z_11 = z_10 + z_6*z_8;
+    const double z_13 = c_4*z_8;
+    const double z_14 = z_4*z_8;
+    const double z_16 = c_3/z_7;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_9 + z_11));
+    M3[0][1] = M3[1][0] = -z_13*(p_1*p_2);
+    M3[1][1] = (8.0/5.0)*(c_0*(z_10 + z_9 + z_14));
+    M3[0][2] = M3[2][0] = -z_13*(p_1*p_3);
+    M3[1][2] = M3[2][1] = -z_13*(p_2*p_3);
+    M3[2][2] = (8.0/5.0)*(c_0*(z_14 + z_11));
+    A1[0][0] = 1.0;
+    A1[1][0] = 0.0;
+    A2[0][0] = 0.0;
+    A2[1][0] = 1.0;
+    A3[0][0] = -p_3*z_16;
+    A3[0][1] = -z_16;
+    A3[0][2] = p_1*z_16;
+    A3[1][0] = z_16;
+    A3[1][1] = -p_3*z_16;
+    A3[1][2] = p_2*z_16;
+    b[0] = 0.0;
+    b[1] = 0.0;
+
+    /* x */
+    double eta1[N1] = { y[5] };
+
+    /* y */
+    double eta2[N2] = { y[6] };
+
+    /* p_1, p_2, p_3 */
+    double eta3[N3] = { y[7], y[8], y[9] };
+    double *const C3 = y + 10, *const s3 = y + 19;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N3, M3[0], C3, s3, *mode ? NULL : eta3);
+        static const int coordinate[N3] = { 2, 3, 4 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N3, s3));
+    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 9;
+            const int singular = em_cholesky(N3, M3[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N3] = { 2, 3, 4 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N3, C3, s3, eta3);
+                em_transposed(N3, L, eta3);
+            } else if (moving) { /* and back */
+                em_backward(N3, L, r, eta3);
+                em_onto_axes(N3, C3, s3, eta3);
+            }
+        }
+        *mode = wanted;
+    }
+
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+        const double *const gamma = b;
+        double B1[N_ROWS][N1];
+        memcpy(B1, A1, sizeof B1);
+        for (int row = 0; row < N_ROWS; ++row) {
+            em_to_axes(N1, c + 4, c + 5, B1[row]);
+        }
+        double *const a1 = eta1;
+        double B2[N_ROWS][N2];
+        memcpy(B2, A2, sizeof B2);
+        for (int row = 0; row < N_ROWS; ++row) {
+            em_to_axes(N2, c + 8, c + 9, B2[row]);
+        }
+        double *const a2 = eta2;
+        double B3[N_ROWS][N3];
+        memcpy(B3, A3, sizeof B3);
+        for (int row = 0; row < N_ROWS; ++row) {
+            if (*mode) em_forward(N3, memory + 0, memory + 9, B3[row]);
+            else em_to_axes(N3, C3, s3, B3[row]);
+        }
+        double *const a3 = eta3;
+    /* Delta = B B^T (43), Delta lambda = B a (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
+        for (int i = 0; i < N3; ++i) sum += B3[row][i]*a3[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+        for (int i = 0; i < N1; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
+        for (int i = 0; i < N2; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
+        for (int i = 0; i < N3; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta3[i] -= B3[row][i]*lambda[row];
+    }
+    y[5] = eta1[0];
+    y[6] = eta2[0];
+    y[7] = eta3[0];
+    y[8] = eta3[1];
+    y[9] = eta3[2];
+    return changed;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    mass_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[5] };
+        em_from_axes(N1, c + 4, c + 5, eta);
+        v[0] = eta[0];
+    }
+    {
+        double eta[N2] = { y[6] };
+        em_from_axes(N2, c + 8, c + 9, eta);
+        v[1] = eta[0];
+    }
+    {
+        double eta[N3] = { y[7], y[8], y[9] };
+        if (mode) {
+            static const int coordinate[N3] = { 2, 3, 4 };
+            if (em_velocity_of_root(N3, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N3, y + 10, y + 19, eta);
+        v[2] = eta[0];
+        v[3] = eta[1];
+        v[4] = eta[2];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0] };
+        em_from_axes(N1, c + 4, c + 5, eta);
+        ev[0] = eta[0];
+    }
+    {
+        double eta[N2] = { e[1] };
+        em_from_axes(N2, c + 8, c + 9, eta);
+        ev[1] = eta[0];
+    }
+    {
+        double eta[N3] = { e[2], e[3], e[4] };
+        if (mode) em_backward(N3, memory + 0, memory + 9, eta);
+        else em_from_axes(N3, y + 10, y + 19, eta);
+        ev[2] = eta[0];
+        ev[3] = eta[1];
+        ev[4] = eta[2];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N3];
+        eta[0] = v[2];
+        eta[1] = v[3];
+        eta[2] = v[4];
+        em_onto_axes(N3, y + 10, y + 19, eta);
+        row[7] = eta[0];
+        row[8] = eta[1];
+        row[9] = eta[2];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    memcpy(y, x, N * sizeof *y);
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[10 + 0*N3 + 0] = C[2*N + 2];
+    y[10 + 0*N3 + 1] = C[2*N + 3];
+    y[10 + 0*N3 + 2] = C[2*N + 4];
+    y[19 + 0] = s[2];
+    y[10 + 1*N3 + 0] = C[3*N + 2];
+    y[10 + 1*N3 + 1] = C[3*N + 3];
+    y[10 + 1*N3 + 2] = C[3*N + 4];
+    y[19 + 1] = s[3];
+    y[10 + 2*N3 + 0] = C[4*N + 2];
+    y[10 + 2*N3 + 1] = C[4*N + 3];
+    y[10 + 2*N3 + 2] = C[4*N + 4];
+    y[19 + 2] = s[4];
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate3[N3] = { 2, 3, 4 };
+    if (em_coincident(N3, coordinate3, y + 19, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "x", "y", "p_1", "p_2", "p_3", NULL };
+static const char *const parameter_names[] = { "m", "R", "g", "alpha", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 0.5, 9.81, 0.08726646259971647, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.0, 0.0, 0.1, -0.2, 0.3 };
+static const double initial_v[N] = { 0.3, 0.5, -0.375, 0.48, 0.255 };
+static const em_slice layout[] = {
+    {"x", 0, 5},
+    {"eta", 5, 5},
+    {"C", 10, 9},
+    {"s", 19, 3}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "b, bdot: the constraints are homogeneous in the velocities",
+    "dM/dx, dM/dy: M does not depend on them",
+    "C, mu, Omega across blocks: {x}, {y}, {p_1, p_2, p_3} do not couple",
+    "C, s, mu, Omega of {x}: this block is constant, factored once per parameter set",
+    "C, s, mu, Omega of {y}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model sphere_model = {
+    .abi = EM_ABI,
+    .name = "sphere",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 9,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+};

@@ -1,0 +1,106 @@
+"""The scenes of every test: one row a model, with its span and its oracle."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import eigenmotion as em
+import numpy as np
+
+from .oracles import Lagrange, State, elementary, elliptic, published, reduced, trajectory
+
+MODELS = Path(__file__).parents[1] / "models"
+
+
+@dataclass(frozen=True, slots=True)
+class Scenario:
+    """A model file, a span from t = 0 [s], and what is known about the motion.
+
+    closed_form : (model, t) -> State, or None: the reference is a high-precision integration
+    conserved : "energy", "jacobi_integral", or None where time enters or forces act
+    spread : random states differ from the start by at most this, in every coordinate and rate
+    """
+
+    file: str
+    t_end: float
+    closed_form: Callable[[em.Model, float], State] | None = None
+    keywords: tuple[tuple[str, int], ...] = ()
+    conserved: str | None = "energy"
+    spread: float = 0.3
+
+    @property
+    def path(self) -> Path:
+        return MODELS / f"{self.file}.py"
+
+    @property
+    def name(self) -> str:
+        return "_".join([self.file, *(str(value) for _, value in self.keywords)])
+
+    def model(self) -> em.Model:
+        """Return the model, loaded once a process."""
+        return _model(self)
+
+    def lagrange(self) -> Lagrange:
+        """Return Lagrange's equations of the model in double precision, formed once a process."""
+        return _lagrange(self)
+
+    def reference(self) -> State:
+        """Return the state at t_end, good to about 1e-15 times the growth of perturbations; NaN where unknown."""
+        return _reference(self)
+
+    def random_states(self, count: int, seed: int = 0) -> list[State]:
+        """Return states about the start; they need not satisfy constraints."""
+        rng, model = np.random.default_rng(seed), self.model()
+        x, v = np.array(model.initial_x), np.array(model.initial_v)
+        return [
+            State(x + rng.uniform(-self.spread, self.spread, x.shape), v + rng.uniform(-self.spread, self.spread, v.shape))
+            for _ in range(count)
+        ]
+
+    def random_parameters(self, seed: int = 0) -> dict[str, float]:
+        """Return parameters within a quarter of their defaults."""
+        rng = np.random.default_rng(seed)
+        return {str(symbol): value * rng.uniform(0.8, 1.25) for symbol, value in self.model().parameters}
+
+
+SCENARIOS = (
+    Scenario("dual_link", 10.0, published.dual_link),
+    Scenario("pendulum", 10.0, elliptic.pendulum),
+    Scenario("double_pendulum", 4.0),
+    Scenario("chain", 3.0, keywords=(("n", 5),)),
+    Scenario("chaplygin_sleigh", 10.0, elementary.chaplygin_sleigh),
+    Scenario("polar_particle", 5.0, elementary.kepler, spread=0.05),
+    Scenario("spatial_arm", 3.0, keywords=(("n", 3),)),
+    Scenario("elastic_pendulum", 5.0),
+    Scenario("rotating_spring", 10.0, elementary.rotating_spring, conserved="jacobi_integral"),
+    Scenario("rotating_hoop", 5.0, elliptic.rotating_hoop, conserved="jacobi_integral"),
+    Scenario("rigid_body", 5.0, elliptic.rigid_body),
+    Scenario("heavy_top", 2.0, elliptic.heavy_top),
+    Scenario("rolling_disk", 5.0, elementary.rolling_disk),
+    Scenario("four_bar", 2.0, reduced.four_bar),
+    Scenario("slider_crank", 2.0, reduced.slider_crank, spread=0.1),
+    Scenario("driven_pendulum", 5.0, reduced.driven_pendulum, conserved=None),
+    Scenario("veering", 22.0),
+    Scenario("sphere", 1.0, elementary.sphere),
+)
+
+BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
+
+
+@cache
+def _model(scenario: Scenario) -> em.Model:
+    return em.load_model(scenario.path, **dict(scenario.keywords))
+
+
+@cache
+def _lagrange(scenario: Scenario) -> Lagrange:
+    return Lagrange(_model(scenario))
+
+
+@cache
+def _reference(scenario: Scenario) -> State:
+    oracle = scenario.closed_form or trajectory
+    return oracle(_model(scenario), scenario.t_end)

@@ -1,0 +1,376 @@
+"""Mechanisms written by hand in C, compiled with `em_stepper.h` and run through ctypes."""
+
+import ctypes as ct
+import functools
+import itertools
+import math
+import os
+import shlex
+import shutil
+import string
+import subprocess
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import CubicSpline, PPoly
+from scipy.special import ellipj, ellipk
+
+Array = NDArray[np.float64]
+Build = Callable[["Mechanism"], "Compiled"]
+
+INCLUDE = Path(__file__).parents[1] / "src" / "eigenmotion" / "runtime" / "include"
+STRICT = "-std=c11 -Wall -Wextra -Wpedantic -Werror".split()
+FAST = "-O3 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math".split()
+COMPILER = shlex.split(os.environ.get("CC", "cc"))
+
+METHODS = ("rk34", "dopri5", "dop853")
+(FINISHED, TERMINAL_EVENT, STEP_SIZE_UNDERFLOW, TOO_MANY_STEPS, NON_FINITE_STATE, SINGULAR_MASS_MATRIX) = range(6)
+POSITION_NOT_REACHED, INTERRUPTED, OUT_OF_MEMORY = 8, 9, 10
+CONSTANT, HOLD, LINEAR, CUBIC = range(4)
+
+SOURCE = string.Template(r"""
+#include "eigenmotion.h"
+#include "em_linear.h"
+enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0, N_STATE = 2 * N + N_C + N_S };
+enum { N_INPUTS = $n_inputs, N_EVENTS = $n_events, N_MEMORY = $n_memory, SETTLES = $settles };
+#define UNUSED (void)mode, (void)t, (void)y, (void)c, (void)u, (void)memory, (void)flags, (void)h, (void)fault
+$preamble
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault) {
+    const double h = 0.0;
+    UNUSED;
+    $rhs
+    return 0;
+}
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double h,
+                        em_fault *fault) {
+    const double *u = NULL;
+    UNUSED;
+    $settle
+    return 0;
+}
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                 double *ev) {
+    (void)y, (void)c, (void)memory;
+    for (int k = 0; k < N; ++k) ev[k] = e[k] / (mode ? 2.0 : 1.0);
+}
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault) {
+    (void)t, (void)c, (void)fault;
+    for (int k = 0; k < N; ++k) v[k] = y[N + k] / (mode ? 2.0 : 1.0);
+    return 0;
+}
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault) {
+    (void)memory;
+    memcpy(row, y, N_STATE * sizeof *row);
+    return model_velocity(mode, t, y, c, row + N, fault);
+}
+static void model_events(double t, const double *x, const double *v, const double *c, const double *u, double *g) {
+    (void)t, (void)x, (void)v, (void)c, (void)u, (void)g;
+    $events
+}
+#include "em_stepper.h"
+int simulate(em_run *run);
+int interpolate(const em_run *run, size_t step, double t, double *y);
+void release(em_run *run);
+const em_tableau *tableau(int method);
+int simulate(em_run *run) { return em_simulate(run); }
+int interpolate(const em_run *run, size_t step, double t, double *y) { return em_interpolate(run, step, t, y); }
+void release(em_run *run) { em_release(run); }
+const em_tableau *tableau(int method) { return em_schemes[method].tableau; }
+$main
+""")
+
+
+class Fault(ct.Structure):
+    _fields_ = (("status", ct.c_int), ("first", ct.c_int), ("second", ct.c_int), ("size", ct.c_double))
+
+
+class Signal(ct.Structure):
+    _fields_ = (("kind", ct.c_int), ("count", ct.c_size_t), ("times", ct.c_void_p), ("values", ct.c_void_p))
+
+
+class Rows(ct.Structure):
+    _fields_ = (
+        *((name, ct.c_size_t) for name in ("count", "capacity", "width")),
+        *((name, ct.POINTER(ct.c_double)) for name in ("t", "y")),
+    )
+
+
+class DenseStep(ct.Structure):
+    _fields_ = (("t", ct.c_double), ("h", ct.c_double), ("mode", ct.c_int))
+
+
+Poll = ct.CFUNCTYPE(ct.c_int, ct.c_void_p)
+
+
+class Run(ct.Structure):
+    """`em_run`, field by field."""
+
+    _fields_ = (
+        ("t_start", ct.c_double),
+        ("t_end", ct.c_double),
+        ("y_start", ct.c_void_p),
+        ("prepared", ct.c_void_p),
+        ("inputs", ct.c_void_p),
+        ("method", ct.c_int),
+        ("rtol", ct.c_double),
+        ("atol", ct.c_void_p),
+        ("first_step", ct.c_double),
+        ("max_step", ct.c_double),
+        ("max_steps", ct.c_long),
+        ("stabilise", ct.c_int),
+        ("least_norm", ct.c_int),
+        ("dense", ct.c_int),
+        ("t_eval", ct.c_void_p),
+        ("n_t_eval", ct.c_size_t),
+        ("event_direction", ct.c_void_p),
+        ("event_terminal", ct.c_void_p),
+        ("poll", Poll),
+        ("poll_argument", ct.c_void_p),
+        ("fault", Fault),
+        ("rows", Rows),
+        ("events", ct.POINTER(Rows)),
+        ("dense_steps", ct.POINTER(DenseStep)),
+        ("dense_table", ct.POINTER(ct.c_double)),
+        ("n_dense", ct.c_size_t),
+        ("dense_capacity", ct.c_size_t),
+        ("n_rhs", ct.c_long),
+        ("n_steps", ct.c_long),
+        ("n_rejected", ct.c_long),
+        ("n_bounded", ct.c_long),
+        ("t_reached", ct.c_double),
+        ("model", ct.c_void_p),
+    )
+
+
+class Tableau(ct.Structure):
+    _fields_ = (
+        *(
+            (name, ct.c_int)
+            for name in ("stages", "solution", "velocity_stage", "error_order", "errors", "last_extra", "corrections")
+        ),
+        ("c", ct.c_double * 16),
+        ("a", ct.c_double * 16 * 16),
+        ("e", ct.c_double * 16 * 2),
+        ("d", ct.c_double * 16 * 4),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Mechanism:
+    """Bodies of the C functions of a model whose eta is v in mode 0 and 2 v in mode 1."""
+
+    rhs: str
+    settle: str = ""
+    events: str = ""
+    preamble: str = ""
+    main: str = ""
+    n: int = 1
+    n_c: int = 0
+    n_s: int = 0
+    n_inputs: int = 0
+    n_events: int = 0
+    n_memory: int = 0
+    settles: int = 0
+
+    def text(self) -> str:
+        return SOURCE.substitute({name: getattr(self, name) for name in self.__slots__})
+
+
+@dataclass(frozen=True, slots=True)
+class Compiled:
+    mechanism: Mechanism
+    library: Any
+
+    @property
+    def n_state(self) -> int:
+        return 2 * self.mechanism.n + self.mechanism.n_c + self.mechanism.n_s
+
+
+@dataclass(slots=True)
+class Result:
+    """A finished run. t (nt,), y (n_state, nt); `kept` holds what the C side points to."""
+
+    run: Run
+    compiled: Compiled
+    kept: tuple[object, ...]
+    t: Array = field(init=False)
+    y: Array = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.t, self.y = self.table(self.run.rows)
+
+    def __del__(self) -> None:
+        self.compiled.library.release(ct.byref(self.run))
+        self.compiled.library.release(ct.byref(self.run))  # twice is harmless
+
+    @property
+    def status(self) -> int:
+        return int(self.run.fault.status)
+
+    def table(self, rows: Rows) -> tuple[Array, Array]:
+        n_state = self.compiled.n_state
+        if rows.count == 0:
+            return np.empty(0), np.empty((n_state, 0))
+        t = np.ctypeslib.as_array(rows.t, (rows.count,)).copy()
+        return t, np.ctypeslib.as_array(rows.y, (rows.count, n_state)).T.copy()
+
+    def event_times(self, i: int) -> Array:
+        return self.table(self.run.events[i])[0]
+
+    def steps(self) -> Iterator[tuple[int, float, float]]:
+        for i in range(self.run.n_dense):
+            yield i, self.run.dense_steps[i].t, self.run.dense_steps[i].h
+
+    def at(self, step: int, t: float) -> Array:
+        y = np.empty(self.compiled.n_state)
+        assert self.compiled.library.interpolate(ct.byref(self.run), step, t, y.ctypes.data_as(ct.c_void_p)) == 0
+        return y
+
+
+def compiler_command(source: Path, target: Path, *flags: str) -> list[str]:
+    return [*COMPILER, *STRICT, *flags, f"-I{INCLUDE}", str(source), "-o", str(target), "-lm"]
+
+
+def builder(folder: Path) -> Build:
+    """A function that compiles mechanisms, each once, into a folder."""
+    if shutil.which(COMPILER[0]) is None:
+        pytest.skip(f"no C compiler {COMPILER[0]!r}")
+    serial = itertools.count()
+
+    @functools.cache
+    def compiled(mechanism: Mechanism) -> Compiled:
+        stem = f"mechanism{next(serial)}"
+        source, target = folder / f"{stem}.c", folder / f"{stem}.so"
+        source.write_text(mechanism.text())
+        done = subprocess.run(
+            compiler_command(source, target, *FAST, "-shared", "-fPIC"), capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 0, done.stderr
+        library = ct.CDLL(str(target))
+        library.interpolate.argtypes = (ct.c_void_p, ct.c_size_t, ct.c_double, ct.c_void_p)
+        library.tableau.restype = ct.POINTER(Tableau)
+        return Compiled(mechanism, library)
+
+    return compiled
+
+
+def numbers(values: ArrayLike, dtype: type = np.float64) -> Any:
+    return np.ascontiguousarray(values, dtype=dtype)
+
+
+def signal(kind: int, times: ArrayLike, values: ArrayLike) -> tuple[Signal, object]:
+    t, u = numbers(times), numbers(values)
+    return Signal(kind, t.size, t.ctypes.data, u.ctypes.data), (t, u)
+
+
+def simulate(
+    compiled: Compiled,
+    y0: ArrayLike,
+    t_span: tuple[float, float],
+    method: str = "dop853",
+    *,
+    rtol: float = 1e-9,
+    atol: ArrayLike = 1e-9,
+    t_eval: ArrayLike | None = None,
+    inputs: Sequence[tuple[Signal, object]] = (),
+    direction: Sequence[int] = (),
+    terminal: Sequence[int] = (),
+    poll: Callable[[], int] | None = None,
+    **options: float,
+) -> Result:
+    n, n_events = compiled.mechanism.n, compiled.mechanism.n_events
+    start, tolerance = numbers(y0), numbers(np.broadcast_to(numbers(atol), n))
+    signals = (Signal * max(1, len(inputs)))(*(one for one, _ in inputs))
+    directions, terminals = numbers(direction or [0] * n_events, np.intc), numbers(terminal or [0] * n_events, np.intc)
+    callback = Poll(lambda _: poll()) if poll else Poll()
+    run = Run(t_start=t_span[0], t_end=t_span[1], method=METHODS.index(method), rtol=rtol, max_step=math.inf)
+    run.max_steps, run.stabilise = 1_000_000, 1
+    run.y_start, run.atol = start.ctypes.data, tolerance.ctypes.data
+    run.inputs = ct.addressof(signals)
+    run.event_direction, run.event_terminal = directions.ctypes.data, terminals.ctypes.data
+    run.poll = callback
+    times = None if t_eval is None else numbers(t_eval)
+    if times is not None:
+        run.t_eval, run.n_t_eval = times.ctypes.data, times.size
+    for name, value in options.items():
+        setattr(run, name, value)
+    status = compiled.library.simulate(ct.byref(run))
+    kept = (start, tolerance, signals, inputs, directions, terminals, callback, times)
+    result = Result(run, compiled, kept)
+    assert status == result.status
+    return result
+
+
+PENDULUM = Mechanism(rhs="dy[0] = y[1]; dy[1] = -sin(y[0]);")
+FREE_FALL = Mechanism(rhs="dy[0] = y[1]; dy[1] = -1.0;")
+DRIVEN = Mechanism(rhs="dy[0] = y[1]; dy[1] = u[0];", n_inputs=1)
+
+
+def pendulum_angle(t: ArrayLike, amplitude: float) -> Array:
+    """x(t) of x'' = -sin x from rest at the amplitude: sin(x / 2) = k cd(t, k), k = sin(amplitude / 2)."""
+    k = math.sin(amplitude / 2)
+    sn, _, _, _ = ellipj(np.asarray(t) + ellipk(k**2), k**2)
+    angle: Array = 2 * np.arcsin(k * sn)
+    return angle
+
+
+CIRCLE = Mechanism(
+    n=2,
+    rhs="for (int k = 0; k < 2; ++k) dy[k] = y[2 + k], dy[2 + k] = -y[k];",
+    settle="""
+    if (!(flags & EM_STABILISE)) return 0;
+    const double r = hypot(y[0], y[1]);
+    y[0] /= r, y[1] /= r;
+    const double radial = y[0] * y[2] + y[1] * y[3];
+    y[2] -= radial * y[0], y[3] -= radial * y[1];
+    return 1;""",
+    settles=1,
+)
+
+TWO_MODES = Mechanism(
+    rhs="dy[0] = y[1] / (mode ? 2.0 : 1.0); dy[1] = -sin(y[0]) * (mode ? 2.0 : 1.0);",
+    settle="""
+    if (flags & EM_KEEP_MODE) return 0;
+    const int wanted = y[0] < 0.0;
+    if (wanted == *mode) return 0;
+    y[1] *= wanted ? 2.0 : 0.5;
+    *mode = wanted; /* which says that y changed, too */
+    return 0;""",
+    settles=1,
+    events="g[0] = v[0];",
+    n_events=1,
+)
+
+
+def extended(inner: PPoly, span: tuple[float, float]) -> PPoly:
+    """The end values held outside the samples."""
+    before, after = float(inner(inner.x[0])), float(inner(inner.x[-1]))
+    degree = inner.c.shape[0] - 1
+    ends = np.zeros((degree + 1, 2))
+    ends[-1] = before, after
+    c = np.concatenate([ends[:, :1], inner.c, ends[:, 1:]], axis=1)
+    return PPoly(c, np.concatenate([[min(span) - 1], inner.x, [max(span) + 1]]))
+
+
+SAMPLES = np.array([0.3, 0.7, 0.8, 1.9, 2.4])
+VALUES = np.array([1.0, -2.0, 0.5, 3.0, -1.0])
+
+
+def sampled(kind: int, span: tuple[float, float]) -> tuple[tuple[Signal, object], PPoly]:
+    if kind == HOLD:
+        inner = PPoly(np.vstack([VALUES[:-1]]), SAMPLES)
+        exact = extended(inner, span)
+        exact.c[-1, -1] = VALUES[-1]
+        return signal(HOLD, SAMPLES, VALUES), exact
+    if kind == LINEAR:
+        inner = PPoly(np.vstack([np.diff(VALUES) / np.diff(SAMPLES), VALUES[:-1]]), SAMPLES)
+        return signal(LINEAR, SAMPLES, VALUES), extended(inner, span)
+    spline = CubicSpline(SAMPLES, VALUES)
+    return signal(CUBIC, SAMPLES, spline.c.T), extended(PPoly(spline.c, spline.x), span)

@@ -1,0 +1,131 @@
+"""The Runge-Kutta coefficients of `em_tableaux.h` against Butcher's order conditions and SciPy's digits."""
+
+import functools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from scipy.integrate import RK45
+from scipy.integrate._ivp import dop853_coefficients
+
+from .stepping import METHODS, PENDULUM, Array, Build, Tableau, builder
+
+
+@pytest.fixture(scope="module")
+def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
+    return builder(tmp_path_factory.mktemp("mechanisms"))
+
+
+Tree = tuple["Tree", ...]
+
+
+def order_of(tree: Tree) -> int:
+    return 1 + sum(map(order_of, tree))
+
+
+@functools.cache
+def trees(order: int) -> tuple[Tree, ...]:
+    """All rooted trees of an order: the root's subtrees in sorted order."""
+
+    def forests(size: int, largest: Tree | None) -> Iterator[Tree]:
+        if size == 0:
+            yield ()
+        for part in range(1, size + 1):
+            for tree in trees(part):
+                if largest is None or (order_of(tree), tree) <= (order_of(largest), largest):
+                    yield from ((tree, *rest) for rest in forests(size - part, tree))
+
+    return tuple(forests(order - 1, None))
+
+
+def density(tree: Tree) -> int:
+    return order_of(tree) * math.prod(map(density, tree))
+
+
+def elementary_weights(tree: Tree, a: Array) -> Array:
+    """Phi_i: the product over subtrees of sum_j a_ij Phi_j."""
+    weights = np.ones(len(a))
+    for part in tree:
+        weights = weights * (a @ elementary_weights(part, a))
+    return weights
+
+
+def order_defect(a: Array, b: Array, order: int, theta: float = 1.0) -> float:
+    """max |b . Phi(tree) - theta^r / density| over all trees of at most that order (Hairer, Norsett & Wanner, II.2)."""
+    return max(
+        abs(float(b @ elementary_weights(tree, a)) - theta ** order_of(tree) / density(tree))
+        for r in range(1, order + 1)
+        for tree in trees(r)
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Coefficients:
+    table: Tableau
+    c: Array
+    a: Array
+    e: Array
+    d: Array
+
+    @property
+    def b(self) -> Array:
+        row: Array = self.a[self.table.solution]
+        return row
+
+
+@pytest.fixture(params=METHODS)
+def coefficients(request: pytest.FixtureRequest, build: Build) -> tuple[str, Coefficients]:
+    table = build(PENDULUM).library.tableau(METHODS.index(request.param)).contents
+    arrays = (np.array(getattr(table, name)) for name in "caed")
+    return request.param, Coefficients(table, *arrays)
+
+
+def test_counts_of_rooted_trees() -> None:
+    assert [len(trees(r)) for r in range(1, 9)] == [1, 1, 2, 4, 9, 20, 48, 115]
+
+
+def test_nodes_are_row_sums(coefficients: tuple[str, Coefficients]) -> None:
+    _, rk = coefficients
+    rows = max(rk.table.stages, rk.table.last_extra + 1)
+    np.testing.assert_allclose(rk.a.sum(axis=1)[:rows], rk.c[:rows], atol=2e-14)
+    assert rk.b.sum() == pytest.approx(1, abs=1e-15)
+    assert rk.c[rk.table.velocity_stage] == 1
+
+
+def test_order_conditions(coefficients: tuple[str, Coefficients]) -> None:
+    method, rk = coefficients
+    order = {"rk34": 4, "dopri5": 5, "dop853": 8}[method]
+    embedded = {"rk34": (3,), "dopri5": (4,), "dop853": (5, 3)}[method]
+    assert order_defect(rk.a, rk.b, order) < 1e-12
+    assert order_defect(rk.a, rk.b, order + 1) > 1e-6
+    for row, e in zip(embedded, rk.e, strict=False):
+        assert order_defect(rk.a, rk.b - e, row) < 1e-12
+        assert order_defect(rk.a, rk.b - e, row + 1) > 1e-6
+
+
+@pytest.mark.parametrize("theta", [0.3, 0.8])
+def test_order_conditions_of_the_interpolant(coefficients: tuple[str, Coefficients], theta: float) -> None:
+    method, rk = coefficients
+    first, last = np.eye(16)[0], np.eye(16)[rk.table.solution]
+    rows = [rk.b, first - rk.b, 2 * rk.b - first - last, *rk.d[: rk.table.corrections]]
+    weights = np.zeros(16)
+    for j in reversed(range(len(rows))):
+        weights = (weights + rows[j]) * (theta if j % 2 == 0 else 1 - theta)
+    order = {"rk34": 3, "dopri5": 4, "dop853": 7}[method]
+    assert order_defect(rk.a, weights, order, theta) < 1e-12
+    assert order_defect(rk.a, weights, order + 1, theta) > 1e-7
+
+
+def test_every_digit_is_that_of_scipy(build: Build) -> None:
+    tables = [build(PENDULUM).library.tableau(method).contents for method in (1, 2)]
+    five, eight = (Coefficients(table, *(np.array(getattr(table, name)) for name in "caed")) for table in tables)
+    np.testing.assert_array_equal(five.a[:6, :5], RK45.A)
+    np.testing.assert_array_equal(five.b[:6], RK45.B)
+    np.testing.assert_array_equal(five.e[0, :7], RK45.E)
+    np.testing.assert_allclose(five.d[0, :7], RK45.P[:, 3], rtol=1e-15)
+    np.testing.assert_array_equal(eight.a, dop853_coefficients.A)
+    np.testing.assert_array_equal(eight.c, dop853_coefficients.C)
+    np.testing.assert_array_equal(eight.e[:, :13], [dop853_coefficients.E5, dop853_coefficients.E3])
+    np.testing.assert_array_equal(eight.d, dop853_coefficients.D)
