@@ -39,6 +39,7 @@ def check(model: Model) -> None:
         _check_symbols(model, what, expression, allowed)
     _check_quasi_velocities(model)
     _check_degrees(model)
+    _check_masses(model)
     _check_rows(model)
 
 
@@ -264,11 +265,26 @@ def _check_quasi_velocities(model: Model) -> None:
 
 def _check_degrees(model: Model) -> None:
     velocities = (*model.rates, *(y for y, _ in model.quasi_velocities))
-    if not has_degree(model.kinetic_energy, velocities, 2):
-        raise ModelError("kinetic_energy is not a polynomial of at most second degree in the velocities (4).")
+    T = model.kinetic_energy
+    if not has_degree(T, velocities, 2):
+        worst = [v for v in velocities if not has_degree(T, [v], 2)] or [v for v in velocities if T.has(v)]
+        raise ModelError(
+            "kinetic_energy is not a polynomial of at most second degree in the velocities (4): "
+            f"look at {', '.join(map(name_of, worst))}."
+        )
     for k, row in enumerate(model.nonholonomic_constraints):
         if not has_degree(row, velocities, 1):
             raise ModelError(f"nonholonomic_constraints[{k}] is not linear in the velocities (8): {row}.")
+
+
+def _check_masses(model: Model) -> None:
+    T = model.in_rates(model.kinetic_energy)
+    for x, v in zip(model.coordinates, model.rates, strict=True):
+        if not T.has(v):
+            raise ModelError(
+                f"kinetic_energy does not contain the rate of {name_of(x)!r}: the mass matrix is singular. Give what "
+                "moves with this coordinate a mass, or take it out of coordinates."
+            )
 
 
 def _check_rows(model: Model) -> None:

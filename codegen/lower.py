@@ -5,16 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 
+from .algebra import LARGEST, inverse
 from .graph import Node
-from .model import Event
+from .model import Event, ModelError
 from .printer import Assignments, Body, Naming, body, c_identifiers
 from .program import BlockView, Bodies, EventView, Named, Place, Program, Slice
 from .schedule import Constants, Cost
 from .specialise import Block, Kind, Scene
 from .terms import Terms
 
-FORMULATIONS = ("eigenfactor", "cholesky", "lagrange")
+FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
+CARRY_V = ("lagrange", "inverse")
+"""Formulations whose state is (x, xdot)."""
 CLOSE_EIGENVALUES = ("bounded",)
 SCHUR = ("auto", "factor")
 
@@ -51,6 +55,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     return Program(
         name=names, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues, schur=choices.schur,
         eigenfactor=eigen, cholesky=choices.formulation == "cholesky", lagrange=choices.formulation == "lagrange",
+        inverse=choices.formulation == "inverse", carries_v=choices.formulation in CARRY_V,
         bounded=eigen and any(block.size > 1 for block in turning),
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         n=n, m=scene.m, h=scene.h, n_state=n_state, n_memory=n_memory,
@@ -74,7 +79,7 @@ def _needs_mass(blocks: Sequence[BlockView], choices: Choices) -> bool:
 
 def _settles(scene: Scene, choices: Choices) -> bool:
     """Whether a step leaves anything to put right or to remember."""
-    return scene.m > 0 or choices.formulation != "lagrange" and any(b.kind is not Kind.FIXED for b in scene.blocks)
+    return scene.m > 0 or choices.formulation not in CARRY_V and any(b.kind is not Kind.FIXED for b in scene.blocks)
 
 
 def _named(defaults: Iterable[tuple[str, float]]) -> tuple[Named, ...]:
@@ -100,7 +105,7 @@ def _views(scene: Scene, formulation: str) -> tuple[tuple[BlockView, ...], int, 
     for block in scene.blocks:
         views.append(_view(scene, block, eigen, (C, s, kept, fixed)))
         room = block.size**2 + block.size
-        kept += room * (block.kind is not Kind.FIXED and formulation != "lagrange")
+        kept += room * (block.kind is not Kind.FIXED and formulation not in CARRY_V)
         fixed += 2 * room * (block.kind is Kind.FIXED)
         if eigen and block.kind is Kind.TURNING:
             C, s = C + block.size**2, s + block.size
@@ -125,7 +130,7 @@ def _view(scene: Scene, block: Block, eigen: bool, starts: tuple[int, int, int, 
 
 
 def _layout(n: int, blocks: Sequence[BlockView], formulation: str) -> tuple[Slice, ...]:
-    slices = [Slice("x", 0, n), Slice("v" if formulation == "lagrange" else "eta", n, n)]
+    slices = [Slice("x", 0, n), Slice("v" if formulation in CARRY_V else "eta", n, n)]
     turning = [block for block in blocks if block.turning]
     if formulation == "eigenfactor" and turning:
         slices.append(Slice("C", turning[0].C, sum(block.size**2 for block in turning)))
@@ -158,7 +163,9 @@ class _Writing:
 
     def bodies(self) -> tuple[Bodies, int]:
         eigen = self.choices.formulation == "eigenfactor"
-        published = self.lagrange() if self.choices.formulation == "lagrange" else self.right_hand_side(eigen)
+        published = {"lagrange": self.lagrange, "inverse": self.inverse}.get(
+            self.choices.formulation, partial(self.right_hand_side, eigen)
+        )()
         written = {
             "mass_matrix": self.mass_matrix(), "mass_matrix_gradient": self.gradient(), "pfaffian": self.pfaffian(),
             "position": self.position(), "bias": self.bias(), "energy": self.energy(), "outputs": self.outputs(),
@@ -202,7 +209,7 @@ class _Writing:
     def masses(self, full: bool, settle: bool = False) -> list[tuple[str, Node]]:
         """M of the blocks that vary: the lower triangle, or both; of a single coordinate a number."""
         given: list[tuple[str, Node]] = []
-        velocities_only = settle and self.choices.formulation == "lagrange"
+        velocities_only = settle and self.choices.formulation in CARRY_V
         for block in self.blocks:
             if velocities_only and not block.constrained:
                 continue
@@ -255,10 +262,27 @@ class _Writing:
         return self.write([single, moving], self.naming("y", self.in_blocks()), ("t", "c", "u"))
 
     def lagrange(self) -> Body:
-        gamma = self.column("gamma", self.terms.gamma)
-        given = [*self.masses(False), *self.forces(self.terms.bias), *self.constraint_rows(), *gamma]
-        return self.write([given], self.naming("y", {k: f"y[{self.scene.n + k}]" for k in range(self.scene.n)}),
-                          ("t", "c", "u"))  # fmt: skip
+        return self.in_velocities(self.masses(False))
+
+    def inverse(self) -> Body:
+        return self.in_velocities([entry for block in self.blocks for entry in self.inverse_of(block)])
+
+    def inverse_of(self, block: BlockView) -> list[tuple[str, Node]]:
+        if block.size > LARGEST:
+            raise ModelError(
+                f"model {self.mechanics.name}: formulation 'inverse' writes the inverse of M out, which is for blocks "
+                f"of up to {LARGEST} coordinates; {{{block.names}}} are {block.size}; choose another formulation"
+            )
+        M = [[self.terms.M[i][j] for j in block.coordinates] for i in block.coordinates]
+        entries, determinant = inverse(self.terms.graph, M)
+        given = [(f"W{block.number}[{i}][{j}]", entry) for i, row in enumerate(entries) for j, entry in enumerate(row)]
+        return [(f"const double det{block.number}", determinant), *given]
+
+    def in_velocities(self, masses: list[tuple[str, Node]]) -> Body:
+        """The equations in x, v: what is needed of M, then force - Mdot v, A and gamma."""
+        n, gamma = self.scene.n, self.column("gamma", self.terms.gamma)
+        given = [*masses, *self.forces(self.terms.bias), *self.constraint_rows(), *gamma]
+        return self.write([given], self.naming("y", {k: f"y[{n + k}]" for k in range(n)}), ("t", "c", "u"))
 
     def settle(self, full: bool) -> Body:
         given = [*self.masses(full, settle=True), *self.constraint_rows(), *self.column("b", self.terms.b)]

@@ -94,7 +94,8 @@ class Bodies:
 class Program:
     """Everything that the files of one model say.
 
-    eigenfactor, cholesky, lagrange : which formulation runs (one is true)
+    eigenfactor, cholesky, lagrange, inverse : which formulation runs (one is true)
+    carries_v : whether the state holds xdot itself
     bounded : whether a triangular root takes over where eigenvalues come close
     needs_mass : whether velocities follow from the state only with M(x)
     settles : whether there is anything to do after an accepted step
@@ -109,6 +110,8 @@ class Program:
     eigenfactor: bool
     cholesky: bool
     lagrange: bool
+    inverse: bool
+    carries_v: bool
     bounded: bool
     needs_mass: bool
     settles: bool

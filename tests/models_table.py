@@ -56,7 +56,9 @@ class Scenario:
         rng, model = np.random.default_rng(seed), self.model()
         x, v = np.array(model.initial_x), np.array(model.initial_v)
         return [
-            State(x + rng.uniform(-self.spread, self.spread, x.shape), v + rng.uniform(-self.spread, self.spread, v.shape))
+            State(
+                x + rng.uniform(-self.spread, self.spread, x.shape), v + rng.uniform(-self.spread, self.spread, v.shape)
+            )
             for _ in range(count)
         ]
 

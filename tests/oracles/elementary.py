@@ -96,9 +96,7 @@ def rotating_spring(model: Model, time: float) -> State:
     """x'' = 2 W y' + (W^2 - k_x / m) x, y'' = -2 W x' + (W^2 - k_y / m) y by the matrix exponential."""
     p, start = parameters_of(model), initial_state(model)
     W, m, k_x, k_y = (mpf(p[name]) for name in ("Omega", "m", "k_x", "k_y"))
-    system = mp.matrix(
-        [[0, 0, 1, 0], [0, 0, 0, 1], [W**2 - k_x / m, 0, 0, 2 * W], [0, W**2 - k_y / m, -2 * W, 0]]
-    )
+    system = mp.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [W**2 - k_x / m, 0, 0, 2 * W], [0, W**2 - k_y / m, -2 * W, 0]])
     end = mp.expm(system * time) * mp.matrix([*start.x, *start.v])
     y = np.array(list(end), dtype=float)
     return State(y[:2], y[2:])
