@@ -9,7 +9,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
-from sympy.logic.boolalg import And, BooleanFalse, BooleanTrue, Not, Or
+from sympy.logic.boolalg import ITE, And, BooleanFalse, BooleanTrue, Not, Or
 
 from .graph import Graph, Kind, Node, Number
 from .model import ModelError
@@ -76,6 +76,9 @@ class FromSympy:
             return self._piecewise(expression.args)
         if isinstance(expression, BooleanTrue | BooleanFalse):
             return graph.number(Fraction(int(bool(expression))))
+        if isinstance(expression, ITE):
+            condition, yes, no = expression.args
+            return self(Or(And(condition, yes, evaluate=False), And(Not(condition), no, evaluate=False), evaluate=False))
         name = {**FUNCTIONS, **RELATIONS}.get(type(expression))
         if name is None:
             raise ModelError(

@@ -286,7 +286,8 @@ class _Writing:
 
     def settle(self, full: bool) -> Body:
         given = [*self.masses(full, settle=True), *self.constraint_rows(), *self.column("b", self.terms.b)]
-        return self.write([given], self.naming("y", "v"), ("t", "c"))
+        turning = [entry for entry in self.rates() if not entry[0].startswith("const")] if full else []
+        return self.write([given, turning], self.naming("y", self.in_blocks()), ("t", "c"))
 
     def mass_matrix(self) -> Body:
         n, M = self.scene.n, self.terms.M

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-import eigenmotion as em
 import numpy as np
+
+import eigenmotion as em
 
 from .oracles import Lagrange, State, elementary, elliptic, published, reduced, trajectory
 

@@ -24,7 +24,7 @@ def array(values: Any, precision: str) -> np.ndarray:
 
 
 def compiled(arguments: list[sympy.Symbol], expressions: list[sympy.Expr], precision: str) -> Callable[..., list[Any]]:
-    """Return a function of the arguments. Rational and transcendental numbers are rounded in the precision asked for."""
+    """Return a function of the arguments; its fractions and its pi are rounded in the precision asked for."""
     module = "mpmath" if precision == "arbitrary" else "numpy"
     constants = sorted(set().union(*(_inexact(entry) for entry in expressions)), key=sympy.default_sort_key)
     names = sympy.symbols(f"constant_:{len(constants)}")

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from eigenmotion import Model
 from mpmath import mp, mpf
+
+from eigenmotion import Model
 
 from .elliptic import integral
 from .state import State, initial_state, parameters_of

@@ -7,8 +7,9 @@ from functools import cache
 
 import mpmath
 import numpy as np
-from eigenmotion import Model
 from mpmath import mp, mpf
+
+from eigenmotion import Model
 
 from .state import State, initial_state, parameters_of
 
@@ -108,7 +109,7 @@ def _derivative(polynomial: list[mpf], order: int) -> list[mpf]:
 
 def _weierstrass(g2: mpf, g3: mpf) -> Callable[[mpf], tuple[mpf, mpf]]:
     """Weierstrass' function and its derivative at real times > 0, from Jacobi's."""
-    e3, e2, e1 = sorted(mp.polyroots([4, 0, -g2, -g3], maxsteps=200, extraprec=100), key=lambda e: mp.re(e))
+    e3, e2, e1 = sorted(mp.polyroots([4, 0, -g2, -g3], maxsteps=200, extraprec=100), key=mp.re)
     root, m = mp.sqrt(e1 - e3), (e2 - e3) / (e1 - e3)
 
     def values(time: mpf) -> tuple[mpf, mpf]:

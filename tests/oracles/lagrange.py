@@ -11,8 +11,9 @@ from typing import Any
 
 import numpy as np
 import sympy
-from eigenmotion import Model, t
 from sympy.core.function import AppliedUndef
+
+from eigenmotion import Model, t
 
 from .arithmetic import array, compiled, solve
 

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+
 from eigenmotion import Model
 
 from .arithmetic import array

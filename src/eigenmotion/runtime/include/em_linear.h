@@ -178,6 +178,19 @@ EM_INLINE double em_gap(int n, const double *restrict s) {
 /* The same where n is known at run time only. */
 EM_COLD int em_refresh_any(int n, const double *M, double *C, double *s) { return em_refresh(n, M, C, s, NULL); }
 
+/* How far in time the nearest crossing is: with M(t + z) = M + z Mdot the eigenvalues i, j meet at a complex z of
+ * size |l_i - l_j| / sqrt((mu_ii - mu_jj)^2 + 4 mu_ij^2). A step that is not well inside sees a spike in Omega. */
+EM_INLINE double em_time_to_crossing(int n, const double *restrict s, const double *restrict mu) {
+    double least = INFINITY;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double apart = mu[i * n + i] - mu[j * n + j], across = 2.0 * mu[i * n + j];
+            const double speed = sqrt(apart * apart + across * across);
+            least = fmin(least, fabs((s[i] - s[j]) * (s[i] + s[j])) / fmax(speed, DBL_MIN));
+        }
+    return least;
+}
+
 /* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
 EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s) {
     for (int i = 0; i < n; ++i)

@@ -2,7 +2,7 @@
  *
  * Piece j of a sampled signal lies between times[j] and times[j + 1]; pieces -1 and count - 1 lie outside the samples,
  * where the value at the nearest end holds. A step never crosses a sample of EM_HOLD or EM_LINEAR, so that their
- * pieces are looked up once per step, and all stages see one smooth function.
+ * pieces are looked up once per step, nor the first and last of EM_CUBIC: all stages see one smooth function.
  */
 #ifndef EM_SIGNALS_H
 #define EM_SIGNALS_H
@@ -21,10 +21,12 @@ static long em_signal_piece(const em_signal *u, double t, double direction) {
     return (long)below - 1;
 }
 
-/* Where a piece ends in the direction of time; infinite after the last sample. */
+/* The next sample, in the direction of time, that a step must not cross; infinite after the last. */
 static double em_signal_end(const em_signal *u, long piece, double direction) {
-    const long sample = direction > 0.0 ? piece + 1 : piece;
-    return sample >= 0 && sample < (long)u->count ? u->times[sample] : direction * INFINITY;
+    const long last = (long)u->count - 1;
+    long sample = direction > 0.0 ? piece + 1 : piece;
+    if (u->kind == EM_CUBIC && sample > 0 && sample < last) sample = direction > 0.0 ? last : 0;
+    return sample >= 0 && sample <= last ? u->times[sample] : direction * INFINITY;
 }
 
 static double em_signal_linear(const em_signal *u, long piece, double t) {
@@ -53,7 +55,5 @@ static double em_signal_at(const em_signal *u, long piece, double t) {
     }
     return u->values[0];
 }
-
-static int em_signal_ends_steps(const em_signal *u) { return u->kind == EM_HOLD || u->kind == EM_LINEAR; }
 
 #endif

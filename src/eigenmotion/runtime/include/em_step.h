@@ -46,6 +46,7 @@ typedef struct em_walk {
     em_run *run;
     const struct em_scheme *scheme;
     double rtol, direction, t, t_new, h;
+    double stretch;                            /* rtol^(-1 / order): h stretch is the time on which the motion varies */
     double h_next;                             /* size the controller proposes, positive */
     double signals_end;                        /* where the first piece ends: no step goes beyond */
     double error_norm;
@@ -78,12 +79,12 @@ EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const doub
     return model_rhs(mode, t, y, run->prepared, w->u, memory, run->least_norm ? EM_LEAST_NORM : 0, dy, &w->reason);
 }
 
-static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double h,
+static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double pace,
                      em_fault *fault) {
     if (!SETTLES && run->stabilise && !(flags & EM_BEGIN)) return 0;
     if (run->stabilise) flags |= EM_STABILISE;
     if (run->least_norm) flags |= EM_LEAST_NORM;
-    return model_settle(mode, flags, t, y, run->prepared, memory, h, fault);
+    return model_settle(mode, flags, t, y, run->prepared, memory, pace, fault);
 }
 
 /* out <- y + h sum_j a_j K_j over j < n, with a constant. */

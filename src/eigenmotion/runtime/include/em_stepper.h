@@ -140,7 +140,7 @@ static int em_enter_pieces(em_walk *w) {
     w->signals_end = w->direction * INFINITY;
     for (int i = 0; i < N_INPUTS; ++i) {
         const em_signal *u = &w->run->inputs[i];
-        if (!em_signal_ends_steps(u)) continue;
+        if (u->kind == EM_CONSTANT) continue;
         w->piece[i] = em_signal_piece(u, w->t, w->direction);
         const double end = em_signal_end(u, w->piece[i], w->direction);
         if (w->direction * (end - w->signals_end) < 0.0) w->signals_end = end;
@@ -176,7 +176,8 @@ static int em_land(em_walk *w) {
     w->mode_new = w->mode;
     memcpy(w->memory_new, w->memory, sizeof w->memory);
     memcpy(w->y_raw, w->y_new, sizeof w->y_new);
-    w->moved = em_settle(w->run, &w->mode_new, 0, w->t_new, w->y_new, w->memory_new, w->h, &w->reason);
+    w->moved = em_settle(w->run, &w->mode_new, 0, w->t_new, w->y_new, w->memory_new, w->h * w->stretch,
+                         &w->reason);
     if (w->moved < 0) return -1;
     if (w->mode_new != w->mode) w->moved = 1;
     if (last_is_first && !w->moved) memcpy(w->f_new, w->K[rk->solution], sizeof w->f_new);
@@ -340,6 +341,7 @@ static em_walk *em_walk_create(em_run *run) {
     w->run = run;
     w->scheme = &em_schemes[run->method];
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
+    w->stretch = pow(w->rtol, -1.0 / (w->scheme->tableau->error_order + 1));
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->looks_every = 1;
     timespec_get(&w->looked, TIME_UTC);

@@ -1,0 +1,89 @@
+"""Generated C straight into a System: compiled strictly, loaded without Cython, kept in the cache by content."""
+
+import ctypes
+import subprocess
+from collections.abc import Iterable, Iterator
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from eigenmotion import Model, System, load_model
+from eigenmotion.cache import entry, key
+from eigenmotion.codegen import compiler
+from eigenmotion.codegen.compiler import FORMULATIONS
+from eigenmotion.codegen.emit import Sources
+from eigenmotion.codegen.specialise import ALL_SAVINGS, Saving
+from eigenmotion.toolchain import INCLUDE, toolchain
+
+MODELS = Path(__file__).parents[1] / "models"
+NAMES = tuple(sorted(path.stem for path in MODELS.glob("*.py") if path.stem != "__init__"))
+STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
+FLAGS = (*STRICT, "-O1", "-ffp-contract=fast", "-fPIC", "-shared")
+KEPT: list[object] = []
+
+__all__ = ["FORMULATIONS", "NAMES", "STRICT", "model_of", "relative", "states", "system_for", "system_of"]
+
+
+@cache
+def model_of(name: str) -> Model:
+    """Return the model of models/NAME.py."""
+    return load_model(MODELS / f"{name}.py")
+
+
+@cache
+def system_of(name: str, formulation: str = "eigenfactor") -> System:
+    """Return the System of models/NAME.py."""
+    return system_for(model_of(name), formulation)
+
+
+def system_for(model: Model, formulation: str = "eigenfactor", savings: frozenset[Saving] = ALL_SAVINGS) -> System:
+    """Return the System of any model."""
+    return loaded(compiler.generate(model, formulation=formulation, savings=savings))
+
+
+def loaded(sources: Sources) -> System:
+    """Compile and load sources; warnings are errors, of which pytest shows the text."""
+    library = ctypes.CDLL(str(_library(sources)))
+    name = ctypes.create_string_buffer(b"eigenmotion.em_model")
+    KEPT.extend((library, name))  # a capsule owns neither
+    new = ctypes.pythonapi.PyCapsule_New
+    new.restype, new.argtypes = ctypes.py_object, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]
+    return System(new(ctypes.addressof(ctypes.c_int.in_dll(library, f"{sources.name}_model")), name, None))
+
+
+def _library(sources: Sources) -> Path:
+    texts = [file.text for file in sources.files] + [path.read_text() for path in sorted(INCLUDE.glob("*.h"))]
+    folder = entry("tests", key(*FLAGS, *toolchain().command, *texts), lambda folder: compile_into(folder, sources))
+    return folder / f"{sources.name}.so"
+
+
+def compile_into(folder: Path, sources: Sources, *flags: str) -> None:
+    """Write NAME.c, NAME.h and compile NAME.so in a folder."""
+    for file in sources.files:
+        (folder / file.name).write_text(file.text)
+    target = ("-o", f"{sources.name}.so")
+    command = [*toolchain().command, *FLAGS, *flags, f"-I{INCLUDE}", f"{sources.name}.c", "-lm", *target]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def states(system: System, count: int, seed: int = 1) -> Iterator[tuple[np.ndarray, np.ndarray, float]]:
+    """Give x, v, t at random about the model's start; velocities satisfy the constraints, positions need not."""
+    random = np.random.default_rng([seed, *system.name.encode()])
+    x0, _ = system.initial
+    for _ in range(count):
+        x, v = x0 + random.uniform(-0.3, 0.3, system.n), random.normal(size=system.n)
+        t = float(random.uniform(0, 2))
+        A, b = system.pfaffian(x, t)
+        if system.m:
+            M = system.mass_matrix(x, t)
+            v = v - np.linalg.solve(M, A.T) @ np.linalg.lstsq(A @ np.linalg.solve(M, A.T), A @ v + b, rcond=None)[0]
+        yield x, v, t
+
+
+def relative(found: Iterable[float], right: Iterable[float], scale: float = 0.0) -> float:
+    """Return the largest difference, relative to the largest number (or `scale`)."""
+    found, right = np.asarray(found, dtype=float), np.asarray(right, dtype=float)
+    if right.size == 0:
+        return 0.0
+    return float(np.max(np.abs(found - right)) / max(float(np.max(np.abs(right))), scale, 1e-300))
