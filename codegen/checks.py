@@ -25,6 +25,8 @@ def check_name(name: Any) -> None:
             f"Model {name!r}: its name becomes that of a file, a Python module and a prefix in C. "
             "Use letters, digits and underscores, not starting with a digit, and no keyword of Python."
         )
+    if name in ("em", "eigenmotion") or name.startswith("em_"):
+        raise ModelError(f"Model {name!r}: the runtime's own files and types are called so. Choose another name.")
 
 
 def check(model: Model) -> None:

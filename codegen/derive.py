@@ -112,7 +112,10 @@ class _Derivation:
         )  # fmt: skip
 
     def node(self, expression: sympy.Expr) -> Node:
-        return self.from_sympy(self.names.plain(expression))
+        try:
+            return self.from_sympy(self.names.plain(expression))
+        except ModelError as error:
+            raise ModelError(f"Model {self.model.name!r}: {error}") from error
 
     def vanishing(self, nodes: Iterable[Node]) -> list[Node]:
         """Put what is zero, but does not look it, to zero."""
@@ -150,12 +153,18 @@ class _Derivation:
 
     def _without(self, entry: Node, name: str) -> Node:
         rate = Tangent(self.graph, {name: self.graph.one})(entry)
-        if self.zeros(rate):
+        if self.zeros(rate) and self.zeros.telling(entry):
             for value in (self.graph.zero, self.graph.one):
-                candidate = Substitution(self.graph, {name: value})(entry)
+                candidate = self._with(entry, name, value)
                 if self.zeros.equal(candidate, entry):
                     return candidate
         return entry
+
+    def _with(self, entry: Node, name: str, value: Node) -> Node:
+        try:
+            return Substitution(self.graph, {name: value})(entry)
+        except ZeroDivisionError:
+            return self.graph.number(float("nan"))
 
     def phi(self) -> list[sympy.Expr]:
         return list(self.model.holonomic_constraints)

@@ -13,6 +13,7 @@ from jinja2 import meta
 from .program import Program
 
 TEMPLATES = {"h": "model.h.jinja", "c": "model.c.jinja", "pyx": "module.pyx.jinja"}
+ESCAPES = str.maketrans({"\\": r"\\", '"': r"\"", "?": r"\?", "\n": r"\n", "\t": r"\t"})
 BEHIND_THE_STAMP = 3
 """Lines of a file that its body hash does not cover."""
 
@@ -87,7 +88,7 @@ def _hash_in(line: str) -> str:
 @cache
 def environment() -> jinja2.Environment:
     """Return the one environment all templates share; a name that is not defined is an error."""
-    return jinja2.Environment(
+    made = jinja2.Environment(
         loader=jinja2.FunctionLoader(_load),
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,
@@ -95,6 +96,13 @@ def environment() -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,
     )
+    made.filters["quoted"] = quoted
+    return made
+
+
+def quoted(text: str) -> str:
+    """Return a text as C writes it between quotation marks: names such as \\theta are the user's to choose."""
+    return text.translate(ESCAPES)
 
 
 def _load(name: str) -> str | None:

@@ -86,9 +86,9 @@ class Zeros:
         """Whether a node is zero wherever it is defined; what a few points do not tell counts as not zero."""
         if node == self.graph.zero:
             return True
-        return all(abs(value) <= ROUNDING * size for value, size in self._values(node)) and self._is_even(node)
+        return all(abs(value) <= ROUNDING * size for value, size in self._values(node)) and self.telling(node)
 
-    def _is_even(self, node: Node) -> bool:
+    def telling(self, node: Node) -> bool:
         """Whether a few points speak for all: not with steps and choices, nor with what falls below rounding."""
         records = self.graph.records
         return all(records[part].operands[0] in EVEN for part in self.graph.reachable([node])

@@ -19,7 +19,7 @@ from .terms import Terms
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 CARRY_V = ("lagrange", "inverse")
 """Formulations whose state is (x, xdot)."""
-CLOSE_EIGENVALUES = ("bounded",)
+CLOSE_EIGENVALUES = ("bounded", "extrapolate")
 SCHUR = ("auto", "factor")
 
 
@@ -49,14 +49,16 @@ class Defaults:
 def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     """Lay out state and memory, and write the straight-line part of each function."""
     names, mechanics, eigen = scene.mechanics.name, scene.mechanics, choices.formulation == "eigenfactor"
-    blocks, n_state, n_memory, n_fixed = _views(scene, choices.formulation)
+    blocks, n_state, n_memory, n_fixed = _views(scene, choices)
     bodies, n_constants = _Writing(scene, choices, blocks, n_fixed).bodies()
     n, turning = scene.n, [block for block in blocks if block.turning]
+    couples = eigen and any(block.size > 1 for block in turning)
     return Program(
         name=names, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues, schur=choices.schur,
         eigenfactor=eigen, cholesky=choices.formulation == "cholesky", lagrange=choices.formulation == "lagrange",
         inverse=choices.formulation == "inverse", carries_v=choices.formulation in CARRY_V,
-        bounded=eigen and any(block.size > 1 for block in turning),
+        bounded=couples and choices.close_eigenvalues == "bounded",
+        extrapolate=couples and choices.close_eigenvalues == "extrapolate", extrapolated=n_memory - 2,
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         n=n, m=scene.m, h=scene.h, n_state=n_state, n_memory=n_memory,
         n_prepared=len(mechanics.parameters) + n_fixed + n_constants,
@@ -91,12 +93,12 @@ def _block_of(scene: Scene) -> tuple[int, ...]:
     return tuple(by_coordinate[k] for k in range(scene.n))
 
 
-def _views(scene: Scene, formulation: str) -> tuple[tuple[BlockView, ...], int, int, int]:
+def _views(scene: Scene, choices: Choices) -> tuple[tuple[BlockView, ...], int, int, int]:
     """Lay out C and s in the state, factors in the memory and, for fixed blocks, in the prepared parameters.
 
     Returns the blocks and the lengths of state, memory and fixed factors.
     """
-    eigen = formulation == "eigenfactor"
+    eigen, extrapolate = choices.formulation == "eigenfactor", choices.close_eigenvalues == "extrapolate"
     n, turning, first_fixed = scene.n, scene.turning, len(scene.mechanics.parameters)
     C = s = 2 * n
     s += sum(block.size**2 for block in turning) * eigen
@@ -105,11 +107,12 @@ def _views(scene: Scene, formulation: str) -> tuple[tuple[BlockView, ...], int, 
     for block in scene.blocks:
         views.append(_view(scene, block, eigen, (C, s, kept, fixed)))
         room = block.size**2 + block.size
-        kept += room * (block.kind is not Kind.FIXED and formulation not in CARRY_V)
+        kept += (2 * block.size**2 if extrapolate else room) * (block.kind is not Kind.FIXED)
         fixed += 2 * room * (block.kind is Kind.FIXED)
         if eigen and block.kind is Kind.TURNING:
             C, s = C + block.size**2, s + block.size
-    return tuple(views), s, kept, fixed - first_fixed
+    n_memory = 0 if choices.formulation in CARRY_V else kept + 2 * extrapolate
+    return tuple(views), s, n_memory, fixed - first_fixed
 
 
 def _scale(scene: Scene, eigen: bool, k: int) -> str:
@@ -170,10 +173,14 @@ class _Writing:
             "mass_matrix": self.mass_matrix(), "mass_matrix_gradient": self.gradient(), "pfaffian": self.pfaffian(),
             "position": self.position(), "bias": self.bias(), "energy": self.energy(), "outputs": self.outputs(),
             "events": self.events(), "published": published, "settle": self.settle(eigen),
-            "triangular": self.right_hand_side(False) if eigen and self.scene.turning else Body((), (), Cost()),
+            "triangular": self.right_hand_side(False) if self.bounded() else Body((), (), Cost()),
         }  # fmt: skip
         prepare = self.prepare()
         return Bodies(prepare=prepare, **written), len(self.constants.nodes)
+
+    def bounded(self) -> bool:
+        eigen = self.choices.formulation == "eigenfactor" and self.choices.close_eigenvalues == "bounded"
+        return eigen and any(block.size > 1 for block in self.scene.turning)
 
     # -- places --------------------------------------------------------------------------------------------------
 

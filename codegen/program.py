@@ -97,6 +97,7 @@ class Program:
     eigenfactor, cholesky, lagrange, inverse : which formulation runs (one is true)
     carries_v : whether the state holds xdot itself
     bounded : whether a triangular root takes over where eigenvalues come close
+    extrapolate : whether (32) extrapolates Omega there; `extrapolated`: where the memory says so, and from which time
     needs_mass : whether velocities follow from the state only with M(x)
     settles : whether there is anything to do after an accepted step
     layout : the parts of the state vector
@@ -113,6 +114,8 @@ class Program:
     inverse: bool
     carries_v: bool
     bounded: bool
+    extrapolate: bool
+    extrapolated: int
     needs_mass: bool
     settles: bool
     n: int

@@ -1,0 +1,121 @@
+"""Figures 3 to 8 of the paper from our runs, and all of them in one call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ..names import Vector
+from ..plot import COLOURS
+from .canvas import axes, draw, save
+from .experiment import PAIRS, Experiment, History, experiment
+from .findings import Finding, findings
+from .mechanism import motion
+
+STYLES = ("-", "--", ":", "-.")
+DEGREES = 180.0 / np.pi
+
+
+@dataclass(frozen=True, slots=True)
+class Figures:
+    """The pictures that were written and what their numbers say."""
+
+    paths: tuple[Path, ...]
+    findings: tuple[Finding, ...]
+
+    def __str__(self) -> str:
+        lines = [f"drawn to {path}" for path in self.paths]
+        for one in self.findings:
+            lines += ["", f"Figure {one.figure}: {one.statement}", f"  {one.verdict}: {one.measured}"]
+        return "\n".join(lines)
+
+
+def write_figures(directory: Path | str, only: Collection[int] = ()) -> Figures:
+    """Run the paper's experiment and draw Figures 2 to 8, or some of them, as `directory`/figure_N.png.
+
+    Raises
+    ------
+    ModelError
+        matplotlib, of the extra `plot`, is missing.
+    """
+    folder, made = Path(directory), experiment()
+    paths = tuple(
+        figure(made, folder / f"figure_{number}.png")
+        for number, figure in FIGURES.items()
+        if not only or number in only
+    )
+    return Figures(paths, findings(made))
+
+
+def _motion(made: Experiment, path: Path) -> Path:
+    return motion(made.eigenfactor.published, path)
+
+
+def _coordinates(made: Experiment, path: Path) -> Path:
+    history = made.eigenfactor.published
+    figure, ax = axes("Figure 3: coordinates", "angle [°], stretch [cm]")
+    names = (r"$\theta_1$", r"$\theta_2$", r"$100\,\theta_3$", r"$\theta_4$")
+    scales = (DEGREES, DEGREES, 100.0, DEGREES)
+    rows = [(name, scale * x) for name, scale, x in zip(names, scales, history.x, strict=True)]
+    draw(ax, history.t, rows, STYLES)
+    return save(figure, path)
+
+
+def _quasi_velocities(made: Experiment, path: Path) -> Path:
+    history = made.eigenfactor.published
+    figure, ax = axes(r"Figure 4: quasi-velocities $\eta = S\,C\,\dot x$", r"$\eta$ [J$^{1/2}$]")
+    draw(ax, history.t, [(rf"$\eta_{i + 1}$", row) for i, row in enumerate(history.eta)], STYLES)
+    return save(figure, path)
+
+
+def _eigenvalues(made: Experiment, path: Path) -> Path:
+    history = made.eigenfactor.published
+    figure, ax = axes("Figure 5: eigenvalues of the mass matrix", r"$\lambda$ (SI units of $M$)")
+    draw(ax, history.t, [(rf"$\lambda_{i + 1}$", row) for i, row in enumerate(history.eigenvalues)], STYLES)
+    ax.set_ylim(bottom=0)
+    return save(figure, path)
+
+
+def _turning(made: Experiment, path: Path) -> Path:
+    history = made.eigenfactor.published
+    figure, ax = axes(r"Figure 6: angular velocities of the eigenvectors ($\Omega_{3i} = 0$)", r"$\Omega$ [rad/s]")
+    rows = [(rf"$\Omega_{{{i + 1}{j + 1}}}$", history.Omega[i, j]) for i, j in PAIRS]
+    draw(ax, history.t, rows, STYLES)
+    return save(figure, path)
+
+
+def _both(made: Experiment, of: Callable[[History], Vector], title: str, ylabel: str, path: Path) -> Path:
+    """Draw both formulations over the time, on a logarithmic scale; at t = 0 the error is 0."""
+    figure, ax = axes(title, ylabel)
+    ax.set_yscale("log")
+    for k, (name, runs) in enumerate((("eigenfactor", made.eigenfactor), ("brute force", made.inverse))):
+        history = runs.published
+        ax.plot(history.t[1:], of(history)[1:], STYLES[k], color=COLOURS[k], linewidth=1.6, label=name)
+    ax.set_ylim(bottom=1e-6 * ax.get_ylim()[1])
+    ax.legend(loc="lower right", frameon=False)
+    return save(figure, path)
+
+
+def _violations(made: Experiment, path: Path) -> Path:
+    title = "Figure 7: constraint violation, mean step 0.024 s, nothing projected"
+    return _both(made, lambda history: history.violation, title, r"$|y(t) - y(0)|$ [m]", path)
+
+
+def _accuracy(made: Experiment, path: Path) -> Path:
+    title = "Figure 8: integral of the energy error, mean step 0.024 s, nothing projected"
+    label = r"$\int_0^t |P(\tau) - P(0)|\,d\tau$ [J s]"
+    return _both(made, lambda history: history.energy_error, title, label, path)
+
+
+FIGURES: dict[int, Callable[[Experiment, Path], Path]] = {
+    2: _motion,
+    3: _coordinates,
+    4: _quasi_velocities,
+    5: _eigenvalues,
+    6: _turning,
+    7: _violations,
+    8: _accuracy,
+}

@@ -191,6 +191,27 @@ EM_INLINE double em_time_to_crossing(int n, const double *restrict s, const doub
     return least;
 }
 
+/* Whether two eigenvalues are as close as (32) leaves to extrapolation; gap = s_j^2 - s_i^2. */
+#define EM_EPSILON 1e-6
+EM_INLINE int em_is_close(double gap, double s_i, double s_j) {
+    const double larger = fmax(s_i, s_j);
+    return fabs(gap) < EM_EPSILON * larger * larger;
+}
+
+/* Omega (n, n) <- (32) here, Omega_dot <- its difference quotient over `elapsed` (0: none yet). */
+EM_INLINE void em_remember_omega(int n, const double *s, const double *mu, double elapsed, double *Omega,
+                                 double *Omega_dot) {
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < i; ++j) {
+            const int at = i * n + j;
+            const double gap = (s[j] - s[i]) * (s[j] + s[i]);
+            const int close = em_is_close(gap, s[i], s[j]);
+            const double here = close ? Omega[at] + elapsed * Omega_dot[at] : mu[at] / gap;
+            Omega_dot[at] = elapsed == 0.0 ? 0.0 : (here - Omega[at]) / elapsed;
+            Omega[at] = here;
+        }
+}
+
 /* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
 EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s) {
     for (int i = 0; i < n; ++i)

@@ -153,7 +153,7 @@ static void em_weigh_factors(em_walk *w, const double *before, const double *aft
 static void em_set_weights(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
     em_weigh(N, w->run->atol, w->rtol, y, y_new, w->weight);
     em_weigh(N, w->run->atol, w->rtol, dy, dy_new, w->weight + N);
-    if (!w->run->stabilise) em_weigh_factors(w, y, y_new);
+    if (!w->run->stabilise || w->mode == 0) em_weigh_factors(w, y, y_new);
 }
 
 /* The weighted sum of squares of e (n_state), whose part of eta becomes one of v in place. */
@@ -162,7 +162,7 @@ static double em_squares(const em_walk *w, double *restrict e) {
     model_velocity_error(w->mode, w->y, w->run->prepared, w->memory, e + N, ev);
     memcpy(e + N, ev, sizeof ev);
     double sum = em_weighted_squares(2 * N, e, w->weight);
-    if (!w->run->stabilise) sum += em_weighted_squares(N_STATE - 2 * N, e + 2 * N, w->weight + 2 * N);
+    if (!w->run->stabilise || w->mode == 0) sum += em_weighted_squares(N_STATE - 2 * N, e + 2 * N, w->weight + 2 * N);
     return sum;
 }
 

@@ -1,0 +1,89 @@
+"""The mechanism drawn at instants, as in the paper's Figure 2."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..names import Vector
+from ..plot import COLOURS, require_matplotlib
+from .canvas import FAINT, save
+from .experiment import History
+
+INSTANTS = np.linspace(0.0, 3.5, 8)
+"""[s]: the paper shows the motion up to 3.5 s."""
+COILS, COIL_HEIGHT = 6, 0.035
+
+
+def motion(history: History, path: Path) -> Path:
+    """Draw Figure 2: the mechanism at each instant, the instant before it in grey."""
+    require_matplotlib()
+    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
+
+    figure = Figure(figsize=(9, 4.7), layout="constrained")
+    figure.suptitle("Figure 2: motion of the dual-link manipulator (lengths in m)", x=0.01, ha="left", fontsize=11)
+    poses = [_at(history, t) for t in INSTANTS]
+    grid = figure.subplots(2, 4, sharex=True, sharey=True)
+    for k, ax in enumerate(grid.flat):
+        if k:
+            _draw(ax, history, poses[k - 1], faint=True)
+        _draw(ax, history, poses[k], faint=False)
+        _frame(ax, history, f"$t$ = {INSTANTS[k]:.1f} s")
+    _name(grid[0, 0], history, poses[0])
+    return save(figure, path)
+
+
+def _at(history: History, t: float) -> Vector:
+    """Return x (4,) at t, linear between accepted steps: closer than a line is wide."""
+    return np.array([np.interp(t, history.t, row) for row in history.x])
+
+
+def _frame(ax: Any, history: History, title: str) -> None:
+    ax.axhline(history.hand[1][0], color="0.6", linewidth=0.8, linestyle=(0, (4, 3)), zorder=0)
+    ax.set(aspect="equal", xlim=(-0.7, 1.0), ylim=(-0.2, 1.3))
+    ax.set_title(title, fontsize=10)
+    ax.grid(color=FAINT)
+    ax.spines[["top", "right"]].set_visible(False)
+
+
+def _masses(history: History, x: Vector) -> tuple[Vector, Vector, Vector]:
+    """Return where m1, m2, m3 are, each (2,) [m]."""
+    p = history.system.parameters
+    joint = (p["l1"] + x[2]) * _towards(x[0])
+    return joint, joint + p["l2"] * _towards(x[1]), joint + p["l3"] * _towards(x[3])
+
+
+def _draw(ax: Any, history: History, x: Vector, *, faint: bool) -> None:
+    """Draw links, springs and masses; each link has a look besides its colour: coil, bar, broken bar."""
+    joint, hand, tip = _masses(history, x)
+    first, second, third = ("0.8",) * 3 if faint else COLOURS[:3]
+    layer = 1 if faint else 2
+    ax.plot(*_spring(np.zeros(2), joint), color=first, linewidth=1.2, zorder=layer)
+    ax.plot(*np.transpose([joint, tip]), color=third, linewidth=1.6, linestyle="--", zorder=layer)
+    ax.plot(*np.transpose([joint, hand]), color=second, linewidth=2.4, zorder=layer)
+    ax.plot(*np.transpose([joint, hand, tip]), "o", color="0.8" if faint else "black", markersize=5, zorder=layer + 1)
+    if not faint:
+        ax.plot(0, 0, "s", color="black", markersize=4)
+        ax.plot(*np.transpose([hand, [0.0, 4.0]]), color="0.6", linewidth=0.8, linestyle=":", zorder=0)
+
+
+def _name(ax: Any, history: History, x: Vector) -> None:
+    """Name the masses; once is enough, for colours and looks stay."""
+    offsets = ((7, -3), (3, 6), (-17, 2))
+    for number, (place, offset) in enumerate(zip(_masses(history, x), offsets, strict=True), 1):
+        ax.annotate(f"$m_{number}$", place, offset, textcoords="offset points", fontsize=9)
+
+
+def _towards(angle: float) -> Vector:
+    return np.array([np.cos(angle), np.sin(angle)])
+
+
+def _spring(start: Vector, end: Vector) -> tuple[Vector, Vector]:
+    """Return a coil between two points: the length changes, the coils' height does not."""
+    along = np.linspace(0.0, 1.0, 4 * COILS + 1)
+    swing = COIL_HEIGHT * np.sin(2 * np.pi * COILS * along)
+    direction = (end - start) / np.linalg.norm(end - start)
+    line = start[:, None] + (end - start)[:, None] * along
+    return line[0] - swing * direction[1], line[1] + swing * direction[0]

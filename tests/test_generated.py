@@ -1,0 +1,199 @@
+"""The generated C: compiles without a warning, runs without Python, takes any names, and uses all it is given."""
+
+import re
+import shutil
+import subprocess
+from dataclasses import fields
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy
+from eigenmotion import Event, Model, multiplier
+from eigenmotion.codegen import compiler
+from eigenmotion.codegen.emit import TEMPLATES, environment, undeclared
+from eigenmotion.codegen.printer import Body, Section, c_identifiers
+from eigenmotion.codegen.program import Bodies, BlockView, EventView, Named, Place, Program, Slice
+from eigenmotion.toolchain import INCLUDE, toolchain
+from jinja2 import nodes
+from sympy import Rational, cos, sin, tanh
+from sympy.physics.mechanics import dynamicsymbols
+
+from .generation import FORMULATIONS, NAMES, STRICT, model_of, relative, states, system_for
+
+TEMPLATE_FOLDER = Path(__file__).parents[1] / "templates"
+PARTS = sorted(path.name for path in TEMPLATE_FOLDER.glob("*.jinja"))
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("name", NAMES)
+def test_compiles_without_a_warning(systems, name, formulation):
+    """With -std=c11 -Wall -Wextra -Wpedantic -Werror; `generation` compiles so."""
+    assert systems(name, formulation).formulation == formulation
+
+
+def test_runs_without_python(systems, tmp_path):
+    sources = compiler.generate(model_of("dual_link"))
+    for file in sources.files:
+        (tmp_path / file.name).write_text(file.text)
+    shutil.copy(Path(__file__).parent / "plain" / "main.c", tmp_path)
+    command = [*toolchain().command, *STRICT, "-O1", "-ffp-contract=fast", f"-I{INCLUDE}", "main.c", "dual_link.c"]
+    subprocess.run([*command, "-lm", "-o", "plain"], cwd=tmp_path, check=True)
+    done = subprocess.run(["./plain"], cwd=tmp_path, capture_output=True, text=True, check=True, env={})
+    title, *lines = done.stdout.splitlines()
+    run = systems("dual_link").simulate((0, 10), rtol=1e-9, atol=1e-9)
+    assert title == f"dual_link: {run.nsteps} steps, {run.nfev} right-hand sides"
+    assert [line.split()[0] for line in lines] == ["theta1", "theta2", "theta3", "theta4"]
+    found = np.array([line.split()[1:] for line in lines], dtype=float)
+    assert relative(found, np.column_stack([run.x[:, -1], run.v[:, -1]])) < 1e-12
+
+
+def test_the_sources_hold_nothing_of_python():
+    text = {file.name: file.text for file in compiler.generate(model_of("dual_link")).files}
+    assert sorted(text) == ["dual_link.c", "dual_link.h", "dual_link.pyx"]
+    for name in ("dual_link.c", "dual_link.h"):
+        assert "Python.h" not in text[name]
+    assert max(map(len, text["dual_link.c"].splitlines())) <= 180
+
+
+def test_every_function_says_what_it_is(systems):
+    """No function of generated code without a comment above it."""
+    text = next(f.text for f in compiler.generate(model_of("dual_link")).files if f.name.endswith(".c"))
+    lines = text.splitlines()
+    heads = [k for k, line in enumerate(lines) if re.match(r"static (int|void) \w+\(", line)]
+    assert len(heads) > 10
+    bare = [lines[k] for k in heads if not lines[k - 1].rstrip().endswith("*/")]
+    assert [line for line in bare if not re.match(r"static int (velocity|rhs)\(", line)] == []
+
+
+# --- templates and the record they get --------------------------------------------------------------------------------
+
+RECORDS = {"program": Program, "b": BlockView, "bodies": Bodies, "p": Place, "q": None, "body": Body, "section": Section,
+           "part": Slice, "event": EventView, "triangular": Body, "motion_section": Section}  # fmt: skip
+
+
+def attributes():
+    """Return (variable, attribute) of every access in every template."""
+    trees = [environment().parse((TEMPLATE_FOLDER / name).read_text()) for name in PARTS]
+    found = {(node.node.name, node.attr) for tree in trees for node in tree.find_all(nodes.Getattr)
+             if isinstance(node.node, nodes.Name)}  # fmt: skip
+    chained = {(node.node.attr, node.attr) for tree in trees for node in tree.find_all(nodes.Getattr)
+               if isinstance(node.node, nodes.Getattr) and node.node.attr == "bodies"}  # fmt: skip
+    return {(name, attribute) for name, attribute in found | chained if name != "loop"}
+
+
+@pytest.mark.parametrize("template", TEMPLATES.values())
+def test_files_need_the_program_and_nothing_else(template):
+    assert undeclared(template) == {"program"}
+
+
+def test_templates_read_no_field_that_is_not_there():
+    for variable, attribute in attributes():
+        kinds = [RECORDS[variable]] if RECORDS[variable] else [Named, Place]
+        assert any(attribute in {field.name for field in fields(kind)} for kind in kinds), (variable, attribute)
+
+
+@pytest.mark.parametrize("record", [Program, BlockView, Bodies, Place])
+def test_templates_read_every_field(record):
+    variables = {name for name, kind in RECORDS.items() if kind in (record, None)}
+    read = {attribute for variable, attribute in attributes() if variable in variables}
+    assert sorted({field.name for field in fields(record)} - read) == []
+
+
+def test_templates_compute_nothing():
+    """Neither `set` nor macros nor calls; arithmetic only on places."""
+    forbidden = (nodes.Assign, nodes.Macro, nodes.CallBlock, nodes.Call)
+    for name in PARTS:
+        tree = environment().parse((TEMPLATE_FOLDER / name).read_text())
+        assert [node for kind in forbidden for node in tree.find_all(kind)] == [], name
+
+
+# --- names ------------------------------------------------------------------------------------------------------------
+
+WORDS = re.compile(r"[A-Za-z_]\w*")
+LANGUAGES = (
+    "auto break case char const continue default do double else enum extern float for goto if inline int long register "
+    "restrict return short signed sizeof static struct switch typedef union unsigned void volatile while _Bool _Complex "
+    "lambda class def None True False import pass self cdef cpdef ctypedef nogil Py_ssize_t "
+    "sin cos tan exp log pow sqrt fabs fmin fmax tanh erf gamma y0 y1 j0 jn isnan NAN INFINITY NULL I errno linux unix "
+    "main printf malloc memset size_t em_model em_fault c_0 c_1 c_2 z_0 z_1 z_2 sin_0 cos_1 C1 s1 L1 M1 Mdot1 r1 w1 v1 f1 "
+    "a1 q1 B1 A1 N1 eta1 mu1 Omega1 C1_dot s1_dot Phi1_eta singular1 coordinate1 gap row state rhs M N L C s f y dy c u eta"
+).split()
+
+
+def taken_names():
+    """Return every word of the templates, the headers and the languages, and twins with an underscore behind them."""
+    texts = [re.sub(r"/\*.*?\*/", "", path.read_text(), flags=re.DOTALL)
+             for path in (*TEMPLATE_FOLDER.glob("*.c.jinja"), *INCLUDE.glob("*.h"))]  # fmt: skip
+    words = {word for text in texts for word in WORDS.findall(text)} | set(LANGUAGES)
+    few = sorted(words)[::5]
+    return sorted((words | {f"{word}_" for word in few}) - {"t"})
+
+
+def named(names, symbols):
+    """A mechanism that holds all its symbols in every function of the generated code."""
+    x = dynamicsymbols(" ".join(names[:3]))
+    w = dynamicsymbols(names[3])
+    p = [sympy.Symbol(name) for name in symbols]
+    v = [c.diff() for c in x]
+    mixed = sum(tanh(entry * x[k % 3] + v_k) for k, (entry, v_k) in enumerate(zip(p, [*p[1:], p[0]], strict=True)))
+    part = mixed / len(p)
+    T = (v[0] ** 2 + v[1] ** 2 + v[2] ** 2) * (2 + part) / 2 + part * v[0] * v[1] / 3 + part * v[2] / 5
+    return Model(
+        name="named",
+        coordinates=x,
+        kinetic_energy=T,
+        potential_energy=part * cos(x[0]),
+        forces={x[0]: w * part - v[0]},
+        nonholonomic_constraints=[v[0] * sin(x[1]) + v[1] * (2 + part) + part],
+        parameters={entry: 0.2 + 0.003 * (k % 97) for k, entry in enumerate(p)},
+        inputs={w: 0.4},
+        outputs={"seen": part + x[1].diff().diff() + multiplier(0) + w},
+        events={"through": Event(part - 10)},
+        initial={x[0]: Rational(1, 3), x[1]: 1, x[2]: -1},
+    )
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("coordinates", [("eta", "row", "lambda", "u"), ("C1", "M", "gap", "y")])
+def test_any_name_will_do(formulation, coordinates):
+    words = [word for word in taken_names() if word not in coordinates]
+    chosen = words[::3] if formulation == "eigenfactor" else words[1::7]
+    odd = system_for(named(coordinates, chosen), formulation)
+    plain = system_for(named(("p1", "p2", "p3", "w"), [f"k{k}" for k in range(len(chosen))]), formulation)
+    assert odd.coordinates == coordinates[:3]
+    assert list(odd.parameters) == chosen
+    for x, v, t in states(plain, 2):
+        assert relative(odd.acceleration(x, v, t)[0], plain.acceleration(x, v, t)[0]) < 1e-12
+        y = plain.state(x, v, t)
+        assert relative(odd.rhs(t, y), plain.rhs(t, y)) < 1e-12
+        assert relative(odd.mass_matrix_gradient(x, t), plain.mass_matrix_gradient(x, t)) < 1e-12
+        assert odd.energy(x, v, t) == pytest.approx(plain.energy(x, v, t), rel=1e-13)
+    runs = [system.simulate((0, 0.5), v0=plain.project_initial_state()[1]) for system in (odd, plain)]
+    assert relative(runs[0].outputs["seen"], runs[1].outputs["seen"]) < 1e-9
+
+
+def test_identifiers_are_all_different():
+    names = [*taken_names(), "a b", "a_b", "a.b", "2x", "_2x", "ä", "_", r"\theta", "theta'"]
+    identifiers = c_identifiers(names)
+    assert len(set(identifiers.values())) == len(names)
+    assert [i for i in identifiers.values() if not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", i)] == []
+
+
+def test_names_are_told_as_they_were_given():
+    theta, tau = dynamicsymbols(r"\theta"), sympy.Symbol(r'\tau "??/ %d')
+    out = {'a"b': theta, r"back\new": theta, "é": theta}
+    T = tau * theta.diff() ** 2 * (2 + sin(theta))
+    system = system_for(Model(name="told", coordinates=[theta], kinetic_energy=T, parameters={tau: 1.0}, outputs=out))
+    assert system.coordinates == (r"\theta",)
+    assert list(system.parameters) == [tau.name]
+    assert system.outputs == tuple(out)
+    assert any(r"{\theta}" in line for line in system.left_out)
+
+
+@pytest.mark.parametrize("name", ["int", "main", "state", "rhs", "N", "sin", "math", "stdio", "model", "prepare", "NULL"])
+def test_models_may_be_called_like_what_is_in_c(name):
+    x, m = dynamicsymbols("x"), sympy.Symbol("m")
+    T = m * x.diff() ** 2 * (2 + x**2)
+    system = system_for(Model(name=name, coordinates=[x], kinetic_energy=T, parameters={m: 1.0}))
+    assert system.acceleration([1.0], [1.0])[0] == pytest.approx([-1 / 3], rel=1e-14)
