@@ -1,4 +1,4 @@
-"""The paper's mechanism: every formulation, per right-hand side and per run of 10 s, beside SciPy on Lagrange's equations.
+"""The paper's mechanism: every formulation, alone and in runs, beside SciPy on Lagrange's equations.
 
 Ratios are medians over interleaved rounds, with quartiles; errors are those of theta(10), the largest of four, against
 values that independent integrations in many digits agree on.
@@ -7,72 +7,106 @@ values that independent integrations in many digits agree on.
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 from common.classical import classical
 from common.plain import right_hand_side
 from common.timing import interleaved, ratio, spread
-from eigenmotion import System, build
 from eigenmotion.models.dual_link import model
 from scipy.integrate import solve_ivp
+
+from eigenmotion import System, build
 
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 CERTIFIED = np.array([0.700265153433880811, 2.454211044030905019, 0.141975525603218242, 1.677302668798167215])
 TOLERANCES = (1e-6, 1e-9, 1e-12)
-SPAN = (0.0, 10.0)
-OURS, THEIRS, ROUNDS = 20, 1, 15
-"""Runs a round, so that both sides take a time that can be measured; rounds."""
+T_END, LONG = 10.0, 1000.0
+REPEATS, ROUNDS = 20, 15
+"""Our runs in a round, so that both sides take a time that can be measured; rounds."""
+
+Outcome = tuple[np.ndarray, int]
+"""theta(10) (4,) and how many right-hand sides it took."""
 
 
-def right_hand_sides(rounds: int = 21, calls: int = 200_000) -> None:
-    """Print nanoseconds of one right-hand side in C, and the ratios to lagrange."""
+def alone(rounds: int = 21, calls: int = 200_000) -> None:
+    """One right-hand side in C, each call waiting for the one before as in an integration."""
     with tempfile.TemporaryDirectory() as folder:
         timers = {name: right_hand_side(model, name, Path(folder)) for name in FORMULATIONS}
         found = {name: np.empty(rounds) for name in FORMULATIONS}
         for k in range(rounds):
             for name, timer in timers.items():
                 found[name][k] = timer(calls)
-    print("one right-hand side, called from C     ns                       / lagrange")
+    print(f"{'one right-hand side, called from C':<36} {'ns':<22} / lagrange")
     for name, nanoseconds in found.items():
-        print(f"  {name:<36} {spread(nanoseconds, 1.0):<24} {ratio(nanoseconds, found['lagrange'])}")
+        print(f"  {name:<34} {spread(nanoseconds, 1.0):<22} {ratio(nanoseconds, found['lagrange'])}")
+
+
+def within(systems: dict[str, System]) -> None:
+    """What a right-hand side costs within a run at 1e-9, with its share of steps, projection and rows.
+
+    From runs of two lengths, so that what a run costs once falls out.
+    """
+    at = {"rtol": 1e-9, "atol": 1e-9}
+    more = {name: one.simulate((0.0, LONG), **at).nfev - one.simulate((0.0, T_END), **at).nfev
+            for name, one in systems.items()}  # fmt: skip
+    short = interleaved({name: partial(one.simulate, (0.0, T_END), **at) for name, one in systems.items()}, ROUNDS)
+    long = interleaved({name: partial(one.simulate, (0.0, LONG), **at) for name, one in systems.items()}, ROUNDS)
+    each = {name: 1e9 * (long[name] - np.median(short[name])) / more[name] for name in systems}
+    print(f"\n{'one right-hand side, within a run':<36} {'ns':<22} / lagrange")
+    for name, nanoseconds in each.items():
+        print(f"  {name:<34} {spread(nanoseconds, 1.0):<22} {ratio(nanoseconds, each['lagrange'])}")
+
+
+def of_scipy(tolerance: float) -> Callable[[], Outcome]:
+    """Return the run of `solve_ivp` on the classical equations."""
+    f, p = classical(model), np.array([value for _, value in model.parameters])
+    x, v = np.array(model.initial_x), np.array(model.initial_v)
+
+    def run() -> Outcome:
+        found = solve_ivp(f, (0.0, T_END), np.concatenate([x, v]), method="DOP853", rtol=tolerance, atol=tolerance,
+                          args=(p,))  # fmt: skip
+        return found.y[: len(x), -1], found.nfev
+
+    return run
+
+
+def of_system(system: System, tolerance: float) -> Callable[[], Outcome]:
+    """Return our run, as a user calls it: checks before it included."""
+
+    def run() -> Outcome:
+        found = system.simulate((0.0, T_END), rtol=tolerance, atol=tolerance)
+        return found.y[: system.n, -1], found.nfev
+
+    return run
+
+
+def repeated(run: Callable[[], Outcome]) -> None:
+    for _ in range(REPEATS):
+        run()
 
 
 def runs(systems: dict[str, System], tolerance: float) -> None:
-    """Print the time of a run at rtol = atol, as a user calls it, and the error it leaves."""
-    f, p = classical(model), np.array([value for _, value in model.parameters])
-    start = np.concatenate(next(iter(systems.values())).initial)
-
-    def scipy() -> np.ndarray:
-        return solve_ivp(f, SPAN, start, method="DOP853", rtol=tolerance, atol=tolerance, args=(p,)).y[:4, -1]
-
-    def ours(system: System) -> None:
-        for _ in range(OURS):
-            system.simulate(SPAN, rtol=tolerance, atol=tolerance)
-
-    actions = {name: lambda system=system: ours(system) for name, system in systems.items()}
-    seconds = interleaved({**actions, "scipy": scipy}, ROUNDS)
-    for name in systems:
-        seconds[name] /= OURS
-    print(f"\nrtol = atol = {tolerance:g}  ms a run           scipy / it         it / lagrange      rhs    ns/rhs   error")
-    for name, system in systems.items():
-        solution = system.simulate(SPAN, rtol=tolerance, atol=tolerance)
-        error = np.abs(solution.x[:, -1] - CERTIFIED).max()
-        report(name, seconds, solution.nfev, error)
-    nfev = solve_ivp(f, SPAN, start, method="DOP853", rtol=tolerance, atol=tolerance, args=(p,)).nfev
-    report("scipy", seconds, nfev, np.abs(scipy() - CERTIFIED).max())
-
-
-def report(name: str, seconds: dict[str, np.ndarray], nfev: int, error: float) -> None:
-    own = seconds[name]
-    slower, beside = ratio(seconds["scipy"], own), ratio(own, seconds["lagrange"])
-    each = 1e9 * np.median(own) / nfev
-    print(f"  {name:<18} {spread(own, 1e-3):<20} {slower:<18} {beside:<18} {nfev:<6} {each:<8.3g} {error:.1e}")
+    """Print the time of a run of 10 s at rtol = atol, and the error it leaves."""
+    outcomes = {name: of_system(system, tolerance) for name, system in systems.items()}
+    scipy = of_scipy(tolerance)
+    seconds = interleaved({**{name: partial(repeated, run) for name, run in outcomes.items()}, "scipy": scipy}, ROUNDS)
+    seconds |= {name: seconds[name] / REPEATS for name in outcomes}
+    title = f"a run of 10 s, rtol = atol = {tolerance:g}"
+    print(f"\n{title:<36} {'ms':<22} {'scipy / it':<18} {'/ lagrange':<18} {'rhs':<6} error")
+    for name, run in (outcomes | {"scipy": scipy}).items():
+        theta, nfev = run()
+        beside = (ratio(seconds["scipy"], seconds[name]), ratio(seconds[name], seconds["lagrange"]))
+        error = np.abs(theta - CERTIFIED).max()
+        print(f"  {name:<34} {spread(seconds[name], 1e-3):<22} {beside[0]:<18} {beside[1]:<18} {nfev:<6} {error:.1e}")
 
 
 def main() -> None:
-    right_hand_sides()
+    alone()
     systems = {name: build(model, formulation=name) for name in FORMULATIONS}
+    within(systems)
     for tolerance in TOLERANCES:
         runs(systems, tolerance)
 

@@ -11,7 +11,7 @@ from .algebra import LARGEST, inverse
 from .graph import Node
 from .model import Event, ModelError
 from .printer import Assignments, Body, Naming, body, c_identifiers
-from .program import BlockView, Bodies, EventView, Named, Place, Program, Slice
+from .program import BlockView, Bodies, EventView, Named, Place, Program, RowGroup, Slice
 from .schedule import Constants, Cost
 from .specialise import Block, Kind, Scene
 from .terms import Terms
@@ -20,7 +20,7 @@ FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 CARRY_V = ("lagrange", "inverse")
 """Formulations whose state is (x, xdot)."""
 CLOSE_EIGENVALUES = ("bounded", "extrapolate")
-SCHUR = ("auto", "factor")
+SCHUR = ("auto", "factor", "eigenfactor")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +49,8 @@ class Defaults:
 def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     """Lay out state and memory, and write the straight-line part of each function."""
     names, mechanics, eigen = scene.mechanics.name, scene.mechanics, choices.formulation == "eigenfactor"
-    blocks, n_state, n_memory, n_fixed = _views(scene, choices)
+    blocks, first_delta, n_memory, n_fixed = _views(scene, choices)
+    groups, n_state = _row_groups(scene, choices, first_delta)
     bodies, n_constants = _Writing(scene, choices, blocks, n_fixed).bodies()
     n, turning = scene.n, [block for block in blocks if block.turning]
     couples = eigen and any(block.size > 1 for block in turning)
@@ -57,7 +58,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         name=names, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues, schur=choices.schur,
         eigenfactor=eigen, cholesky=choices.formulation == "cholesky", lagrange=choices.formulation == "lagrange",
         inverse=choices.formulation == "inverse", carries_v=choices.formulation in CARRY_V,
-        bounded=couples and choices.close_eigenvalues == "bounded",
+        bounded=(couples or bool(groups)) and choices.close_eigenvalues == "bounded",
         extrapolate=couples and choices.close_eigenvalues == "extrapolate", extrapolated=n_memory - 2,
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         n=n, m=scene.m, h=scene.h, n_state=n_state, n_memory=n_memory,
@@ -68,7 +69,10 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
         events=tuple(EventView(name, event.direction, int(event.terminal)) for name, event in defaults.events),
         blocks=blocks, block_of=_block_of(scene), scales=tuple(map(repr, scene.scales)),
-        layout=_layout(n, blocks, choices.formulation), left_out=scene.left_out,
+        delta_eigenfactors=bool(groups), row_groups=groups,
+        n_C_delta=sum(group.size**2 for group in groups if group.size > 1),
+        n_s_delta=sum(group.size for group in groups if group.size > 1),
+        layout=_layout(n, blocks, groups, choices.formulation), left_out=scene.left_out,
         conserves_energy=scene.conserves_energy, costs=_costs(bodies, choices.formulation), bodies=bodies,
     )  # fmt: skip
 
@@ -132,12 +136,32 @@ def _view(scene: Scene, block: Block, eigen: bool, starts: tuple[int, int, int, 
     )  # fmt: skip
 
 
-def _layout(n: int, blocks: Sequence[BlockView], formulation: str) -> tuple[Slice, ...]:
+def _row_groups(scene: Scene, choices: Choices, first: int) -> tuple[tuple[RowGroup, ...], int]:
+    """Lay out the eigenfactors of Delta behind those of M: of each group of two rows and more; a lone row needs none.
+
+    Returns the groups, none if Delta is factored numerically, and the length of the state.
+    """
+    coupled = scene.row_groups if choices.formulation == "eigenfactor" and choices.schur == "eigenfactor" else ()
+    if all(len(rows) < 2 for rows in coupled):
+        return (), first
+    carried = [len(rows) * (len(rows) > 1) for rows in coupled]
+    groups, C, s = [], first, first + sum(size**2 for size in carried)
+    for number, (rows, size) in enumerate(zip(coupled, carried, strict=True), 1):
+        groups.append(RowGroup(number, len(rows), rows, C, s))
+        C, s = C + size**2, s + size
+    return tuple(groups), s
+
+
+def _layout(n: int, blocks: Sequence[BlockView], groups: Sequence[RowGroup], formulation: str) -> tuple[Slice, ...]:
     slices = [Slice("x", 0, n), Slice("v" if formulation in CARRY_V else "eta", n, n)]
     turning = [block for block in blocks if block.turning]
     if formulation == "eigenfactor" and turning:
         slices.append(Slice("C", turning[0].C, sum(block.size**2 for block in turning)))
         slices.append(Slice("s", turning[0].s, sum(block.size for block in turning)))
+    carried = [group for group in groups if group.size > 1]
+    if carried:
+        slices.append(Slice("C_delta", carried[0].C, sum(group.size**2 for group in carried)))
+        slices.append(Slice("s_delta", carried[0].s, sum(group.size for group in carried)))
     return tuple(slices)
 
 
@@ -180,7 +204,11 @@ class _Writing:
 
     def bounded(self) -> bool:
         eigen = self.choices.formulation == "eigenfactor" and self.choices.close_eigenvalues == "bounded"
-        return eigen and any(block.size > 1 for block in self.scene.turning)
+        return eigen and (any(block.size > 1 for block in self.scene.turning) or self.carries_delta())
+
+    def carries_delta(self) -> bool:
+        chosen = self.choices.formulation == "eigenfactor" and self.choices.schur == "eigenfactor"
+        return chosen and any(len(rows) > 1 for rows in self.scene.row_groups)
 
     # -- places --------------------------------------------------------------------------------------------------
 
@@ -251,9 +279,15 @@ class _Writing:
                 for block in self.blocks for local, k in enumerate(block.coordinates)]  # fmt: skip
 
     def constraint_rows(self) -> list[tuple[str, Node]]:
-        return [(f"A{block.number}[{row}][{local}]", self.scaled(entries[k], k))
+        return self.by_row("A", self.terms.A)
+
+    def constraint_rates(self) -> list[tuple[str, Node]]:
+        return self.by_row("Adot", [[self.terms.along(entry) for entry in row] for row in self.terms.A])
+
+    def by_row(self, name: str, rows: Sequence[Sequence[Node]]) -> list[tuple[str, Node]]:
+        return [(f"{name}{block.number}[{row}][{local}]", self.scaled(entries[k], k))
                 for block in self.blocks if block.constrained
-                for row, entries in enumerate(self.terms.A)
+                for row, entries in enumerate(rows)
                 for local, k in enumerate(block.coordinates)]  # fmt: skip
 
     def column(self, target: str, nodes: Iterable[Node]) -> list[tuple[str, Node]]:
@@ -266,6 +300,8 @@ class _Writing:
         single = [entry for entry in self.masses(False) if not eigen or entry[0].startswith("const")]
         gamma = self.column("gamma", self.terms.gamma)
         moving = [*self.rates(), *self.forces(self.terms.motion.force), *self.constraint_rows(), *gamma]
+        if eigen and self.carries_delta():
+            moving.extend(self.constraint_rates())
         return self.write([single, moving], self.naming("y", self.in_blocks()), ("t", "c", "u"))
 
     def lagrange(self) -> Body:

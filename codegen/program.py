@@ -47,6 +47,17 @@ class BlockView:
 
 
 @dataclass(frozen=True, slots=True)
+class RowGroup:
+    """Constraint rows that Delta couples: C and s are the places of its eigenfactors in the state (47)."""
+
+    number: int
+    size: int
+    rows: tuple[int, ...]
+    C: int
+    s: int
+
+
+@dataclass(frozen=True, slots=True)
 class Slice:
     """y[start .. start + length) is called name."""
 
@@ -97,6 +108,7 @@ class Program:
     eigenfactor, cholesky, lagrange, inverse : which formulation runs (one is true)
     carries_v : whether the state holds xdot itself
     bounded : whether a triangular root takes over where eigenvalues come close
+    delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
     extrapolate : whether (32) extrapolates Omega there; `extrapolated`: where the memory says so, and from which time
     needs_mass : whether velocities follow from the state only with M(x)
     settles : whether there is anything to do after an accepted step
@@ -114,6 +126,7 @@ class Program:
     inverse: bool
     carries_v: bool
     bounded: bool
+    delta_eigenfactors: bool
     extrapolate: bool
     extrapolated: int
     needs_mass: bool
@@ -126,6 +139,9 @@ class Program:
     n_prepared: int
     n_C: int
     n_s: int
+    n_C_delta: int
+    n_s_delta: int
+    row_groups: tuple[RowGroup, ...]
     coordinates: tuple[Named, ...]
     velocities: tuple[str, ...]
     parameters: tuple[Named, ...]

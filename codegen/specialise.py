@@ -80,6 +80,14 @@ class Scene:
         return len(self.mechanics.phi)
 
     @property
+    def row_groups(self) -> tuple[tuple[int, ...], ...]:
+        """The constraint rows in groups that Delta = B B^T couples: rows that hold coordinates of one block."""
+        A = self.mechanics.A
+        held = [{b.number for b in self.blocks if any(A[row, k] != 0 for k in b.coordinates)} for row in range(self.m)]
+        pattern = sympy.ImmutableDenseMatrix(self.m, self.m, lambda i, j: int(i == j or bool(held[i] & held[j])))
+        return tuple(_coupled(pattern))
+
+    @property
     def turning(self) -> tuple[Block, ...]:
         """The blocks that carry C and s as states."""
         return tuple(block for block in self.blocks if block.kind is Kind.TURNING)

@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import sympy
+
 from eigenmotion import Model, t
 
 RightHandSide = Callable[[float, np.ndarray, np.ndarray], np.ndarray]

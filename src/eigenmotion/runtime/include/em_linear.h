@@ -330,6 +330,34 @@ EM_INLINE void em_onto_axes(int n, const double *restrict C, const double *restr
     memcpy(v, eta, sizeof eta);
 }
 
+/* The eigenfactors of Delta (m, m), of the rows listed: C_Ddot = -Omega_D C_D (55), s_Ddot = beta_ii / (2 s_D) (54),
+ * Omega_D of (53), and lambda <- C_D^T S_D^-2 C_D lambda (48). */
+EM_INLINE void em_delta_rates(int m, const int *rows, const double *restrict C, const double *restrict s,
+                              const double *restrict Delta_dot, double *restrict C_dot, double *restrict s_dot,
+                              double *restrict lambda) {
+    double beta[m * m], part[m];
+    em_congruence(m, C, Delta_dot, beta);
+    for (int i = 0; i < m; ++i) {
+        part[i] = 0.0;
+        for (int j = 0; j < m; ++j) {
+            part[i] += C[i * m + j] * lambda[rows[j]];
+            C_dot[i * m + j] = 0.0;
+        }
+        part[i] /= s[i] * s[i];
+        s_dot[i] = 0.5 * beta[i * m + i] / s[i];
+    }
+    for (int i = 0; i < m; ++i)
+        for (int k = 0; k < m; ++k) {
+            if (k == i) continue;
+            const double Omega = beta[i * m + k] / ((s[k] - s[i]) * (s[k] + s[i]));
+            for (int j = 0; j < m; ++j) C_dot[i * m + j] -= Omega * C[k * m + j];
+        }
+    for (int j = 0; j < m; ++j) {
+        lambda[rows[j]] = 0.0;
+        for (int i = 0; i < m; ++i) lambda[rows[j]] += C[i * m + j] * part[i];
+    }
+}
+
 EM_INLINE double em_sign(double a) {
     return (a > 0.0) - (a < 0.0);
 }

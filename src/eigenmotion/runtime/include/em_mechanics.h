@@ -170,6 +170,23 @@ EM_COLD int em_coincident(int size, const int *coordinate, const double *s, em_f
     return 0;
 }
 
+EM_COLD int em_coincident_roots(int size, const double *s) {
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j < i; ++j)
+            if (s[i] == s[j]) return 1;
+    return 0;
+}
+
+/* C (size, size), s (size): eigenfactors of the part of Delta with these rows (47). */
+EM_COLD int em_delta_eigenfactors(int size, const int *rows, const em_root *root, double *C, double *s, em_fault *fault) {
+    double part[size * size];
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j <= i; ++j)
+            part[i * size + j] = part[j * size + i] = root->Delta[rows[i] * N_ROWS + rows[j]];
+    const int singular = em_eigenfactors(size, part, C, s);
+    return singular < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, rows[singular], -1, 0.0);
+}
+
 /* out (n_outputs) at x, v */
 EM_COLD int em_observe(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                        double *out, em_fault *fault) {

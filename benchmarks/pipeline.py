@@ -1,0 +1,134 @@
+"""How long it takes from a model file to a System: stage by stage, in fresh caches; commands as a user calls them.
+
+Seconds, medians of repeats; times of this machine, unlike ratios, and longer where others use it too.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import ExitStack
+from functools import partial
+from pathlib import Path
+from statistics import median
+from typing import Any
+from unittest.mock import patch
+
+from eigenmotion.codegen import compiler
+from eigenmotion.codegen.compiler import explain
+
+from eigenmotion import load_model
+from eigenmotion.cache import LOCATION
+from eigenmotion.toolchain import Toolchain, toolchain
+
+MODELS = Path(__file__).parents[1] / "models"
+CASES = (("dual_link", {}), ("chain", {"n": 10}), ("chain", {"n": 20}))
+GENERATOR = ("derive", "specialise", "lower", "emit")
+COMPILER = {"compile_model": "C compiler", "compile_glue": "C of the wrapper", "link": "link"}
+REPEATS = 3
+
+build_module = importlib.import_module("eigenmotion.build")
+
+Seconds = dict[str, float]
+
+
+def timed(name: str, action: Callable[..., Any], seconds: Seconds) -> Callable[..., Any]:
+    """Return `action`, which adds the time it takes to seconds[name]."""
+
+    def wrapped(*arguments: Any, **keywords: Any) -> Any:
+        start = time.perf_counter()
+        try:
+            return action(*arguments, **keywords)
+        finally:
+            seconds[name] = seconds.get(name, 0.0) + time.perf_counter() - start
+
+    return wrapped
+
+
+def stages(file: str, definitions: dict[str, int]) -> Seconds:
+    """Build a model in a fresh cache; return the seconds of each stage. Cython and the C compiler run side by side."""
+    seconds: Seconds = {}
+    with tempfile.TemporaryDirectory() as cache, ExitStack() as stack:
+        stack.enter_context(patch.dict(os.environ, {LOCATION: cache}))
+        for name in GENERATOR:
+            stack.enter_context(patch.object(compiler, name, timed(name, getattr(compiler, name), seconds)))
+        for name, title in COMPILER.items():
+            stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
+        for name, title in (("run", "Cython"), ("_import", "import")):
+            stack.enter_context(patch.object(build_module, name, timed(title, getattr(build_module, name), seconds)))
+        model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
+        timed("all", build_module.build, seconds)(model)
+    return seconds
+
+
+def command(*words: str, cache: str) -> float:
+    """Return the seconds of `eigenmotion WORDS` in a process of its own."""
+    environment = os.environ | {LOCATION: cache}
+    start = time.perf_counter()
+    subprocess.run([sys.executable, "-m", "eigenmotion", *words], env=environment, check=True, capture_output=True)
+    return time.perf_counter() - start
+
+
+def warm_build(cache: str) -> float:
+    """Return the seconds of `em.build` on a model built before, in a new process, after imports and the model file."""
+    words = (
+        "import time, eigenmotion as em; em.build, em.System, em.simulate; m = em.load_model('models/dual_link.py');"
+        "s = time.perf_counter(); em.build(m); print(time.perf_counter() - s)"
+    )
+    environment, place = os.environ | {LOCATION: cache}, MODELS.parent
+    done = subprocess.run([sys.executable, "-c", words], env=environment, cwd=place, check=True, capture_output=True)
+    return float(done.stdout)
+
+
+def middle(action: Callable[[], float]) -> float:
+    return median(action() for _ in range(REPEATS))
+
+
+def in_fresh_cache(*words: str) -> float:
+    with tempfile.TemporaryDirectory() as cache:
+        return command(*words, "-o", f"{cache}/out", cache=cache)
+
+
+def operations(n: int) -> str:
+    """Return what `explain` counts for the chain of n links, and per pair of coordinates."""
+    line = next(line for line in explain(load_model(MODELS / "chain.py", n=n)).splitlines() if "eigenfactor: " in line)
+    total = sum(int(word) for word in line.replace(",", "").split() if word.isdigit())
+    return f"{total}, {total / (n * (n + 1) / 2):.1f} per pair"
+
+
+def commands() -> None:
+    """Print the seconds of commands in processes of their own."""
+    model, chain = str(MODELS / "dual_link.py"), str(MODELS / "chain.py")
+    print("commands, in processes of their own")
+    print(f"  build dual_link, empty cache        {middle(lambda: in_fresh_cache('build', model)):.2f}")
+    for n in (10, 20):
+        words = ("generate", chain, "-D", f"n={n}")
+        print(f"  generate chain n={n}, empty cache    {middle(partial(in_fresh_cache, *words)):.2f}")
+    with tempfile.TemporaryDirectory() as cache:
+        command("build", model, "-o", f"{cache}/out", cache=cache)
+        print(f"  em.build dual_link, warm cache      {middle(lambda: warm_build(cache)):.3f}")
+        print(f"  --help                              {middle(lambda: command('--help', cache=cache)):.2f}")
+
+
+def main() -> None:
+    toolchain().identity  # noqa: B018, asked for once a process
+    for file, definitions in CASES:
+        found = [stages(file, definitions) for _ in range(REPEATS)]
+        title = " ".join([file, *(f"{name}={value}" for name, value in definitions.items())])
+        print(f"{title}: {median(one['all'] for one in found):.2f} s in all")
+        for name in found[0]:
+            if name != "all":  # a process imports a module once
+                print(f"  {name:<18} {median(one[name] for one in found if name in one):.3f}")
+    commands()
+    print("operations of the straight-line part of chain, eigenfactor")
+    for n in (5, 10, 20):
+        print(f"  n={n:<3} {operations(n)}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,157 @@
+"""Pictures: error against run time, against right-hand sides and against the tolerance.
+
+Colours are Okabe and Ito's; each curve also has a marker and a line style of its own, so that none needs its colour.
+"""
+
+import io
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ..plot import require_matplotlib
+from .examine import Findings
+from .recommend import Curve
+from .solvers import METHODS, OURS
+
+_LOOKS = {
+    "eigenfactor": ("#0072B2", "o", "-"),
+    "cholesky": ("#D55E00", "s", "-"),
+    "lagrange": ("#009E73", "^", "-"),
+    "inverse": ("#CC79A7", "D", "-"),
+    "heyoka.py Taylor": ("#000000", "*", "--"),
+    "CVODES Adams": ("#E69F00", "P", ":"),
+    "CVODES BDF": ("#E69F00", "X", ":"),
+    "SciPy DOP853": ("#56B4E9", "v", "-."),
+    "SciPy LSODA": ("#56B4E9", "<", "-."),
+    "SciPy Radau": ("#56B4E9", ">", "-."),
+}
+_ERROR = "largest error, max $|x - x_{ref}| / (1 + |x_{ref}|)$"
+_BEST = "dop853"
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A figure in both formats. `stem` is what its files are called, `title` and `text` go with it on the page."""
+
+    stem: str
+    title: str
+    text: str
+    svg: str
+    png: bytes
+
+
+def pictures(found: Findings) -> tuple[Picture, ...]:
+    """Draw all of a model's."""
+    require_matplotlib()
+    return (_against_peers(found), _by_method(found), _convergence(found))
+
+
+def _against_peers(found: Findings) -> Picture:
+    figure, (axes,) = _figure(1, 8.4, 5.2)
+    chosen = [c for c in found.curves if c.family != OURS or c.method == _BEST]
+    for curve in chosen:
+        _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors, spread=True)
+    _finish(axes, found, "run time of one call [ms]", _ERROR)
+    _legend(figure, axes)
+    return _picture(
+        figure, found, "time", f"{found.name}: error against run time",
+        f"Our formulations with {_BEST}, and what else there is. Bars: quartiles of the repeats. Lower left is better.",
+    )  # fmt: skip
+
+
+def _by_method(found: Findings) -> Picture:
+    figure, panels = _figure(len(METHODS), 11.0, 4.6)
+    for axes, method in zip(panels, METHODS, strict=True):
+        for curve in _ours(found, method):
+            _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors)
+        _finish(axes, found, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
+        axes.set_title(method)
+    _legend(figure, panels[0], below=True)
+    return _picture(
+        figure, found, "methods", f"{found.name}: formulations by method",
+        "The same axes for each of the compiled methods.",
+    )  # fmt: skip
+
+
+def _convergence(found: Findings) -> Picture:
+    """Error against steps, where order p is a line of slope -p."""
+    figure, panels = _figure(len(METHODS), 11.0, 4.6)
+    for axes, (method, order) in zip(panels, METHODS.items(), strict=True):
+        lines = _ours(found, method)
+        for curve in lines:
+            _draw(axes, curve, [p.nsteps or 0 for p in curve.points], curve.errors)
+        _guide(axes, lines, order, found.floor)
+        _finish(axes, found, "accepted steps", _ERROR if axes is panels[0] else "")
+        axes.set_title(f"{method}; grey: order {order}")
+    _legend(figure, panels[0], below=True)
+    return _picture(
+        figure, found, "order", f"{found.name}: order of convergence",
+        "Error against accepted steps: a method of order p falls along a line of slope -p (grey).",
+    )  # fmt: skip
+
+
+def _ours(found: Findings, method: str) -> list[Curve]:
+    return [c for c in found.curves if c.family == OURS and c.method == method]
+
+
+def _figure(panels: int, width: float, height: float) -> tuple[Any, list[Any]]:
+    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
+
+    figure = Figure(figsize=(width, height), layout="constrained")
+    axes = figure.subplots(1, panels, sharey=True, squeeze=False)[0]
+    for ax in axes:
+        ax.set(xscale="log", yscale="log")
+    return figure, list(axes)
+
+
+def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], spread: bool = False) -> None:
+    name = curve.formulation if curve.family == OURS else curve.label
+    colour, marker, style = _LOOKS.get(name, ("#666666", "x", "--"))
+    heights = [max(e, 1e-17) for e in y]
+    axes.plot(x, heights, style, color=colour, marker=marker, markersize=4.5, linewidth=1.3, label=name)
+    if spread:
+        low, high = ([1e3 * (getattr(p, side) or 0) for p in curve.points] for side in ("seconds_low", "seconds_high"))
+        axes.hlines(heights, low, high, color=colour, linewidth=1, alpha=0.6)
+
+
+def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> None:
+    """A line of the method's slope through the middle of the points it is about."""
+    points = [(p.nsteps, p.error_max) for c in lines for p in c.points if p.nsteps and floor < (p.error_max or 0) < 1e-2]
+    if not points:
+        return
+    steps = sorted(n for n, _ in points)
+    at, error = sorted(points)[len(points) // 2]
+    axes.plot(steps, [error * (n / at) ** -order for n in steps], color="0.75", linewidth=6, alpha=0.6, zorder=0)
+
+
+def _finish(axes: Any, found: Findings, xlabel: str, ylabel: str) -> None:
+    from matplotlib.ticker import LogLocator  # noqa: PLC0415, an optional package
+
+    axes.set(xlabel=xlabel, ylabel=ylabel)
+    axes.axhline(found.ask.error, color="0.5", linewidth=0.8, linestyle=(0, (6, 3)))
+    axes.axhspan(1e-18, max(float(found.reference.errors.max()), 1e-17), color="0.93", zorder=-1)
+    low = min((e for c in found.curves for e in c.errors if e > 0), default=1e-14)
+    axes.set_ylim(max(low / 5, 1e-17), 3.0)
+    axes.yaxis.set_major_locator(LogLocator(numticks=10))
+    axes.grid(color="0.9", linewidth=0.7)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _legend(figure: Any, axes: Any, below: bool = False) -> None:
+    handles, labels = axes.get_legend_handles_labels()
+    if below:
+        figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
+    else:
+        figure.legend(handles, labels, loc="outside right upper", frameon=False)
+
+
+def _picture(figure: Any, found: Findings, kind: str, title: str, text: str) -> Picture:
+    import matplotlib as mpl  # noqa: PLC0415, an optional package
+
+    stem, svg, png = f"{found.name}_{kind}", io.StringIO(), io.BytesIO()
+    # names of its own for clip paths: several pictures share a page
+    with mpl.rc_context({"svg.hashsalt": stem, "svg.fonttype": "path"}):
+        figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
+    figure.savefig(png, format="png", dpi=150)
+    grey = "Dashed grey: the accuracy asked for. Shaded: below the reference's own error."
+    return Picture(stem, title, f"{text} {grey}", svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())

@@ -1,0 +1,199 @@
+"""Error, cost and time of every solver at every tolerance."""
+
+import gc
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.integrate import trapezoid
+
+from ..names import Vector
+from ..system import System
+from .reference import Reference, scaled_error
+from .solvers import Attempt, Motion, Solver
+
+Progress = Callable[[float, str], None]  # how much of the whole is done, 0 ... 1, and what comes next
+_BATCH = 2e-3  # [s] quicker runs are timed several at once
+_SLOW = 0.2  # [s] slower ones are repeated three times
+
+
+@dataclass(frozen=True, slots=True)
+class Measurement:
+    """One solver at one tolerance. None: there is no such number, or the run did not get there (`message`).
+
+    error_end, error_max : max over coordinates of |x - x_ref| / (1 + |x_ref|), at the end and over all rows
+    velocity_error_end, velocity_error_max : the same of the velocities
+    seconds : median of `repeats` whole calls; seconds_low, seconds_high : quartiles
+    constraint_violation, position_violation : largest |A v + b| and |phi| over all rows
+    energy_integral : integral of |P(t) - P(t0)| dt over the rows (62) [J s], P = T2 - T0 + V
+    factor_residual : largest max|M - C^T S^2 C| / max|M|
+    """
+
+    family: str
+    formulation: str
+    method: str
+    label: str
+    tolerance: float
+    error_end: float | None = None
+    error_max: float | None = None
+    velocity_error_end: float | None = None
+    velocity_error_max: float | None = None
+    seconds: float | None = None
+    seconds_low: float | None = None
+    seconds_high: float | None = None
+    repeats: int = 0
+    nfev: int | None = None
+    nsteps: int | None = None
+    nrejected: int | None = None
+    constraint_violation: float | None = None
+    position_violation: float | None = None
+    energy_integral: float | None = None
+    factor_residual: float | None = None
+    message: str = ""
+
+    @property
+    def curve(self) -> tuple[str, str, str]:
+        """Which solver this is."""
+        return self.family, self.formulation, self.method
+
+    @property
+    def ns_per_rhs(self) -> float | None:
+        """Nanoseconds of the whole call per evaluation of the right-hand side."""
+        return None if self.seconds is None or not self.nfev else 1e9 * self.seconds / self.nfev
+
+
+@dataclass(frozen=True, slots=True)
+class Judge:
+    """What runs are compared with; the system's functions tell residuals and energy of anyone's rows."""
+
+    reference: Reference
+    system: System
+
+    def __call__(self, blank: Measurement, motion: Motion) -> Measurement:
+        """Fill in all but the time."""
+        counted = replace(
+            blank, nfev=motion.nfev, nsteps=motion.nsteps, nrejected=motion.nrejected,
+            factor_residual=motion.factor_residual, message=motion.message,
+        )  # fmt: skip
+        if motion.message or len(motion.x) < len(self.reference.t):
+            return replace(counted, message=motion.message or "did not reach the end")
+        x, v = (np.ascontiguousarray(rows, dtype=np.float64) for rows in (motion.x, motion.v))
+        if not (np.isfinite(x).all() and np.isfinite(v).all()):
+            return replace(counted, message="the rows are not finite")
+        return self._compared(counted, x, v)
+
+    def _compared(self, counted: Measurement, x: Vector, v: Vector) -> Measurement:
+        t, compiled, prepared = self.reference.t, self.system.compiled, self.system.prepare()
+        errors, rates = scaled_error(x, self.reference.x), scaled_error(v, self.reference.v)
+        return replace(
+            counted,
+            error_end=float(errors[-1]), error_max=float(errors.max()),
+            velocity_error_end=float(rates[-1]), velocity_error_max=float(rates.max()),
+            constraint_violation=_largest(compiled.constraint_rows(t, x, v, prepared)),
+            position_violation=_largest(compiled.position_rows(t, x, prepared)),
+            energy_integral=self._energy_integral(x, v),
+        )  # fmt: skip
+
+    def _energy_integral(self, x: Vector, v: Vector) -> float | None:
+        if not self.system.conserves_energy:
+            return None
+        t = self.reference.t
+        P = self.system.compiled.energy_rows(t, x, v, self.system.prepare()) @ (1.0, 0.0, -1.0, 1.0)
+        return float(trapezoid(np.abs(P - P[0]), t))
+
+
+@dataclass(frozen=True, slots=True)
+class Budget:
+    """How long to go on.
+
+    longest : a solver is not tightened further once a run took longer [s]
+    rounds : times that every run is repeated; slow runs three times
+    """
+
+    longest: float = 1.0
+    rounds: int = 9
+
+
+@dataclass(slots=True)
+class _Cell:
+    """A measurement in the making."""
+
+    measurement: Measurement
+    attempt: Attempt
+    first: float
+    samples: list[float]
+
+
+def measure(solvers: Sequence[Solver], judge: Judge, budget: Budget, progress: Progress) -> tuple[Measurement, ...]:
+    """Measure errors first, each solver from loose to tight; then times, in rounds over all of them."""
+    cells: list[_Cell] = []
+    for k, solver in enumerate(solvers):
+        progress(0.6 * k / len(solvers), f"error of {solver.label}")
+        cells += _errors(solver, judge, budget)
+    for turn in range(budget.rounds):
+        progress(0.6 + 0.4 * turn / budget.rounds, f"time, round {turn + 1} of {budget.rounds}")
+        _time(cells, turn)
+    return tuple(_timed(cell) for cell in cells)
+
+
+def _errors(solver: Solver, judge: Judge, budget: Budget) -> list[_Cell]:
+    cells: list[_Cell] = []
+    for tolerance in solver.tolerances:
+        blank = Measurement(solver.family, solver.formulation, solver.method, solver.label, tolerance)
+        cell = _first(blank, solver, judge)
+        cells.append(cell)
+        if cell.first > budget.longest:
+            break
+    return cells
+
+
+def _first(blank: Measurement, solver: Solver, judge: Judge) -> _Cell:
+    """Run once for the rows and once for the clock. Whatever a solver raises is its result."""
+    try:
+        attempt = solver.attempt(blank.tolerance)
+        measurement = judge(blank, attempt.motion(judge.reference.t))
+        start = time.perf_counter()
+        attempt.run()
+        return _Cell(measurement, attempt, time.perf_counter() - start, [])
+    except Exception as error:
+        said = f"{type(error).__name__}: {error}".splitlines()[0]
+        return _Cell(replace(blank, message=said), Attempt(lambda: None, _nothing), 0.0, [])
+
+
+def _nothing(times: Vector) -> Motion:
+    raise NotImplementedError
+
+
+def _time(cells: list[_Cell], turn: int) -> None:
+    """One sample of each run that got to its end; no garbage is collected meanwhile."""
+    gc.collect()
+    gc.disable()
+    try:
+        for cell in cells:
+            if cell.measurement.error_end is not None and (turn < 3 or cell.first < _SLOW):
+                cell.samples.append(_sample(cell.attempt.run, cell.first))
+    finally:
+        gc.enable()
+
+
+def _sample(run: Callable[[], object], expected: float) -> float:
+    """Mean of a few calls in a row [s], after one that warms the caches where runs are quick."""
+    count = max(1, min(20, round(_BATCH / expected)))
+    if count > 1:
+        run()
+    start = time.perf_counter()
+    for _ in range(count):
+        run()
+    return (time.perf_counter() - start) / count
+
+
+def _timed(cell: _Cell) -> Measurement:
+    if not cell.samples:
+        return cell.measurement
+    low, median, high = np.quantile(cell.samples, [0.25, 0.5, 0.75]).tolist()
+    return replace(cell.measurement, seconds=median, seconds_low=low, seconds_high=high, repeats=len(cell.samples))
+
+
+def _largest(rows: Vector) -> float | None:
+    return float(np.abs(rows).max()) if rows.size else None

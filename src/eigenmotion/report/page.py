@@ -1,0 +1,142 @@
+"""The HTML page: one file, which opens without a network."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+
+from jinja2 import Environment, StrictUndefined, Template
+from markupsafe import Markup
+
+from .curves import Picture
+from .examine import Findings
+from .machine import machine
+from .measure import Measurement
+from .recommend import LEVELS, Curve
+from .solvers import OURS
+from .words import number, recommendation, seconds, spread
+
+Row = tuple[str, ...]
+_YARDSTICK = (OURS, "eigenfactor", "dop853")
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Texts, row by row."""
+
+    head: Row
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """One model on the page: texts only. `pictures` are (title, text, SVG)."""
+
+    name: str
+    about: str
+    advice: tuple[str, ...]
+    pictures: tuple[tuple[str, str, Markup], ...]
+    reaching: Table
+    ratios: Table
+    costs: Table
+    builds: Table
+    left_out: tuple[tuple[str, tuple[str, ...]], ...]
+    absent: tuple[tuple[str, str], ...]
+    reference: str
+    measurements: Table
+
+
+def page(reports: Sequence[Findings], drawings: Sequence[Sequence[Picture]]) -> str:
+    """Render the page of all models; `drawings` are each one's pictures."""
+    sections = [_section(found, drawn) for found, drawn in zip(reports, drawings, strict=True)]
+    return _template().render(sections=sections, machine=tuple(machine().items()))
+
+
+@cache
+def _template() -> Template:
+    text = files(__package__).joinpath("page.html.jinja").read_text(encoding="utf-8")
+    settings = {"autoescape": True, "undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
+    return Environment(**settings).from_string(text)  # type: ignore[arg-type]
+
+
+def _section(found: Findings, drawn: Sequence[Picture]) -> Section:
+    system, reference = found.subject.systems[0], found.reference
+    return Section(
+        name=found.name,
+        about=f"{system.n} coordinates, {system.m} constraint rows ({system.h} holonomic), "
+        f"t = 0 ... {found.ask.t_end:g}, errors at {len(reference.t)} equidistant times",
+        advice=recommendation(found),
+        pictures=tuple((p.title, p.text, Markup(p.svg)) for p in drawn),  # noqa: S704, our own drawing
+        reaching=_reaching(found),
+        ratios=_ratios(found),
+        costs=_costs(found),
+        builds=_builds(found),
+        left_out=tuple((s.formulation, s.left_out or ("nothing",)) for s in found.subject.systems),
+        absent=found.absent,
+        reference=f"{reference.how} Estimate: {number(float(reference.errors[-1]))} at the end, "
+        f"{number(float(reference.errors.max()))} at the most.",
+        measurements=_measurements(found.measurements),
+    )
+
+
+def _reaching(found: Findings) -> Table:
+    rows = [(c.label, *(seconds(c.seconds_at(level)) for level in LEVELS)) for c in found.curves]
+    return Table(("solver", *(f"{level:.0e}" for level in LEVELS)), tuple(rows))
+
+
+def _ratios(found: Findings) -> Table:
+    """How many times longer than the paper's formulation each solver takes to the same error."""
+    yardstick = next((c for c in found.curves if (c.family, c.formulation, c.method) == _YARDSTICK), None)
+    head = ("solver", *(f"{level:.0e}" for level in LEVELS))
+    if yardstick is None:
+        return Table(head, ())
+    return Table(head, tuple((c.label, *(_ratio(c, yardstick, level) for level in LEVELS)) for c in found.curves))
+
+
+def _ratio(curve: Curve, yardstick: Curve, level: float) -> str:
+    own, other = curve.seconds_at(level), yardstick.seconds_at(level)
+    return "-" if own is None or other is None else f"{own / other:.3g}"
+
+
+def _costs(found: Findings) -> Table:
+    head = ("solver", "order seen", "a call", "a right-hand side more")
+    return Table(head, tuple((c.label, *_cost(c, found.floor)) for c in found.curves))
+
+
+def _cost(curve: Curve, floor: float) -> Row:
+    order, cost = curve.order(floor), curve.cost()
+    seen = "-" if order is None else f"{order:.1f}"
+    return (seen, "-", "-") if cost is None else (seen, seconds(max(cost[0], 0.0)), seconds(cost[1]))
+
+
+def _builds(found: Findings) -> Table:
+    derived = seconds(found.subject.derivation)
+    rows = [
+        (b.formulation, derived, seconds(b.generation), seconds(b.compilation), str(b.system.n_state))
+        if b.system
+        else (b.formulation, derived, "-", "-", f"refused: {b.refused.splitlines()[0]}")
+        for b in found.subject.built
+    ]
+    return Table(("formulation", "derivation", "generation (with it)", "compilation", "states"), tuple(rows))
+
+
+def _measurements(measurements: Sequence[Measurement]) -> Table:
+    head = (
+        "solver", "tolerance", "error at the end", "largest error", "of velocities", "run time", "quartiles", "repeats",
+        "right-hand sides", "ns each", "steps", "rejected", "|A v + b|", "|phi|", "energy (62)", "factor residual",
+        "remark",
+    )  # fmt: skip
+    return Table(head, tuple(map(_measurement, measurements)))
+
+
+def _measurement(m: Measurement) -> Row:
+    return (
+        m.label, number(m.tolerance), number(m.error_end), number(m.error_max), number(m.velocity_error_max),
+        seconds(m.seconds), spread(m), str(m.repeats), _count(m.nfev), number(m.ns_per_rhs), _count(m.nsteps),
+        _count(m.nrejected), number(m.constraint_violation), number(m.position_violation), number(m.energy_integral),
+        number(m.factor_residual), m.message,
+    )  # fmt: skip
+
+
+def _count(value: int | None) -> str:
+    return "-" if value is None else str(value)

@@ -1,0 +1,150 @@
+"""What users have today, on the same model: SciPy always, heyoka.py and CasADi where they are installed."""
+
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from ..names import Vector
+from .classical import Classical, double, explicit
+from .solvers import Attempt, Motion, Solver
+
+DECADES = tuple(float(10.0**-k) for k in range(3, 13))
+_SCIPY = ("DOP853", "LSODA", "Radau")
+_TAYLOR_TOLERANCES = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14)  # each is compiled anew: a second or two
+_FUNCTIONS = (
+    *("sin", "cos", "tan", "asin", "acos", "atan", "atan2"),
+    *("sinh", "cosh", "tanh", "sqrt", "exp", "log"),
+)
+_LARGEST = 8  # coordinates up to which the accelerations are written out for peers that compile expressions
+_CVODES = {"Adams": {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional"}, "BDF": {}}
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """Where the motion begins: y = (x, v) at t = 0; and ends."""
+
+    y: Vector
+    t_end: float
+
+
+@dataclass(frozen=True, slots=True)
+class Peers:
+    """The peers that can be measured, and why the others cannot: (name, reason)."""
+
+    solvers: tuple[Solver, ...]
+    absent: tuple[tuple[str, str], ...]
+
+
+def peers(equations: Classical, start: Start) -> Peers:
+    """Set up every peer."""
+    found: list[Solver] = _scipy(equations, start)
+    absent: list[tuple[str, str]] = []
+    for module, name, make in (("heyoka", "heyoka.py", _heyoka), ("casadi", "CasADi/CVODES", _casadi)):
+        reason = _obstacle(module, len(equations.x))
+        try:
+            found += [] if reason else make(equations, start)
+        except Exception as error:  # a peer that cannot take the model is a result, whatever it raises
+            reason = f"{type(error).__name__}: {error}".splitlines()[0]
+        if reason:
+            absent.append((name, reason))
+    return Peers(tuple(found), tuple(absent))
+
+
+def _obstacle(module: str, n: int) -> str:
+    if find_spec(module) is None:
+        return f"not installed (pip install {module})"
+    return f"left out above {_LARGEST} coordinates: the written-out accelerations grow as n^3" if n > _LARGEST else ""
+
+
+def _scipy(equations: Classical, start: Start) -> list[Solver]:
+    rhs = double(equations)
+
+    def attempt(method: str, tolerance: float) -> Attempt:
+        def run(t_eval: Vector | None = None) -> Any:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # LSODA repeats its message there
+                return solve_ivp(rhs, (0.0, start.t_end), start.y, method, t_eval, rtol=tolerance, atol=tolerance)
+
+        return Attempt(run, lambda times: _scipy_motion(run(times), run()))
+
+    def solver(method: str) -> Solver:
+        return Solver("SciPy", "classical", method, DECADES, lambda tolerance: attempt(method, tolerance))
+
+    return [solver(method) for method in _SCIPY]
+
+
+def _scipy_motion(at_rows: Any, at_steps: Any) -> Motion:
+    n = len(at_rows.y) // 2
+    message = "" if at_rows.success else str(at_rows.message)
+    return Motion(at_rows.y[:n].T, at_rows.y[n:].T, nfev=at_steps.nfev, nsteps=len(at_steps.t) - 1, message=message)
+
+
+def _heyoka(equations: Classical, start: Start) -> list[Solver]:
+    """Taylor's method on the accelerations written out by elimination."""
+    import heyoka  # noqa: PLC0415, an optional package
+
+    n = len(equations.x)
+    x, v = ([heyoka.expression(f"{letter}{k}") for k in range(n)] for letter in "xv")
+    a = explicit(equations, _functions(heyoka), x, v, heyoka.time)
+    # heyoka's equations are expressions, never bare numbers
+    system = list(zip([*x, *v], [e + heyoka.expression(0.0) for e in (*v, *a)], strict=True))
+
+    def attempt(tolerance: float) -> Attempt:
+        integrator = heyoka.taylor_adaptive(system, state=start.y.copy(), tol=tolerance)
+
+        def restart() -> None:
+            integrator.time = 0.0
+            integrator.state[:] = start.y
+
+        def run() -> Any:
+            restart()
+            return integrator.propagate_until(start.t_end)
+
+        def motion(times: Vector) -> Motion:
+            steps = run()[3]
+            restart()
+            outcome, *_, rows = integrator.propagate_grid(times)
+            finished = outcome == heyoka.taylor_outcome.time_limit
+            return Motion(rows[:, :n], rows[:, n:], nfev=None, nsteps=steps, message="" if finished else str(outcome))
+
+        return Attempt(run, motion)
+
+    return [Solver("heyoka.py", "written out", "Taylor", _TAYLOR_TOLERANCES, attempt)]
+
+
+def _casadi(equations: Classical, start: Start) -> list[Solver]:
+    """SUNDIALS' CVODES on the accelerations written out, with CasADi's exact Jacobian."""
+    import casadi  # noqa: PLC0415, an optional package
+
+    n = len(equations.x)
+    y, t = casadi.SX.sym("y", 2 * n), casadi.SX.sym("t")
+    a = explicit(equations, _functions(casadi), [y[k] for k in range(n)], [y[n + k] for k in range(n)], t)
+    problem = {"x": y, "t": t, "ode": casadi.vertcat(y[n:], *a)}
+
+    def attempt(method: str, tolerance: float) -> Attempt:
+        options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": 10**7, **_CVODES[method]}
+        to_end = casadi.integrator("to_end", "cvodes", problem, 0.0, [start.t_end], options)
+
+        def motion(times: Vector) -> Motion:
+            to_end(x0=start.y)
+            stats = to_end.stats()
+            rows = casadi.integrator("rows", "cvodes", problem, 0.0, times.tolist(), options)(x0=start.y)["xf"]
+            values = np.array(rows).T
+            return Motion(values[:, :n], values[:, n:], nfev=stats["nfevals"], nsteps=stats["nsteps"])
+
+        return Attempt(lambda: to_end(x0=start.y), motion)
+
+    def solver(method: str) -> Solver:
+        return Solver("CVODES", "written out", method, DECADES, lambda tolerance: attempt(method, tolerance))
+
+    return [solver(method) for method in _CVODES]
+
+
+def _functions(module: Any) -> dict[str, Callable[..., Any]]:
+    """SymPy's names of functions -> those of an algebra; what it lacks is missed when the model needs it."""
+    return {name: getattr(module, name) for name in _FUNCTIONS if hasattr(module, name)}

@@ -1,0 +1,80 @@
+"""Numbers and advice in words."""
+
+from .examine import Findings
+from .measure import Measurement
+from .solvers import OURS
+
+
+def number(value: float | None) -> str:
+    """Three digits, or a dash where there is none."""
+    return "-" if value is None else f"{value:.3g}"
+
+
+def seconds(value: float | None) -> str:
+    """A time with the unit that suits it."""
+    if value is None:
+        return "-"
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+        if value >= size:
+            return f"{value / size:.3g} {unit}"
+    return f"{value / 1e-9:.3g} ns"
+
+
+def spread(m: Measurement) -> str:
+    """The quartiles of a run time."""
+    return "-" if m.seconds_low is None else f"{seconds(m.seconds_low)} ... {seconds(m.seconds_high)}"
+
+
+def recommendation(found: Findings) -> tuple[str, ...]:
+    """Say what to use, what is as good, and how far peers are; sentence by sentence."""
+    advice = found.recommendation
+    if advice.chosen is None:
+        return (_not_reached(found), *_caution(found))
+    best = advice.chosen
+    return (
+        f"For an error of {advice.asked:g}, largest on the way, on this machine: formulation {best.formulation}, "
+        f"method {best.method}, rtol = atol = {best.tolerance:.1e}: error {number(best.error_max)} in "
+        f"{seconds(best.seconds)} ({spread(best)}).",
+        f'system = eigenmotion.build(model, formulation="{best.formulation}"); eigenmotion.simulate(system, '
+        f'(0, {found.ask.t_end:g}), method="{best.method}", rtol={best.tolerance:.1e}, atol={best.tolerance:.1e})',
+        *_as_fast(found),
+        *_others(found),
+        *_caution(found),
+    )
+
+
+def _not_reached(found: Findings) -> str:
+    closest = found.recommendation.closest
+    least = "nothing was measured" if closest is None else f"the least is {number(closest.error_max)}, {closest.label}"
+    return f"No run reaches an error of {found.recommendation.asked:g}: {least}. Ask for less, or for a shorter span."
+
+
+def _as_fast(found: Findings) -> tuple[str, ...]:
+    names = [f"{m.label} at {m.tolerance:.1e} ({seconds(m.seconds)})" for m in found.recommendation.as_fast]
+    return (f"As fast within the spread: {', '.join(names)}.",) if names else ()
+
+
+def _others(found: Findings) -> tuple[str, ...]:
+    """Say how much longer the others take to the same error, each family by its best."""
+    asked, chosen = found.recommendation.asked, found.recommendation.chosen
+    best: dict[str, float] = {}
+    for curve in found.curves:
+        name, needed = (curve.formulation if curve.family == OURS else curve.label), curve.seconds_at(asked)
+        if needed is not None and (chosen is None or name != chosen.formulation):
+            best[name] = min(needed, best.get(name, needed))
+    own = next((c for c in found.curves if chosen and c.label == chosen.label and c.family == OURS), None)
+    least = own.seconds_at(asked) if own else None
+    if not best or not least:
+        return ()
+    ranked = sorted(best.items(), key=lambda item: item[1])
+    return ("Times as long to that error: " + ", ".join(f"{name} {t / least:.2g}" for name, t in ranked) + ".",)
+
+
+def _caution(found: Findings) -> tuple[str, ...]:
+    own = float(found.reference.errors.max())
+    if own < 0.1 * found.recommendation.asked:
+        return ()
+    return (
+        f"Caution: the reference itself is only good to {number(own)}, as the motion magnifies small differences; "
+        "errors of that size cannot be told apart. Shorten the span with --t-end.",
+    )
