@@ -10,6 +10,7 @@ from .codegen.model import ModelError
 from .names import Vector, overlay
 from .options import least_norm_of
 from .runtime import CompiledModel, Prepared
+from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .signals import Signal, bind
 from .simulate import simulate
 from .solution import Solution
@@ -219,6 +220,27 @@ class System:
     def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
         return self._compiled.mass_matrix_gradient(t, self._x(x), self.prepare(parameters))
+
+    def eigenfactor_gradient(
+        self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None
+    ) -> EigenfactorGradient:
+        """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
+
+        Raises
+        ------
+        EvaluationError
+            Eigenvalues of one block coincide: C has no derivative there.
+        """
+        prepared, c = self.prepare(parameters), self._compiled
+        rows = np.asarray(x, dtype=np.float64).reshape(1, c.n)
+        (C,), (s,) = c.eigenfactor_rows(np.array([t]), rows, prepared)
+        return eigenfactor_gradient(c.mass_matrix_gradient(t, x, prepared), C, s, c.scales, self.blocks)
+
+    def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
+        """Return J = d eta / dx at fixed xdot, (n, n) (23)."""
+        gradient = self.eigenfactor_gradient(x, t, parameters)
+        eta = gradient.s * (gradient.C @ (np.asarray(v, dtype=float) / self._compiled.scales))
+        return eta_sensitivity(gradient, eta)
 
     def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
         """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
