@@ -68,7 +68,8 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
         inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
         events=tuple(EventView(name, event.direction, int(event.terminal)) for name, event in defaults.events),
-        blocks=blocks, block_of=_block_of(scene), scales=tuple(map(repr, scene.scales)),
+        blocks=blocks, block_of=_block_of(scene), carried=_carried(scene, eigen),
+        scales=tuple(map(repr, scene.scales)),
         delta_eigenfactors=bool(groups), row_groups=groups,
         n_C_delta=sum(group.size**2 for group in groups if group.size > 1),
         n_s_delta=sum(group.size for group in groups if group.size > 1),
@@ -134,6 +135,11 @@ def _view(scene: Scene, block: Block, eigen: bool, starts: tuple[int, int, int, 
         constrained=block.constrained, C=C, s=s, C_fixed=fixed, s_fixed=fixed + square, L_fixed=fixed + square + size,
         r_fixed=fixed + 2 * square + size, L_kept=kept, r_kept=kept + square,
     )  # fmt: skip
+
+
+def _carried(scene: Scene, eigen: bool) -> tuple[int, ...]:
+    turning = {k for block in scene.turning for k in block.coordinates} if eigen else set()
+    return tuple(int(k in turning) for k in range(scene.n))
 
 
 def _row_groups(scene: Scene, choices: Choices, first: int) -> tuple[tuple[RowGroup, ...], int]:

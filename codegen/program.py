@@ -150,6 +150,7 @@ class Program:
     events: tuple[EventView, ...]
     blocks: tuple[BlockView, ...]
     block_of: tuple[int, ...]
+    carried: tuple[int, ...]
     scales: tuple[str, ...]
     layout: tuple[Slice, ...]
     left_out: tuple[str, ...]

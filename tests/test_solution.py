@@ -18,7 +18,7 @@ from eigenmotion.runtime import StopReason
 from eigenmotion.signals import Signal
 from eigenmotion.simulate import simulate
 from eigenmotion.solution import Solution
-from eigenmotion.trajectory import _carriers, _filled
+from eigenmotion.trajectory import _filled
 
 from .hand_written import bead
 
@@ -311,14 +311,10 @@ def test_tolerance_of_a_coordinate_counts():
 
 
 def test_carried_factors_are_put_into_their_blocks():
-    """Three blocks {0, 2}, {1}, {3, 4}; the state carries either pair."""
-    block = (0, 1, 0, 2, 2)
-    choices = _carriers(block, 4, 2)
-    assert choices == [[[0, 2]], [[3, 4]]]
-    assert _carriers(block, 8, 4) == [[[0, 2], [3, 4]]]
+    """Three blocks {0, 2}, {1}, {3, 4}; the state carries the last."""
     found = np.tile(np.eye(5), (3, 1, 1)), np.ones((3, 5))
     carried, roots = np.arange(12.0).reshape(3, 4), np.arange(6.0).reshape(3, 2) + 7
-    C, s = _filled(found, carried, roots, choices[1])
+    C, s = _filled(found, carried, roots, [[3, 4]])
     np.testing.assert_array_equal(C[1, 3:, 3:], [[4, 5], [6, 7]])
     np.testing.assert_array_equal(C[1, :3, :3], np.eye(3))
     np.testing.assert_array_equal(s[1], [1, 1, 1, 9, 10])

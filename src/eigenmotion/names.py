@@ -49,10 +49,12 @@ def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], d
         An unknown name, a wrong shape, or something that is not a finite number; names it.
     """
     values = defaults.copy()
+    if given is None:
+        return values
     if isinstance(given, Mapping):
         for name, value in by_name(given, names, what).items():
             values[list(names).index(name)] = _number(value, what, name)
-    elif given is not None:
+    else:
         values = _array(given, what)
     if values.shape != (len(names),):
         raise ModelError(f"{what}: an array of shape {values.shape}, but {len(names)} are needed: {', '.join(names)}")

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -72,7 +73,7 @@ def span(t_span: tuple[float, float]) -> tuple[float, float]:
         start, end = (float(t) for t in t_span)
     except (TypeError, ValueError) as error:
         raise ModelError(f"t_span is {t_span!r}, not a pair of numbers (start, end)") from error
-    if not (np.isfinite(start) and np.isfinite(end)):
+    if not (isfinite(start) and isfinite(end)):
         raise ModelError(f"t_span ({start}, {end}) is not finite")
     if start == end:
         raise ModelError(f"t_span ({start}, {end}) is empty: give an end that differs from the start")
@@ -101,18 +102,26 @@ def tolerances(
     model: CompiledModel, rtol: float, atol: float | Mapping[Any, float] | ArrayLike
 ) -> tuple[float, Vector]:
     """Return rtol and atol (n,); coordinates missing from a mapping get 1e-9."""
-    given = atol if isinstance(atol, Mapping) or np.ndim(atol) else np.full(model.n, _number(atol, "atol"))
-    absolute = overlay(given, model.coordinates, np.full(model.n, DEFAULT_ATOL), "coordinate of atol")
+    absolute = _absolute(model, atol)
     relative = _number(rtol, "rtol")
     if not (0 <= relative < 1):
         raise ModelError(f"rtol is {relative}, but must be at least 0 and less than 1")
-    if (absolute < 0).any():
-        name = model.coordinates[int(np.argmin(absolute))]
-        raise ModelError(f"atol of {name!r} is {absolute.min()}, but must not be negative")
-    if relative == 0 and (absolute == 0).any():
-        name = model.coordinates[int(np.argmin(absolute))]
+    least = float(absolute.min())
+    name = model.coordinates[int(absolute.argmin())]
+    if least < 0:
+        raise ModelError(f"atol of {name!r} is {least}, but must not be negative")
+    if relative == least == 0:
         raise ModelError(f"rtol and the atol of {name!r} are both 0: no step can be that accurate")
     return relative, absolute
+
+
+def _absolute(model: CompiledModel, atol: float | Mapping[Any, float] | ArrayLike) -> Vector:
+    if isinstance(atol, Mapping) or np.ndim(atol):
+        return overlay(atol, model.coordinates, np.full(model.n, DEFAULT_ATOL), "coordinate of atol")
+    value = _number(atol, "atol")
+    if not isfinite(value):
+        raise ModelError(f"atol is {value}, not a finite number")
+    return np.full(model.n, value)
 
 
 def step_limits(first_step: float | None, max_step: float, max_steps: int, length: float) -> tuple[float, float, int]:

@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .codegen.model import ModelError
+from .error_estimate import with_error_estimate
 from .names import unknown
 from .options import OptionError, Task, choice, least_norm_of, rows_at, span, step_limits, tolerances
-from .runtime import EvaluationError, Run, StopReason
+from .runtime import CompiledModel, EvaluationError, Run, StopReason
 from .signals import bind
 from .solution import DenseOutput, Solution
 from .start import Start
@@ -23,7 +24,7 @@ _COMPILED = {"rk34": 0, "dopri5": 1, "dop853": 2}  # em_method
 _METHODS = {name: name for name in (*_COMPILED, *METHODS)}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
-    *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints"),
+    *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
 )
 
 
@@ -45,6 +46,7 @@ def simulate(
     max_steps: int = 1_000_000,
     stabilisation: str = "project",
     dependent_constraints: str = "refuse",
+    estimate_error: "bool | System" = False,
     **misspelt: Any,
 ) -> Solution:
     """Integrate the motion from t_span[0] to t_span[1], forwards or backwards.
@@ -79,6 +81,10 @@ def simulate(
         "project": constraints and eigenfactors are restored after every step. "none": the paper.
     dependent_constraints
         "refuse", or "least_norm": dependent but consistent rows share the multipliers of least norm.
+    estimate_error
+        True: run again at a hundredth of the tolerances; the solution's `error_estimate` is the difference and
+        `error_cost` what that took, about twice the time of the run. A System, the same model in another formulation:
+        let that one do the second run, so that what a formulation got wrong shows too.
 
     Returns
     -------
@@ -114,14 +120,28 @@ def simulate(
         project=choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
         least_norm=least_norm_of(dependent_constraints),
     )
-    if chosen in _COMPILED:
-        return _simulate_compiled(task, _COMPILED[chosen])
-    if system.events:
+    if estimate_error is False:
+        return _run(task, chosen)
+    checker = None if estimate_error is True else _checker(estimate_error)
+    return with_error_estimate(task, chosen, checker, chosen in _COMPILED, _run)
+
+
+def _checker(given: Any) -> "System":
+    if not isinstance(getattr(given, "compiled", None), CompiledModel):
+        raise OptionError(f"estimate_error is {given!r}; give True, False, or a System in another formulation")
+    checker: System = given
+    return checker
+
+
+def _run(task: Task, method: str) -> Solution:
+    if method in _COMPILED:
+        return _simulate_compiled(task, _COMPILED[method])
+    if task.model.events:
         raise ModelError(
-            f"{system.name}: {method} does not locate events ({', '.join(system.events)}); "
+            f"{task.model.name}: {method} does not locate events ({', '.join(task.model.events)}); "
             f"use one of {', '.join(_COMPILED)}, or a model without events"
         )
-    return simulate_stiff(task, chosen)
+    return simulate_stiff(task, method)
 
 
 def _prepared(system: "System", parameters: Any) -> Any:

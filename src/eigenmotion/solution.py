@@ -71,6 +71,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     t_events, y_events : for each event of the model (e,) and (e, n_state); None where the model has none
     nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (SciPy's stiff methods)
     nsteps, nrejected, n_bounded : steps accepted; rejected; accepted that did not run the published equations
+    error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
     stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; what to do
 
     Computed when asked for, and found by `in` and `keys()`:
@@ -90,7 +91,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     _rows: Trajectory | None
 
     def __init__(self, rows: Trajectory | None, /, **fields: Any) -> None:
-        super().__init__(**fields)
+        super().__init__(**{"error_estimate": None, "error_cost": None, **fields})
         object.__setattr__(self, "_rows", rows)
 
     def __missing__(self, name: str) -> Any:

@@ -1,6 +1,8 @@
 """Whether a mechanism can start where it is told to."""
 
 from dataclasses import dataclass
+from math import sqrt
+from operator import mul
 
 import numpy as np
 
@@ -56,12 +58,16 @@ class Start:
             )
 
     def _check_position(self, tolerance: float) -> None:
+        if self.model.h == 0:
+            return
         phi = self.model.position(self.t, self.x, self.prepared)
         A = self.model.pfaffian(self.t, self.x, self.prepared)[0][: self.model.h]
         reach = np.abs(A) @ np.maximum(np.abs(self.x), 1.0)  # phi of coordinates that are off by one, at the least
         self._refuse("x0 is off holonomic constraint", phi, tolerance * reach)
 
     def _check_velocity(self, tolerance: float) -> None:
+        if self.model.m == 0:
+            return
         A, b = self.model.pfaffian(self.t, self.x, self.prepared)
         terms = np.abs(A) @ np.abs(self.v) + np.abs(b)
         self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, tolerance * terms)
@@ -83,10 +89,16 @@ class Start:
 
 def _first_bad_pivot(M: Vector) -> int | None:
     """Return the first k at which the pivot M_kk - M_k: M_::^-1 M_:k is not above rounding."""
-    for k in range(len(M)):
-        column = np.linalg.solve(M[:k, :k], M[:k, k])
-        if not M[k, k] - M[k, :k] @ column > 1e-13 * abs(M[k, k]):
+    rows = M.tolist()
+    L: list[list[float]] = []  # lower triangular, M = L L^T; plain numbers: quicker than arrays of this size
+    for k, row in enumerate(rows):
+        line: list[float] = []
+        for j in range(k):
+            line.append((row[j] - sum(map(mul, L[j], line))) / L[j][j])
+        pivot = row[k] - sum(map(mul, line, line))
+        if not pivot > 1e-13 * abs(row[k]):
             return k
+        L.append([*line, sqrt(pivot)])
     return None
 
 

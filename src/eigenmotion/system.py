@@ -221,6 +221,24 @@ class System:
         """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
         return self._compiled.mass_matrix_gradient(t, self._x(x), self.prepare(parameters))
 
+    def jacobian(
+        self,
+        t: float,
+        y: ArrayLike,
+        parameters: Parameters = None,
+        inputs: Mapping[Any, Any] | ArrayLike | None = None,
+    ) -> Vector:
+        """Return d rhs / d y, (n_state, n_state), row i the derivatives of dy_i: `jac` of SciPy's implicit methods.
+
+        By central differences of fourth order in compiled code, 4 n_state right-hand sides: about ten digits.
+
+        Raises
+        ------
+        EvaluationError
+            As `rhs`.
+        """
+        return self._compiled.jacobian(t, np.asarray(y, dtype=float), self.prepare(parameters), self._signals(inputs, t))
+
     def eigenfactor_gradient(
         self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None
     ) -> EigenfactorGradient:

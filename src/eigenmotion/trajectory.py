@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations
 
 import numpy as np
 
@@ -60,13 +59,7 @@ class Trajectory:
         parts = {name: self.rows[:, start : start + length] for name, start, length in self.model.layout}
         if "s" not in parts:
             return found
-        C, s = parts.get("C", self.rows[:, :0]), parts["s"]
-        choices = [_filled(found, C, s, blocks) for blocks in _carriers(self.model.block, C.shape[1], s.shape[1])]
-        return choices[0] if len(choices) == 1 else min(choices, key=self._misfit)
-
-    def _misfit(self, factors: tuple[Vector, Vector]) -> float:
-        """Return how badly factors fit M(x): tells blocks of one size apart, as the layout of y does not name them."""
-        return float(np.nansum(self.model.factor_rows(self.t, self.x, *factors, self.prepared)))
+        return _filled(found, parts["C"], parts["s"], _carried_blocks(self.model))
 
     @cached_property
     def factor_residual(self) -> Vector:
@@ -104,11 +97,10 @@ class Trajectory:
         return {name: columns[:, k] for k, name in enumerate(self.model.outputs)}
 
 
-def _carriers(block: tuple[int, ...], n_C: int, n_s: int) -> list[list[list[int]]]:
-    """Return the sets of blocks of M whose C and s can be the n_C and n_s numbers that a state carries."""
-    blocks = [[k for k, b in enumerate(block) if b == which] for which in sorted(set(block))]
-    choices = (list(c) for count in range(len(blocks) + 1) for c in combinations(blocks, count))
-    return [c for c in choices if sum(len(b) ** 2 for b in c) == n_C and sum(map(len, c)) == n_s]
+def _carried_blocks(model: CompiledModel) -> list[list[int]]:
+    """Return the coordinates of each block of M whose C and s the state carries."""
+    numbers = sorted({model.block[k] for k in model.carried})
+    return [[k for k, number in enumerate(model.block) if number == which] for which in numbers]
 
 
 def _filled(found: tuple[Vector, Vector], C: Vector, s: Vector, blocks: list[list[int]]) -> tuple[Vector, Vector]:

@@ -164,12 +164,35 @@ static int output(double t, const double *x, const double *v, const double *c, c
     return 0;
 }
 
+/* The derivatives of (v, a) by hand, with lambda = (x . f + m |v|^2) / |x|^2 and m a = f - x lambda. */
+static int motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
+                           em_fault *fault) {
+    const double force[2] = {u[0], -c[MASS] * c[GRAVITY]}, square = z[0] * z[0] + z[1] * z[1];
+    double a[2], lambda;
+    (void)t;
+    memset(J, 0, 16 * sizeof *J);
+    if (motion(z, z + 2, c, u, least_norm, a, &lambda, fault)) return -1;
+    for (int k = 0; k < 2; ++k) {
+        const double by_x = (force[k] - 2.0 * z[k] * lambda) / square, by_v = 2.0 * c[MASS] * z[2 + k] / square;
+        J[k * 4 + 2 + k] = 1.0;
+        for (int i = 0; i < 2; ++i) {
+            J[(2 + i) * 4 + k] = -(z[i] * by_x + (i == k) * lambda) / c[MASS];
+            J[(2 + i) * 4 + 2 + k] = -z[i] * by_v / c[MASS];
+        }
+    }
+    return 0;
+}
+
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault) {
+    return motion_jacobian(t, y, c, u, 0, J, fault);
+}
+
 static const char *const names[] = {"x", "y"}, *const parameters[] = {"m", "g", "l"}, *const inputs[] = {"push"},
                          *const outputs[] = {"tension", "push_seen"}, *const events[] = {"lowest", "level"},
                          *const left_out[] = {"dM/dx: M is constant"};
 static const double defaults[] = {2.0, 9.81, 1.5}, rest[] = {0.0}, initial_x[] = {1.5, 0.0}, initial_v[] = {0.0, 0.0},
                     scales[] = {1.0, 1.0};
-static const int block[] = {0, 1}, direction[] = {0, 1}, terminal[] = {0, 1};
+static const int block[] = {0, 1}, carried[] = {0, 0}, direction[] = {0, 1}, terminal[] = {0, 1};
 static const em_slice layout[] = {{"x", 0, 2}, {"v", 2, 2}};
 
 extern const em_model bead_model;
@@ -181,7 +204,8 @@ const em_model bead_model = {
     .input_defaults = rest, .initial_x = initial_x, .initial_v = initial_v, .outputs = outputs, .events = events,
     .event_direction = direction, .event_terminal = terminal, .layout = layout, .left_out = left_out, .block = block,
     .scales = scales, .conserves_energy = 1, .prepare = prepare, .state = state, .velocity = velocity, .rhs = rhs,
-    .mass_matrix = mass_matrix, .mass_matrix_gradient = mass_matrix_gradient, .pfaffian = pfaffian,
+    .carried = carried, .mass_matrix = mass_matrix, .mass_matrix_gradient = mass_matrix_gradient, .pfaffian = pfaffian,
     .position = position, .acceleration = acceleration, .project = project_state, .energy = energy,
     .eigenfactors = eigenfactors, .output = output, .simulate = em_simulate, .interpolate = em_interpolate,
-    .release = em_release};
+    .jacobian = jacobian,
+    .motion_jacobian = motion_jacobian, .release = em_release};

@@ -106,6 +106,7 @@ cdef extern from "eigenmotion.h" nogil:
         const char *const *left_out
         const int *block
         const double *scales
+        const int *carried
         int conserves_energy
         int (*prepare)(const double *, double *, em_fault *) noexcept nogil
         int (*state)(double, const double *, const double *, const double *, double *, em_fault *) noexcept nogil
@@ -122,6 +123,9 @@ cdef extern from "eigenmotion.h" nogil:
         int (*eigenfactors)(double, const double *, const double *, double *, double *, em_fault *) noexcept nogil
         int (*output)(double, const double *, const double *, const double *, const double *, int,
                       double *, em_fault *) noexcept nogil
+        int (*jacobian)(double, const double *, const double *, const double *, double *, em_fault *) noexcept nogil
+        int (*motion_jacobian)(double, const double *, const double *, const double *, int, double *,
+                               em_fault *) noexcept nogil
         int (*simulate)(em_run *) noexcept nogil
         int (*interpolate)(const em_run *, size_t, double, double *) noexcept nogil
         void (*release)(em_run *) noexcept nogil

@@ -83,7 +83,7 @@ cdef class CompiledModel:
     cdef const em_model *model
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events
-    cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block
+    cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, scales
     cdef readonly bint conserves_energy
 
@@ -109,6 +109,7 @@ cdef class CompiledModel:
         self.layout = tuple([(c.layout[k].name.decode("utf-8"), c.layout[k].start, c.layout[k].length)
                              for k in range(c.n_layout)])
         self.block = tuple([c.block[k] for k in range(c.n)])
+        self.carried = tuple([k for k in range(c.n) if c.carried[k]])
 
     cdef read_defaults(self):
         cdef const em_model *c = self.model
@@ -232,6 +233,53 @@ cdef class CompiledModel:
         if self.model.project(t, &q[0], &w[0], c.c, least_norm, &fault) != 0:
             raise self.failure(&fault)
         return position, velocity
+
+    def jacobian(self, double t, y, Prepared c not None, u):
+        """(n_state, n_state): d rhs / d y."""
+        cdef em_fault fault
+        cdef const double[::1] q = shaped(y, (self.n_state,), "y"), s = shaped(u, (self.n_inputs,), "inputs")
+        out = np.zeros((self.n_state, self.n_state))
+        cdef double[:, ::1] J = out
+        if self.model.jacobian(t, &q[0], c.c, &s[0], &J[0, 0], &fault) != 0:
+            raise self.failure(&fault)
+        return out
+
+    def motion_rate(self, double t, z, Prepared c not None, u, bint least_norm):
+        """(v, xddot) (2 n) at z = (x, v)."""
+        cdef em_fault fault
+        cdef const double[::1] q = shaped(z, (2 * self.n,), "z"), s = shaped(u, (self.n_inputs,), "inputs")
+        out, multipliers = np.zeros(2 * self.n), np.zeros(self.m + 1)
+        cdef double[::1] rate = out, L = multipliers
+        memcpy(&rate[0], &q[self.n], self.n * sizeof(double))
+        if self.model.acceleration(t, &q[0], &q[self.n], c.c, &s[0], least_norm, &rate[self.n], &L[0], &fault) != 0:
+            raise self.failure(&fault)
+        return out
+
+    def motion_jacobian(self, double t, z, Prepared c not None, u, bint least_norm):
+        """(2 n, 2 n): d (v, xddot) / d (x, v)."""
+        cdef em_fault fault
+        cdef const double[::1] q = shaped(z, (2 * self.n,), "z"), s = shaped(u, (self.n_inputs,), "inputs")
+        out = np.zeros((2 * self.n, 2 * self.n))
+        cdef double[:, ::1] J = out
+        if self.model.motion_jacobian(t, &q[0], c.c, &s[0], least_norm, &J[0, 0], &fault) != 0:
+            raise self.failure(&fault)
+        return out
+
+    def state_rows(self, t, x, v, Prepared c not None):
+        """y (k, n_state), published meaning, eigenfactors continuous from row to row."""
+        cdef em_fault fault
+        cdef const double[::1] T = t
+        cdef const double[:, ::1] q = x, w = v
+        cdef Py_ssize_t i, count = T.shape[0]
+        out = np.zeros((count, self.n_state))
+        cdef double[:, ::1] y = out
+        with nogil:
+            for i in range(count):
+                if i > 0:
+                    memcpy(&y[i, 0], &y[i - 1, 0], self.n_state * sizeof(double))
+                if self.model.state(T[i], &q[i, 0], &w[i, 0], c.c, &y[i, 0], &fault) != 0:
+                    blank(&y[i, 0], self.n_state)
+        return out
 
     def velocity_rows(self, t, y, Prepared c not None):
         """v (k, n)."""

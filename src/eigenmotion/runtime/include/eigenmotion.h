@@ -124,9 +124,11 @@ typedef struct em_model {
     const char *const *left_out;         /* (n_left_out) what this scene does not need, and why */
     const int *block;                    /* (n) the block of M each coordinate belongs to, 0, 1, ... */
     const double *scales;                /* (n) units of the eigenproblem */
+    const int *carried;                  /* (n) 1 where the state holds C and s of the coordinate's block */
     int conserves_energy;                /* 1: T2 - T0 + V is a constant of the motion */
 
     int (*prepare)(const double *parameters, double *c, em_fault *fault);
+    /* y: in, a neighbour's state for its eigenfactors to stay continuous with (0: none); out, the state. */
     int (*state)(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault);
     int (*velocity)(double t, const double *y, const double *c, double *v, em_fault *fault);
     int (*rhs)(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault);
@@ -142,6 +144,10 @@ typedef struct em_model {
     int (*eigenfactors)(double t, const double *x, const double *c, double *C, double *s, em_fault *fault);
     int (*output)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                   double *out, em_fault *fault);                                           /* (n_outputs) */
+    /* J (n_state, n_state) of rhs; J (2 n, 2 n) of (x, v) -> (v, xddot): by differences of fourth order. */
+    int (*jacobian)(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault);
+    int (*motion_jacobian)(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
+                           em_fault *fault);
     int (*simulate)(em_run *run);                                             /* the status */
     int (*interpolate)(const em_run *run, size_t step, double t, double *y);  /* y published, projected */
     void (*release)(em_run *run);

@@ -1,0 +1,90 @@
+"""Implicit methods and their Jacobians."""
+
+import importlib.util
+
+import numpy as np
+import pytest
+from sympy import Rational, cos, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+
+from .models_table import BY_NAME
+
+HAS_SUNDIALS = importlib.util.find_spec("sksundae") is not None
+METHODS = ("Radau", "BDF", "LSODA") + ("cvode",) * HAS_SUNDIALS
+
+
+def complex_like_differences(fun, y):
+    """Return the Jacobian by Richardson-extrapolated central differences, in steps of their own choice."""
+    columns = []
+    for k in range(len(y)):
+        h = 2e-3 * max(1.0, abs(y[k]))
+        table = []
+        for level in range(4):
+            e = np.zeros(len(y))
+            e[k] = h / 2**level
+            table.append((fun(y + e) - fun(y - e)) / (2 * e[k]))
+        for order in (4, 16, 64):
+            table = [(order * b - a) / (order - 1) for a, b in zip(table, table[1:], strict=False)]
+        columns.append(table[0])
+    return np.array(columns).T
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky", "lagrange"])
+@pytest.mark.parametrize("name", ["dual_link", "four_bar", "double_pendulum"])
+def test_jacobian(name, formulation):
+    system = em.build(BY_NAME[name].model(), formulation=formulation)
+    sol = system.simulate((0.0, 0.3), rtol=1e-8)
+    y = sol.y[:, -1]
+    expected = complex_like_differences(lambda z: system.rhs(0.3, z), y)
+    np.testing.assert_allclose(system.jacobian(0.3, y), expected, atol=1e-8 * abs(expected).max())
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
+def test_agrees_with_explicit_run(method, formulation):
+    system = em.build(BY_NAME["dual_link"].model(), formulation=formulation)
+    t = np.linspace(0.0, 2.0, 7)
+    truth = system.simulate((0.0, 2.0), rtol=1e-12, atol=1e-12, t_eval=t)
+    sol = system.simulate((0.0, 2.0), rtol=1e-7, atol=1e-9, t_eval=t, method=method, dense_output=True)
+    assert sol.success
+    np.testing.assert_allclose(sol.x, truth.x, atol=3e-5)
+    np.testing.assert_allclose(sol.sol(t)[: system.n], sol.x, atol=1e-12)
+    assert abs(sol.constraint_residual).max() < 1e-13
+    assert sol.factor_residual.max() < 1e-13
+    assert np.abs(np.einsum("ijt,ijt->it", sol.C[..., 1:], sol.C[..., :-1])).min() > 0.3
+
+
+def damped_link():
+    """A pendulum on a spring of stiffness 1e10 with damping 1e6 along it."""
+    theta, r = dynamicsymbols("theta r")
+    m, k, d, g, L = symbols("m k d g L", positive=True)
+    return em.Model(
+        name="damped_link",
+        coordinates=[theta, r],
+        kinetic_energy=Rational(1, 2) * m * (r.diff() ** 2 + r**2 * theta.diff() ** 2),
+        potential_energy=Rational(1, 2) * k * (r - L) ** 2 - m * g * r * cos(theta),
+        forces={r: -d * r.diff()},
+        parameters={m: 1.0, k: 1e10, d: 1e6, g: 9.81, L: 1.0},
+        initial={theta: 1.0, r: 1.0},
+    )
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_heavily_damped_link(method):
+    """Two periods to 1e-6 in fewer than 2000 steps; the rigid pendulum is 1e-9 away."""
+    system = em.build(damped_link())
+    sol = system.simulate((0.0, 4.0), method=method, rtol=1e-8, atol=1e-10)
+    rigid = em.build(BY_NAME["pendulum"].model())
+    truth = rigid.simulate((0.0, 4.0), x0=[1.0], v0=[0.0], rtol=1e-12, atol=1e-12)
+    assert sol.success
+    assert sol.nsteps < 2000
+    assert abs(sol.x[0, -1] - truth.x[0, -1]) < 1e-6
+
+
+def test_backward_and_inputs_leave_no_trace():
+    system = em.build(BY_NAME["double_pendulum"].model())
+    there = system.simulate((0.0, 1.0), method="Radau", rtol=1e-9, atol=1e-9)
+    back = system.simulate((1.0, 0.0), x0=there.x[:, -1], v0=there.v[:, -1], method="Radau", rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(back.x[:, -1], system.initial[0], atol=1e-6)
