@@ -12,6 +12,7 @@ TYPES  := build/types/eigenmotion
 
 demo: $(READY)
 	$(BIN)/eigenmotion build models/dual_link.py -o build/demo
+	$(BIN)/python -m eigenmotion.paper build/demo 2 3
 	$(BIN)/eigenmotion run models/dual_link.py --t-end 10 --rtol 1e-9 --plot build/demo/dual_link.png
 
 # PYTEST_ARGS="-k name" runs a part

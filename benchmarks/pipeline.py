@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import resource
 import subprocess
 import sys
 import tempfile
@@ -27,7 +28,8 @@ from eigenmotion.cache import LOCATION
 from eigenmotion.toolchain import Toolchain, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
-CASES = (("dual_link", {}), ("chain", {"n": 10}), ("chain", {"n": 20}))
+CASES = (("dual_link", {}, 3), ("chain", {"n": 10}, 1), ("chain", {"n": 20}, 1))
+"""File, arguments, repeats."""
 GENERATOR = ("derive", "specialise", "lower", "emit")
 COMPILER = {"compile_model": "C compiler", "compile_glue": "C of the wrapper", "link": "link"}
 REPEATS = 3
@@ -35,6 +37,8 @@ REPEATS = 3
 build_module = importlib.import_module("eigenmotion.build")
 
 Seconds = dict[str, float]
+Spent = tuple[float, float]
+"""Seconds elapsed, and those in which a processor worked for it: these do not grow where others use the machine too."""
 
 
 def timed(name: str, action: Callable[..., Any], seconds: Seconds) -> Callable[..., Any]:
@@ -66,12 +70,14 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
     return seconds
 
 
-def command(*words: str, cache: str) -> float:
-    """Return the seconds of `eigenmotion WORDS` in a process of its own."""
+def command(*words: str, cache: str) -> Spent:
+    """Return what `eigenmotion WORDS` takes in a process of its own, the compilers it starts included."""
     environment = os.environ | {LOCATION: cache}
-    start = time.perf_counter()
+    start, before = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
     subprocess.run([sys.executable, "-m", "eigenmotion", *words], env=environment, check=True, capture_output=True)
-    return time.perf_counter() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    busy = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    return time.perf_counter() - start, busy
 
 
 def warm_build(cache: str) -> float:
@@ -85,11 +91,12 @@ def warm_build(cache: str) -> float:
     return float(done.stdout)
 
 
-def middle(action: Callable[[], float]) -> float:
-    return median(action() for _ in range(REPEATS))
+def middle(action: Callable[[], Spent], repeats: int = REPEATS) -> str:
+    elapsed, busy = zip(*(action() for _ in range(repeats)), strict=True)
+    return f"{median(elapsed):5.2f} s elapsed, {median(busy):5.2f} s of processor"
 
 
-def in_fresh_cache(*words: str) -> float:
+def in_fresh_cache(*words: str) -> Spent:
     with tempfile.TemporaryDirectory() as cache:
         return command(*words, "-o", f"{cache}/out", cache=cache)
 
@@ -102,23 +109,24 @@ def operations(n: int) -> str:
 
 
 def commands() -> None:
-    """Print the seconds of commands in processes of their own."""
+    """Print what commands take in processes of their own."""
     model, chain = str(MODELS / "dual_link.py"), str(MODELS / "chain.py")
     print("commands, in processes of their own")
-    print(f"  build dual_link, empty cache        {middle(lambda: in_fresh_cache('build', model)):.2f}")
+    print(f"  build dual_link, empty cache      {middle(partial(in_fresh_cache, 'build', model))}")
     for n in (10, 20):
         words = ("generate", chain, "-D", f"n={n}")
-        print(f"  generate chain n={n}, empty cache    {middle(partial(in_fresh_cache, *words)):.2f}")
+        print(f"  generate chain n={n}, empty cache  {middle(partial(in_fresh_cache, *words), 1)}")
     with tempfile.TemporaryDirectory() as cache:
+        print(f"  --help                            {middle(lambda: command('--help', cache=cache))}")
         command("build", model, "-o", f"{cache}/out", cache=cache)
-        print(f"  em.build dual_link, warm cache      {middle(lambda: warm_build(cache)):.3f}")
-        print(f"  --help                              {middle(lambda: command('--help', cache=cache)):.2f}")
+        warm = median(warm_build(cache) for _ in range(REPEATS))
+        print(f"  em.build dual_link, warm cache    {warm:5.2f} s after imports")
 
 
 def main() -> None:
     toolchain().identity  # noqa: B018, asked for once a process
-    for file, definitions in CASES:
-        found = [stages(file, definitions) for _ in range(REPEATS)]
+    for file, definitions, repeats in CASES:
+        found = [stages(file, definitions) for _ in range(repeats)]
         title = " ".join([file, *(f"{name}={value}" for name, value in definitions.items())])
         print(f"{title}: {median(one['all'] for one in found):.2f} s in all")
         for name in found[0]:

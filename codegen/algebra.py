@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from functools import cache
 
 from .graph import Graph, Node
@@ -26,15 +25,15 @@ def inverse(graph: Graph, M: Sequence[Sequence[Node]]) -> tuple[list[list[Node]]
         terms = []
         for place, column in enumerate(columns):
             rest = columns[:place] + columns[place + 1 :]
-            terms.append((graph.mul(M[rows[0]][column], minor(rows[1:], rest)), Fraction((-1) ** place)))
+            terms.append((graph.mul(M[rows[0]][column], minor(rows[1:], rest)), (-1) ** place))
         return graph.sum(terms)
 
     every = tuple(range(n))
     determinant = minor(every, every)
-    over = graph.power(determinant, Fraction(-1))
+    over = graph.power(determinant, -1)
     result = [[graph.zero] * n for _ in range(n)]
     for i in every:
         for j in every[: i + 1]:
             cofactor = minor(every[:i] + every[i + 1 :], every[:j] + every[j + 1 :])
-            result[i][j] = result[j][i] = graph.scale(graph.mul(cofactor, over), Fraction((-1) ** (i + j)))
+            result[i][j] = result[j][i] = graph.scale(graph.mul(cofactor, over), (-1) ** (i + j))
     return result, determinant

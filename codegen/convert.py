@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -11,7 +10,7 @@ from sympy.core.relational import Relational
 from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
 from sympy.logic.boolalg import ITE, And, BooleanFalse, BooleanTrue, Not, Or
 
-from .graph import Graph, Kind, Node, Number
+from .graph import Graph, Kind, Node, Number, exact
 from .model import ModelError
 
 FUNCTIONS: Mapping[type[sympy.Basic], str] = {
@@ -75,10 +74,11 @@ class FromSympy:
         if isinstance(expression, Piecewise):
             return self._piecewise(expression.args)
         if isinstance(expression, BooleanTrue | BooleanFalse):
-            return graph.number(Fraction(int(bool(expression))))
+            return graph.number(int(bool(expression)))
         if isinstance(expression, ITE):
             condition, yes, no = expression.args
-            return self(Or(And(condition, yes, evaluate=False), And(Not(condition), no, evaluate=False), evaluate=False))
+            ways = And(condition, yes, evaluate=False), And(Not(condition), no, evaluate=False)
+            return self(Or(*ways, evaluate=False))
         name = {**FUNCTIONS, **RELATIONS}.get(type(expression))
         if name is None:
             raise ModelError(
@@ -124,7 +124,7 @@ class FromSympy:
 
 def _number(expression: sympy.Basic) -> Number:
     if isinstance(expression, sympy.Rational):
-        return Fraction(int(expression.p), int(expression.q))
+        return exact(int(expression.p), int(expression.q))
     return float(expression)
 
 
@@ -157,7 +157,8 @@ class ToSympy:
 
     def _call(self, name: str, operands: list[sympy.Expr]) -> sympy.Expr:
         if name == "select":
-            condition = operands[0] if isinstance(operands[0], Relational | And | Or | Not) else sympy.Ne(operands[0], 0)
+            is_condition = isinstance(operands[0], Relational | And | Or | Not)
+            condition = operands[0] if is_condition else sympy.Ne(operands[0], 0)
             return Piecewise((operands[1], condition), (operands[2], True))
         if name == "pow":
             return operands[0] ** operands[1]

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from .graph import Graph, Kind, Node
+from .graph import Graph, Kind, Node, Number
 
 STEPS = frozenset({"sign", "floor", "ceil", "step", "<", "<=", ">", ">=", "==", "!=", "and", "or", "not"})
-ZERO, ONE = Fraction(0), Fraction(1)
+ONE = 1
 
 
 class Tangent:
@@ -53,7 +53,7 @@ def gradient(graph: Graph, root: Node, names: Sequence[str]) -> tuple[Node, ...]
     """
     sources = {graph.symbol(name) for name in names}
     moving = _above(graph, graph.reachable([root]), sources)
-    adjoints: dict[Node, list[tuple[Node, Fraction]]] = {root: [(graph.one, ONE)]}
+    adjoints: dict[Node, list[tuple[Node, Number]]] = {root: [(graph.one, ONE)]}
     result = dict.fromkeys(sources, graph.zero)
     for node in sorted(moving, reverse=True):
         adjoint = graph.sum(adjoints.pop(node, ()))
@@ -90,7 +90,7 @@ def partial(graph: Graph, node: Node, child: Node) -> Node:
     kind, operands = graph.records[node]
     if kind is Kind.PRODUCT:
         power = dict(operands)[child]
-        return graph.scale(graph.product([*operands, (child, Fraction(-1))]), power)
+        return graph.scale(graph.product([*operands, (child, -1)]), power)
     places = [place for place, operand in enumerate(operands[1:]) if operand == child]
     return graph.add(*(_partial_of_call(graph, node, operands[0], operands[1:], place) for place in places))
 
@@ -122,7 +122,7 @@ def _partial_of_two(graph: Graph, node: Node, name: str, operands: tuple[Node, .
         if place:
             return graph.mul(node, graph.call("log", first))
         return graph.mul(second, graph.call("pow", first, graph.sum([(second, ONE), (graph.one, -ONE)])))
-    square = graph.add(graph.power(first, Fraction(2)), graph.power(second, Fraction(2)))
+    square = graph.add(graph.power(first, 2), graph.power(second, 2))
     other = graph.negative(first) if place else second
     return graph.mul(other, graph.power(square, -ONE))
 
@@ -132,7 +132,7 @@ def _partial_of_one(graph: Graph, node: Node, name: str, a: Node) -> Node:
     power, call, number = graph.power, graph.call, graph.number
 
     def one_and(sign: int, base: Node) -> Node:
-        return graph.sum([(graph.one, ONE), (power(base, Fraction(2)), Fraction(sign))])
+        return graph.sum([(graph.one, ONE), (power(base, 2), sign)])
 
     half = Fraction(-1, 2)
     rules = {
@@ -146,11 +146,11 @@ def _partial_of_one(graph: Graph, node: Node, name: str, a: Node) -> Node:
         "cosh": lambda: call("sinh", a),
         "tanh": lambda: one_and(-1, node),
         "asinh": lambda: power(one_and(1, a), half),
-        "acosh": lambda: power(graph.sum([(power(a, Fraction(2)), ONE), (graph.one, -ONE)]), half),
+        "acosh": lambda: power(graph.sum([(power(a, 2), ONE), (graph.one, -ONE)]), half),
         "atanh": lambda: power(one_and(-1, a), -ONE),
         "exp": lambda: node,
         "log": lambda: power(a, -ONE),
         "abs": lambda: call("sign", a),
-        "erf": lambda: graph.mul(number(1.1283791670955126), call("exp", graph.negative(power(a, Fraction(2))))),
+        "erf": lambda: graph.mul(number(1.1283791670955126), call("exp", graph.negative(power(a, 2)))),
     }
     return rules[name]()

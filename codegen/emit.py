@@ -101,7 +101,7 @@ def environment() -> jinja2.Environment:
 
 
 def quoted(text: str) -> str:
-    """Return a text as C writes it between quotation marks: names such as \\theta are the user's to choose."""
+    r"""Return a text as C writes it between quotation marks: names such as \theta are the user's to choose."""
     return text.translate(ESCAPES)
 
 

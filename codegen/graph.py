@@ -21,11 +21,9 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import NamedTuple
 
-Number = Fraction | float
+Number = int | Fraction | float
 Node = int
 Terms = tuple[tuple[Node, Number], ...]
-
-ONE_HALF = Fraction(1, 2)
 
 
 class Kind(Enum):
@@ -52,8 +50,37 @@ class Record(NamedTuple):
 def _merge(pairs: Iterable[tuple[Node, Number]]) -> dict[Node, Number]:
     merged: dict[Node, Number] = {}
     for node, number in pairs:
-        merged[node] = merged.get(node, Fraction(0)) + number
+        merged[node] = merged.get(node, 0) + number
     return {node: number for node, number in sorted(merged.items()) if number != 0}
+
+
+def exact(numerator: int, denominator: int = 1) -> Number:
+    """Return a quotient of integers, as an integer where it is one: they are quicker."""
+    return numerator // denominator if numerator % denominator == 0 else Fraction(numerator, denominator)
+
+
+def ratio(first: Number, second: Number) -> Number:
+    """Return first / second, exactly unless one of them is a floating-point number."""
+    if second == 1:
+        return first
+    if second == -1:
+        return -first
+    if isinstance(first, float) or isinstance(second, float):
+        return float(first) / float(second)
+    quotient = Fraction(first) / Fraction(second)
+    return exact(quotient.numerator, quotient.denominator)
+
+
+def is_whole(number: Number) -> bool:
+    """Whether a number is an integer."""
+    return isinstance(number, int) or number == int(number)
+
+
+def _power_of(base: Number, exponent: Number) -> Number:
+    if isinstance(base, float) or not is_whole(exponent):
+        return float(base) ** float(exponent) if base not in (0, 1) else base
+    power = Fraction(base) ** int(exponent)
+    return exact(power.numerator, power.denominator)
 
 
 def _content(numbers: Sequence[Number]) -> Number:
@@ -63,9 +90,9 @@ def _content(numbers: Sequence[Number]) -> Number:
     if all(abs(number) == abs(first) for number in numbers):
         return first
     if any(isinstance(number, float) for number in numbers):
-        return Fraction(sign)
+        return sign
     fractions = [Fraction(number) for number in numbers]
-    return Fraction(sign * gcd(*(f.numerator for f in fractions)), lcm(*(f.denominator for f in fractions)))
+    return exact(sign * gcd(*(f.numerator for f in fractions)), lcm(*(f.denominator for f in fractions)))
 
 
 class Graph:
@@ -83,8 +110,8 @@ class Graph:
         self._depends: list[int] = []
         self._bits: dict[str, int] = {}
         self._parameters = frozenset(parameters)
-        self.zero = self.number(Fraction(0))
-        self.one = self.number(Fraction(1))
+        self.zero = self.number(0)
+        self.one = self.number(1)
 
     # -- making nodes ------------------------------------------------------------------------------------------
 
@@ -100,7 +127,9 @@ class Graph:
     def number(self, value: Number) -> Node:
         """Return the node of a number; exact and floating numbers of one value are one node."""
         if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
-            value = Fraction(int(value))
+            value = int(value)
+        elif isinstance(value, Fraction):
+            value = exact(value.numerator, value.denominator)
         return self._intern(Kind.NUMBER, (value, isinstance(value, float)), 0)
 
     def symbol(self, name: str) -> Node:
@@ -120,7 +149,7 @@ class Graph:
 
     def add(self, *nodes: Node) -> Node:
         """Return the sum of nodes."""
-        return self.sum((node, Fraction(1)) for node in nodes)
+        return self.sum((node, 1) for node in nodes)
 
     def scale(self, node: Node, factor: Number) -> Node:
         """Return factor x node."""
@@ -128,11 +157,11 @@ class Graph:
 
     def negative(self, node: Node) -> Node:
         """Return -node."""
-        return self.scale(node, Fraction(-1))
+        return self.scale(node, -1)
 
     def mul(self, *nodes: Node) -> Node:
         """Return the product of nodes."""
-        return self.product((node, Fraction(1)) for node in nodes)
+        return self.product((node, 1) for node in nodes)
 
     def power(self, base: Node, exponent: Number) -> Node:
         """Return base^exponent."""
@@ -140,7 +169,7 @@ class Graph:
 
     def product(self, factors: Iterable[tuple[Node, Number]]) -> Node:
         """Return the product of node^exponent."""
-        coefficient: Number = Fraction(1)
+        coefficient: Number = 1
         flat: list[tuple[Node, Number]] = []
         for node, exponent in factors:
             scale, parts = self._factors(node, exponent)
@@ -192,7 +221,7 @@ class Graph:
         for node, exponent in factors:
             inner, operands = self.records[node]
             if exponent == 2 and inner is Kind.CALL and operands[0] in ("sin", "cos"):
-                rest = self._canonical_product(_merge([*factors, (node, Fraction(-2))]))
+                rest = self._canonical_product(_merge([*factors, (node, -2)]))
                 found.append((operands[0], operands[1], rest))
         return found
 
@@ -206,7 +235,7 @@ class Graph:
             if len(parts) == 1 or varying == self.one:
                 collected.extend((self._join(constant, varying), coefficient) for constant, coefficient in parts)
             else:
-                collected.extend(self._flat_terms([(self.mul(self.sum(parts), varying), Fraction(1))]))
+                collected.extend(self._flat_terms([(self.mul(self.sum(parts), varying), 1)]))
         return tuple(collected)
 
     def _join(self, constant: Node, varying: Node) -> Node:
@@ -219,7 +248,7 @@ class Graph:
             ((node, coefficient),) = terms.items()
             return self._scaled(node, coefficient)
         content = _content(tuple(terms.values()))
-        primitive = tuple((node, coefficient / content) for node, coefficient in terms.items())
+        primitive = tuple((node, ratio(coefficient, content)) for node, coefficient in terms.items())
         return self._scaled(self._intern(Kind.SUM, primitive, self._union(terms)), content)
 
     def _scaled(self, node: Node, factor: Number) -> Node:
@@ -230,19 +259,19 @@ class Graph:
             return self.number(factor)
         return self._intern(Kind.SUM, ((node, factor),), self._depends[node])
 
-    def _factors(self, node: Node, exponent: Number = Fraction(1)) -> tuple[Number, Iterable[tuple[Node, Number]]]:
+    def _factors(self, node: Node, exponent: Number = 1) -> tuple[Number, Iterable[tuple[Node, Number]]]:
         """Return node^exponent as a number times ((node, exponent), ...)."""
         kind, operands = self.records[node]
-        integral = Fraction(exponent).denominator == 1
+        integral = is_whole(exponent)
         if kind is Kind.NUMBER and (integral or operands[0] in (0, 1)):
-            return operands[0] ** (int(exponent) if integral else exponent), ()
+            return _power_of(operands[0], exponent), ()
         if kind is Kind.SUM and len(operands) == 1 and (integral or operands[0][1] > 0):
             inner, factor = operands[0]
             if integral:
-                return factor ** int(exponent), self._factors(inner, exponent)[1]
-        if kind is Kind.PRODUCT and (integral or len(operands) == 1 and Fraction(operands[0][1]).denominator != 1):
-            return Fraction(1), tuple((inner, power * exponent) for inner, power in operands)
-        return Fraction(1), ((node, exponent),)
+                return _power_of(factor, exponent), self._factors(inner, exponent)[1]
+        if kind is Kind.PRODUCT and (integral or len(operands) == 1 and not is_whole(operands[0][1])):
+            return 1, tuple((inner, power * exponent) for inner, power in operands)
+        return 1, ((node, exponent),)
 
     def _canonical_product(self, factors: dict[Node, Number]) -> Node:
         if not factors:

@@ -56,7 +56,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     couples = eigen and any(block.size > 1 for block in turning)
     return Program(
         name=names, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues, schur=choices.schur,
-        eigenfactor=eigen, cholesky=choices.formulation == "cholesky", lagrange=choices.formulation == "lagrange",
+        eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
         inverse=choices.formulation == "inverse", carries_v=choices.formulation in CARRY_V,
         bounded=(couples or bool(groups)) and choices.close_eigenvalues == "bounded",
         extrapolate=couples and choices.close_eigenvalues == "extrapolate", extrapolated=n_memory - 2,

@@ -105,7 +105,7 @@ class Bodies:
 class Program:
     """Everything that the files of one model say.
 
-    eigenfactor, cholesky, lagrange, inverse : which formulation runs (one is true)
+    eigenfactor, cholesky, inverse : which formulation runs (lagrange if none is true)
     carries_v : whether the state holds xdot itself
     bounded : whether a triangular root takes over where eigenvalues come close
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
@@ -122,7 +122,6 @@ class Program:
     schur: str
     eigenfactor: bool
     cholesky: bool
-    lagrange: bool
     inverse: bool
     carries_v: bool
     bounded: bool

@@ -14,7 +14,7 @@ C_WORDS = frozenset(
     "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log pow sqrt fabs fmin fmax erf floor "
     "ceil fabs isnan isfinite memcpy memset malloc free y0 y1 yn j0 j1 jn gamma".split()
 )
-TEMPORARIES = re.compile(r"[cz]_\d+|em_.*|model_.*")
+TEMPORARIES = re.compile(r"[cz]_\d+|(?i:em)_.*|model_.*|EIGENMOTION_H")
 INNER = frozenset("i j k L r sum row column product stretch turn".split())
 """What templates declare in inner scopes only: a user's symbol of that name is not needed there."""
 COMMENT = re.compile(r"/\*.*?\*/|\{#.*?#\}", re.DOTALL)
@@ -30,7 +30,8 @@ def _of_templates() -> tuple[frozenset[str], re.Pattern[str]]:
              if path.name.endswith(".c.jinja")]  # fmt: skip
     bare = [COMMENT.sub(" ", text) for text in texts]
     numbered = {match.groups() for text in bare for match in NUMBERED.finditer(text)}
-    words = {word for text in bare for word in re.findall(r"[A-Za-z_]\w*", MEMBER.sub(" ", HOLE.sub(" ", NUMBERED.sub(" ", text))))}
+    plain = (MEMBER.sub(" ", HOLE.sub(" ", NUMBERED.sub(" ", text))) for text in bare)
+    words = {word for text in plain for word in re.findall(r"[A-Za-z_]\w*", text)}
     patterns = sorted(rf"{re.escape(before)}\d+{re.escape(after)}" for before, after in numbered)
     return frozenset(words - INNER), re.compile("|".join(patterns))
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 
 from .graph import Graph, Kind, Node
 
@@ -44,7 +43,7 @@ def _folded(graph: Graph, name: str, operands: tuple[Node, ...]) -> Node:
         if name in ("sin", "tan", "sinh", "tanh", "asin", "atan", "asinh", "atanh", "erf", "abs", "sign"):
             return graph.zero
         if name in ("cos", "cosh", "exp"):
-            return graph.number(Fraction(1))
+            return graph.number(1)
     return graph.call(name, *operands)
 
 

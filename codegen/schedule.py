@@ -13,14 +13,18 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
+from heapq import heapify, heappop, heappush
+from itertools import combinations
 from typing import NamedTuple
 
-from .graph import Graph, Kind, Node, Number
-
+from .graph import Graph, Kind, Node, Number, ratio
 
 BEYOND_THE_GRAPH = 1 << 40
 """Values that are no nodes are numbered from here."""
+
+
+Pair = tuple[int, int, Number]
+"""Two operands of a product, or of a sum with the ratio of their coefficients."""
 
 
 class Operation(NamedTuple):
@@ -121,6 +125,13 @@ def schedule(graph: Graph, roots: Sequence[Node], *, hoist: bool = True) -> Sche
     return Schedule({value: table.operations[value] for value in live}, uses, values, _cost(table.operations, live))
 
 
+def weight(graph: Graph, roots: Sequence[Node]) -> int:
+    """Return roughly the time of computing some expressions, in additions, before anything is taken out of several."""
+    table = _Table(graph, True)
+    values = [_value(table, root) for root in roots]
+    return _cost(table.operations, _live(table, values)).weight
+
+
 def operands_of(operation: Operation) -> Iterator[int]:
     """Return the values an operation uses, as often as it uses them."""
     kind, operands = operation
@@ -182,7 +193,7 @@ def _sum(table: _Table, terms: Sequence[tuple[Node, Number]]) -> Operation:
     constant = [(node, factor) for node, factor in terms if _is_constant(table, node)]
     if len(constant) > 1 or any(abs(factor) != 1 for _, factor in constant):
         joined = graph.sum(constant)
-        terms = [*((n, f) for n, f in terms if not _is_constant(table, n)), (joined, Fraction(1))]
+        terms = [*((n, f) for n, f in terms if not _is_constant(table, n)), (joined, 1)]
         _value(table, joined)
     return _common_factor(table, terms) or _scaled(table, [_joined_factor(table, *term) for term in terms])
 
@@ -215,7 +226,7 @@ def _joined_factor(table: _Table, node: Node, factor: Number) -> tuple[int, Numb
         if constant != graph.one:
             joined = graph.scale(constant, abs(factor))
             parts = [_value(table, joined), *_powers(table, varying)]
-            return table.new(Operation("mul", tuple(sorted(parts)))), Fraction(1 if factor > 0 else -1)
+            return table.new(Operation("mul", tuple(sorted(parts)))), 1 if factor > 0 else -1
     _value(table, node)
     return node, factor
 
@@ -247,8 +258,8 @@ def _power(table: _Table, base: int, power: Number) -> list[int]:
         parts = _power(table, base, -power)
         inner = parts[0] if len(parts) == 1 else table.new(Operation("mul", tuple(sorted(parts))))
         return [table.new(Operation("inverse", (inner,)))]
-    whole, half = divmod(Fraction(power), 1)
-    if half not in (0, Fraction(1, 2)) or whole > 16:
+    whole, half = divmod(power, 1)
+    if half not in (0, 0.5) or whole > 16:
         exponent = table.new(Operation("number", (float(power),)))
         return [table.new(Operation("call", ("pow", base, exponent)))]
     root = [table.new(Operation("sqrt", (base,)))] if half else []
@@ -273,55 +284,38 @@ def _share(table: _Table, kind: str) -> None:
 
 
 class _Pairs:
-    """Which operations of one kind hold which pairs of operands."""
+    """Which operations of one kind hold which pairs of operands; the most frequent pair by a lazily cleaned heap."""
 
     def __init__(self, table: _Table, kind: str) -> None:
         self.table, self.kind = table, kind
-        self.holders: dict[tuple, set[int]] = {}  # type: ignore[type-arg]
-        self.queue: list[set[tuple]] = []  # type: ignore[type-arg]
-        self._sizes: dict[tuple, int] = {}  # type: ignore[type-arg]
+        self.holders: dict[Pair, set[int]] = {}
         for value, operation in sorted(table.operations.items()):
             if operation.kind == kind:
-                self._enter(value, operation)
+                for key in self._keys(operation):
+                    self.holders.setdefault(key, set()).add(value)
+        self.heap = [(-len(holders), key) for key, holders in self.holders.items() if len(holders) > 1]
+        heapify(self.heap)
 
-    def _keys(self, operation: Operation) -> set[tuple]:  # type: ignore[type-arg]
+    def _keys(self, operation: Operation) -> set[Pair]:
         operands = operation.operands
-        if len(operands) < 2:
-            return set()
+        pairs = combinations(operands, 2)
         if self.kind == "mul":
-            return {(a, b) for place, a in enumerate(operands) for b in operands[place + 1 :]}
-        pairs = ((a, b) for place, a in enumerate(operands) for b in operands[place + 1 :])
-        return {(a[0], b[0], b[1] / a[1]) for a, b in pairs}
+            return {(a, b, 1) for a, b in pairs}
+        return {(a[0], b[0], ratio(b[1], a[1])) for a, b in pairs}
 
-    def _enter(self, value: int, operation: Operation) -> None:
-        for key in self._keys(operation):
-            holders = self.holders.setdefault(key, set())
-            holders.add(value)
-            self._resize(key, len(holders))
-
-    def _leave(self, value: int, operation: Operation) -> None:
-        for key in self._keys(operation):
-            holders = self.holders[key]
-            holders.discard(value)
-            self._resize(key, len(holders))
-
-    def _resize(self, key: tuple, size: int) -> None:  # type: ignore[type-arg]
-        old = self._sizes.get(key, 0)
-        if old > 1:
-            self.queue[old].discard(key)
-        self._sizes[key] = size
-        while len(self.queue) <= size:
-            self.queue.append(set())
-        if size > 1:
-            self.queue[size].add(key)
-
-    def most_frequent(self) -> tuple | None:  # type: ignore[type-arg]
+    def most_frequent(self) -> Pair | None:
         """Return the pair that most operations hold, the smallest of several; None if no two share one."""
-        while self.queue and not self.queue[-1]:
-            self.queue.pop()
-        return min(self.queue[-1]) if self.queue else None
+        while self.heap:
+            size, key = self.heap[0]
+            held = len(self.holders[key])
+            if held == -size:
+                return key
+            heappop(self.heap)
+            if held > 1:
+                heappush(self.heap, (-held, key))
+        return None
 
-    def take_out(self, key: tuple) -> None:  # type: ignore[type-arg]
+    def take_out(self, key: Pair) -> None:
         """Make a pair one value and put it in place of the two operands wherever they stand together."""
         holders = sorted(self.holders[key])
         pair = self._pair(key)
@@ -329,18 +323,29 @@ class _Pairs:
         if value is None:
             value = self.table.new(pair)
         for holder in holders:
-            operation = self.table.operations[holder]
-            self._leave(holder, operation)
             if holder != value:
-                self.table.operations[holder] = smaller = self._replaced(operation, key, value)
-                self._enter(holder, smaller)
+                self._replace(holder, key, value)
+        self.holders[key] = set()
 
-    def _pair(self, key: tuple) -> Operation:  # type: ignore[type-arg]
+    def _replace(self, holder: int, key: Pair, value: int) -> None:
+        """Renew what the table and the heap know of one operation."""
+        operation = self.table.operations[holder]
+        self.table.operations[holder] = smaller = self._replaced(operation, key, value)
+        before, after = self._keys(operation), self._keys(smaller)
+        for gone in before - after:
+            self.holders[gone].discard(holder)
+        for new in after - before:
+            holders = self.holders.setdefault(new, set())
+            holders.add(holder)
+            if len(holders) > 1:
+                heappush(self.heap, (-len(holders), new))
+
+    def _pair(self, key: Pair) -> Operation:
         if self.kind == "mul":
-            return Operation("mul", key)
-        return Operation("add", ((key[0], Fraction(1)), (key[1], key[2])))
+            return Operation("mul", key[:2])
+        return Operation("add", ((key[0], 1), (key[1], key[2])))
 
-    def _replaced(self, operation: Operation, key: tuple, value: int) -> Operation:  # type: ignore[type-arg]
+    def _replaced(self, operation: Operation, key: Pair, value: int) -> Operation:
         operands = list(operation.operands)
         if self.kind == "mul":
             operands.remove(key[0])

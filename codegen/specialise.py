@@ -170,7 +170,8 @@ def _absent_coordinates(mechanics: Mechanics) -> list[str]:
 def _absent_factors(mechanics: Mechanics, blocks: tuple[Block, ...]) -> list[str]:
     lines = []
     if len(blocks) > 1:
-        lines.append("C, mu, Omega across blocks: " + ", ".join(_names(mechanics, b) for b in blocks) + " do not couple")
+        names = ", ".join(_names(mechanics, block) for block in blocks)
+        lines.append(f"C, mu, Omega across blocks: {names} do not couple")
     for block in blocks:
         names = _names(mechanics, block)
         if block.kind is Kind.FIXED:

@@ -13,11 +13,11 @@ from .convert import FromSympy
 from .differentiate import Tangent, gradient
 from .graph import Graph, Node
 from .rewrite import Rewriter
-from .schedule import schedule
+from .schedule import weight
 from .specialise import Scene
 from .trigonometry import expansion
 
-ONE, MINUS, HALF = Fraction(1), Fraction(-1), Fraction(1, 2)
+ONE, MINUS, HALF = 1, -1, Fraction(1, 2)
 Rows = tuple[tuple[Node, ...], ...]
 
 
@@ -119,10 +119,10 @@ class Terms:
         return self.graph.sum([(first, ONE), (second, MINUS)])
 
     def _weight(self, nodes: Sequence[Node]) -> int:
-        return schedule(self.graph, list(map(self.expanded, nodes))).cost.weight
+        return weight(self.graph, list(map(self.expanded, nodes)))
 
     def _gradients_of_L(self) -> list[tuple[Node, ...]]:
-        """Return dL/dx at fixed velocities (10) in three forms: from T as given, from M by one reverse sweep, from dM."""
+        """Return dL/dx at fixed velocities (10) in three forms: of T as given, of 1/2 v^T M v, and by way of dM."""
         graph = self.graph
         rest = graph.sum([(self.T1, ONE), (self.T0, ONE), (self.V, MINUS)])
         as_given = gradient(graph, self._difference(self.T, self.V), self.x)

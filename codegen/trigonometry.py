@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 
 from .graph import Graph, Kind, Node, Number
 from .rewrite import Rewriter
@@ -39,8 +38,8 @@ def _angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
 
 def _parts(graph: Graph, angle: Node) -> Parts:
     """Return an angle as ((part, sign), ...), numeric factors within the parts."""
-    terms = _terms(graph, angle, Fraction(1))
-    return tuple((graph.scale(node, abs(factor)), Fraction(1 if factor > 0 else -1)) for node, factor in terms)
+    terms = _terms(graph, angle, 1)
+    return tuple((graph.scale(node, abs(factor)), 1 if factor > 0 else -1) for node, factor in terms)
 
 
 def _terms(graph: Graph, node: Node, factor: Number) -> list[tuple[Node, Number]]:

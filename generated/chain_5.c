@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:eb36ce4ef86eec6358c6e3bdeb1bd8852b2d8e74ba2e3164a89a99860bf0692a */
+/* body sha256:013f89f4de733b995b382fee880d16b21f7f3d38f430e8c2d32bb39a6a6349a6 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -20,9 +20,9 @@
  *   A, B, Bdot, Delta, lambda: there are no constraints
  *
  * Operations of the straight-line part:
- *   eigenfactor: 54 additions, 109 multiplications, 10 function calls
- *   triangular root: 64 additions, 139 multiplications, 10 function calls
- *   projection: 10 additions, 30 multiplications, 10 function calls
+ *   eigenfactor: 60 additions, 125 multiplications, 10 function calls
+ *   triangular root: 70 additions, 155 multiplications, 10 function calls
+ *   projection: 40 additions, 100 multiplications, 10 function calls
  */
 #include "chain_5.h"
 
@@ -97,13 +97,13 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[22] = l_2*z_25;
     c[23] = l_3*z_24;
     c[24] = l_4*z_23;
-    c[25] = z_15;
-    c[26] = g*z_15;
-    c[27] = l_1*z_7 + m_1*(l_1*l_1);
-    c[28] = l_2*(m_2*l_2 + z_11);
-    c[29] = l_3*(m_3*l_3 + z_13);
-    c[30] = l_4*(m_4*l_4 + m_5*l_4);
-    c[31] = m_5*(l_5*l_5);
+    c[25] = g*z_15;
+    c[26] = l_1*z_7 + m_1*(l_1*l_1);
+    c[27] = l_2*(m_2*l_2 + z_11);
+    c[28] = l_3*(m_3*l_3 + z_13);
+    c[29] = l_4*(m_4*l_4 + m_5*l_4);
+    c[30] = m_5*(l_5*l_5);
+    c[31] = z_15;
     c[32] = z_19;
     c[33] = z_20;
     c[34] = z_21;
@@ -126,11 +126,11 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_7 = c[18];
     const double c_8 = c[19];
     const double c_9 = c[20];
+    const double c_15 = c[26];
     const double c_16 = c[27];
     const double c_17 = c[28];
     const double c_18 = c[29];
     const double c_19 = c[30];
-    const double c_20 = c[31];
     const double theta_1 = x[0];
     const double theta_2 = x[1];
     const double theta_3 = x[2];
@@ -146,21 +146,21 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double sin_theta_4 = sin(theta_4);
     const double cos_theta_5 = cos(theta_5);
     const double sin_theta_5 = sin(theta_5);
-    M[0] = c_16;
+    M[0] = c_15;
     M[5] = M[1] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    M[6] = c_17;
+    M[6] = c_16;
     M[10] = M[2] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
     M[11] = M[7] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    M[12] = c_18;
+    M[12] = c_17;
     M[15] = M[3] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
     M[16] = M[8] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
     M[17] = M[13] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    M[18] = c_19;
+    M[18] = c_18;
     M[20] = M[4] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
     M[21] = M[9] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
     M[22] = M[14] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
     M[23] = M[19] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    M[24] = c_20;
+    M[24] = c_19;
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
@@ -256,7 +256,7 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double c_12 = c[23];
     const double c_13 = c[24];
     const double c_14 = c[25];
-    const double c_15 = c[26];
+    const double c_20 = c[31];
     const double theta_1_dot = v[0];
     const double theta_2_dot = v[1];
     const double theta_3_dot = v[2];
@@ -329,8 +329,8 @@ static void motion_bias(double t, const double *restrict x, const double *restri
         l_3*(theta_3_dot*(sin_theta_3*z_48) + cos_theta_3*z_68));
     bias[3] = (z_23*z_74 - sin_theta_4*(z_47*z_23 + c_13)) - (l_4*(theta_4_dot*z_74 + sin_theta_4*z_60) -
         l_4*(theta_4_dot*(sin_theta_4*z_47) + cos_theta_4*z_67));
-    bias[4] = (c_14*z_77 - sin_theta_5*(theta_5_dot*(z_46*c_14) + c_15)) - (c_14*(z_77 + sin_theta_5*z_59) -
-        c_14*(z_46*z_29 + cos_theta_5*z_66));
+    bias[4] = (c_20*z_77 - sin_theta_5*(theta_5_dot*(z_46*c_20) + c_14)) - (c_20*(z_77 + sin_theta_5*z_59) -
+        c_20*(z_46*z_29 + cos_theta_5*z_66));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -352,11 +352,11 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double c_7 = c[18];
     const double c_8 = c[19];
     const double c_9 = c[20];
+    const double c_15 = c[26];
     const double c_16 = c[27];
     const double c_17 = c[28];
     const double c_18 = c[29];
     const double c_19 = c[30];
-    const double c_20 = c[31];
     const double c_21 = c[32];
     const double c_22 = c[33];
     const double c_23 = c[34];
@@ -395,12 +395,12 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double z_47 = l_1*cos_theta_1 + l_2*cos_theta_2;
     const double z_50 = z_47 + l_3*cos_theta_3;
     const double z_53 = z_50 + l_4*cos_theta_4;
-    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_16 + theta_2_dot*z_10 + theta_3_dot*z_16 + theta_4_dot*z_22 +
-        theta_5_dot*z_28) + theta_2_dot*(theta_1_dot*z_10 + theta_2_dot*c_17 + theta_3_dot*z_31 + theta_4_dot*z_33
-        + theta_5_dot*z_35) + theta_3_dot*(theta_1_dot*z_16 + theta_2_dot*z_31 + theta_3_dot*c_18 +
+    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_10 + theta_3_dot*z_16 + theta_4_dot*z_22 +
+        theta_5_dot*z_28) + theta_2_dot*(theta_1_dot*z_10 + theta_2_dot*c_16 + theta_3_dot*z_31 + theta_4_dot*z_33
+        + theta_5_dot*z_35) + theta_3_dot*(theta_1_dot*z_16 + theta_2_dot*z_31 + theta_3_dot*c_17 +
         theta_4_dot*z_38 + theta_5_dot*z_40) + theta_4_dot*(theta_1_dot*z_22 + theta_2_dot*z_33 + theta_3_dot*z_38
-        + theta_4_dot*c_19 + theta_5_dot*z_43) + theta_5_dot*(theta_1_dot*z_28 + theta_2_dot*z_35 +
-        theta_3_dot*z_40 + theta_4_dot*z_43 + theta_5_dot*c_20));
+        + theta_4_dot*c_18 + theta_5_dot*z_43) + theta_5_dot*(theta_1_dot*z_28 + theta_2_dot*z_35 +
+        theta_3_dot*z_40 + theta_4_dot*z_43 + theta_5_dot*c_19));
     e[1] = 0.0;
     e[2] = 0.0;
     e[3] = -(z_47*c_21 + z_50*c_22 + z_53*c_23 + (z_53 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
@@ -424,10 +424,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -450,15 +450,6 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
     double f1[N1];
     double Mdot1[N1][N1];
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double m_4 = c[3];
-    const double m_5 = c[4];
-    const double l_1 = c[5];
-    const double l_2 = c[6];
-    const double l_3 = c[7];
-    const double l_4 = c[8];
-    const double l_5 = c[9];
     const double c_0 = c[11];
     const double c_1 = c[12];
     const double c_2 = c[13];
@@ -474,7 +465,6 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double c_12 = c[23];
     const double c_13 = c[24];
     const double c_14 = c[25];
-    const double c_15 = c[26];
     const double theta_1_dot = v1[0];
     const double theta_2_dot = v1[1];
     const double theta_3_dot = v1[2];
@@ -505,24 +495,16 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double sin_theta_5 = sin(theta_5);
     const double z_35 = theta_5_dot*sin_theta_5;
     const double z_36 = theta_5_dot*cos_theta_5;
-    const double z_41 = l_1*z_11;
-    const double z_44 = l_1*z_6 + l_2*z_10;
-    const double z_46 = z_44 + l_3*z_18;
-    const double z_48 = z_46 + l_4*z_26;
-    const double z_50 = z_48 + l_5*z_35;
-    const double z_52 = m_5*z_50 + m_4*z_48;
-    const double z_54 = z_52 + m_3*z_46;
-    const double z_56 = z_54 + m_2*z_44;
-    const double z_57 = l_2*z_12;
-    const double z_58 = z_41 + z_57;
-    const double z_59 = l_3*z_19;
-    const double z_60 = z_58 + z_59;
-    const double z_61 = l_4*z_27;
-    const double z_62 = z_60 + z_61;
-    const double z_63 = z_62 + l_5*z_36;
-    const double z_64 = m_5*z_63 + m_4*z_62;
-    const double z_65 = z_64 + m_3*z_60;
-    const double z_66 = z_65 + m_2*z_58;
+    const double z_40 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const double z_41 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const double z_42 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const double z_43 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const double z_45 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const double z_46 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const double z_47 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const double z_49 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const double z_50 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const double z_52 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_6 + cos_theta_1*z_10) - c_0*(sin_theta_2*z_11 +
         sin_theta_1*z_12));
@@ -548,11 +530,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_26 + cos_theta_4*z_35) - c_9*(sin_theta_5*z_27 +
         sin_theta_4*z_36));
     Mdot1[4][4] = 0.0;
-    f1[0] = z_41*z_56 - sin_theta_1*(theta_1_dot*l_1*z_66 + c_10);
-    f1[1] = z_57*z_56 - sin_theta_2*(theta_2_dot*l_2*z_66 + c_11);
-    f1[2] = z_59*z_54 - sin_theta_3*(theta_3_dot*l_3*z_65 + c_12);
-    f1[3] = z_61*z_52 - sin_theta_4*(theta_4_dot*l_4*z_64 + c_13);
-    f1[4] = z_50*c_14*z_36 - sin_theta_5*(theta_5_dot*z_63*c_14 + c_15);
+    f1[0] = -((z_40 + z_41 + z_42 + z_43) + sin_theta_1*c_10);
+    f1[1] = (z_40 - z_45 - z_46 - z_47) - sin_theta_2*c_11;
+    f1[2] = (z_41 + z_45 - z_49 - z_50) - sin_theta_3*c_12;
+    f1[3] = (z_42 + z_46 + z_49 - z_52) - sin_theta_4*c_13;
+    f1[4] = (z_43 + z_47 + z_50 + z_52) - sin_theta_5*c_14;
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -560,7 +542,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -614,11 +597,11 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_7 = c[18];
     const double c_8 = c[19];
     const double c_9 = c[20];
+    const double c_15 = c[26];
     const double c_16 = c[27];
     const double c_17 = c[28];
     const double c_18 = c[29];
     const double c_19 = c[30];
-    const double c_20 = c[31];
     const double theta_1 = y[0];
     const double theta_2 = y[1];
     const double theta_3 = y[2];
@@ -634,21 +617,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double sin_theta_4 = sin(theta_4);
     const double cos_theta_5 = cos(theta_5);
     const double sin_theta_5 = sin(theta_5);
-    M1[0][0] = c_16;
+    M1[0][0] = c_15;
     M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    M1[1][1] = c_17;
+    M1[1][1] = c_16;
     M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
     M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    M1[2][2] = c_18;
+    M1[2][2] = c_17;
     M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
     M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
     M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    M1[3][3] = c_19;
+    M1[3][3] = c_18;
     M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
     M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
     M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
     M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    M1[4][4] = c_20;
+    M1[4][4] = c_19;
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -670,21 +653,11 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
     double f1[N1];
     double Mdot1[N1][N1];
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double m_4 = c[3];
-    const double m_5 = c[4];
-    const double l_1 = c[5];
-    const double l_2 = c[6];
-    const double l_3 = c[7];
-    const double l_4 = c[8];
-    const double l_5 = c[9];
     const double c_10 = c[21];
     const double c_11 = c[22];
     const double c_12 = c[23];
     const double c_13 = c[24];
     const double c_14 = c[25];
-    const double c_15 = c[26];
     const double theta_1_dot = v1[0];
     const double theta_2_dot = v1[1];
     const double theta_3_dot = v1[2];
@@ -700,24 +673,16 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double z_41 = theta_4_dot*cos_theta_4;
     const double z_43 = theta_5_dot*sin_theta_5;
     const double z_44 = theta_5_dot*cos_theta_5;
-    const double z_46 = l_1*z_34;
-    const double z_49 = l_1*z_31 + l_2*z_33;
-    const double z_51 = z_49 + l_3*z_37;
-    const double z_53 = z_51 + l_4*z_40;
-    const double z_55 = z_53 + l_5*z_43;
-    const double z_57 = m_5*z_55 + m_4*z_53;
-    const double z_59 = z_57 + m_3*z_51;
-    const double z_61 = z_59 + m_2*z_49;
-    const double z_62 = l_2*z_35;
-    const double z_63 = z_46 + z_62;
-    const double z_64 = l_3*z_38;
-    const double z_65 = z_63 + z_64;
-    const double z_66 = l_4*z_41;
-    const double z_67 = z_65 + z_66;
-    const double z_68 = z_67 + l_5*z_44;
-    const double z_69 = m_5*z_68 + m_4*z_67;
-    const double z_70 = z_69 + m_3*z_65;
-    const double z_71 = z_70 + m_2*z_63;
+    const double z_45 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const double z_46 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const double z_47 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const double z_48 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const double z_50 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const double z_51 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const double z_52 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const double z_54 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const double z_55 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const double z_57 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_31 + cos_theta_1*z_33) - c_0*(sin_theta_2*z_34 +
         sin_theta_1*z_35));
@@ -743,11 +708,11 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_40 + cos_theta_4*z_43) - c_9*(sin_theta_5*z_41 +
         sin_theta_4*z_44));
     Mdot1[4][4] = 0.0;
-    f1[0] = z_46*z_61 - sin_theta_1*(theta_1_dot*l_1*z_71 + c_10);
-    f1[1] = z_62*z_61 - sin_theta_2*(theta_2_dot*l_2*z_71 + c_11);
-    f1[2] = z_64*z_59 - sin_theta_3*(theta_3_dot*l_3*z_70 + c_12);
-    f1[3] = z_66*z_57 - sin_theta_4*(theta_4_dot*l_4*z_69 + c_13);
-    f1[4] = z_55*c_14*z_44 - sin_theta_5*(theta_5_dot*z_68*c_14 + c_15);
+    f1[0] = -((z_45 + z_46 + z_47 + z_48) + sin_theta_1*c_10);
+    f1[1] = (z_45 - z_50 - z_51 - z_52) - sin_theta_2*c_11;
+    f1[2] = (z_46 + z_50 - z_54 - z_55) - sin_theta_3*c_12;
+    f1[3] = (z_47 + z_51 + z_54 - z_57) - sin_theta_4*c_13;
+    f1[4] = (z_48 + z_52 + z_55 + z_57) - sin_theta_5*c_14;
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -773,18 +738,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
     const double c_0 = c[11];
     const double c_1 = c[12];
@@ -796,11 +764,11 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_7 = c[18];
     const double c_8 = c[19];
     const double c_9 = c[20];
+    const double c_15 = c[26];
     const double c_16 = c[27];
     const double c_17 = c[28];
     const double c_18 = c[29];
     const double c_19 = c[30];
-    const double c_20 = c[31];
     const double theta_1 = y[0];
     const double theta_2 = y[1];
     const double theta_3 = y[2];
@@ -816,21 +784,21 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double sin_theta_4 = sin(theta_4);
     const double cos_theta_5 = cos(theta_5);
     const double sin_theta_5 = sin(theta_5);
-    M1[0][0] = c_16;
+    M1[0][0] = c_15;
     M1[0][1] = M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    M1[1][1] = c_17;
+    M1[1][1] = c_16;
     M1[0][2] = M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
     M1[1][2] = M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    M1[2][2] = c_18;
+    M1[2][2] = c_17;
     M1[0][3] = M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
     M1[1][3] = M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
     M1[2][3] = M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    M1[3][3] = c_19;
+    M1[3][3] = c_18;
     M1[0][4] = M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
     M1[1][4] = M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
     M1[2][4] = M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
     M1[3][4] = M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    M1[4][4] = c_20;
+    M1[4][4] = c_19;
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5 */
     double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -844,7 +812,65 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+    const double theta_1_dot = v1[0];
+    const double theta_2_dot = v1[1];
+    const double theta_3_dot = v1[2];
+    const double theta_4_dot = v1[3];
+    const double theta_5_dot = v1[4];
+    const double z_31 = theta_1_dot*sin_theta_1;
+    const double z_33 = theta_2_dot*sin_theta_2;
+    const double z_34 = theta_1_dot*cos_theta_1;
+    const double z_35 = theta_2_dot*cos_theta_2;
+    const double z_37 = theta_3_dot*sin_theta_3;
+    const double z_38 = theta_3_dot*cos_theta_3;
+    const double z_40 = theta_4_dot*sin_theta_4;
+    const double z_41 = theta_4_dot*cos_theta_4;
+    const double z_43 = theta_5_dot*sin_theta_5;
+    const double z_44 = theta_5_dot*cos_theta_5;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_31 + cos_theta_1*z_33) - c_0*(sin_theta_2*z_34 +
+        sin_theta_1*z_35));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_31 + cos_theta_1*z_37) - c_1*(sin_theta_3*z_34 +
+        sin_theta_1*z_38));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_33 + cos_theta_2*z_37) - c_2*(sin_theta_3*z_35 +
+        sin_theta_2*z_38));
+    Mdot1[2][2] = 0.0;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_31 + cos_theta_1*z_40) - c_3*(sin_theta_4*z_34 +
+        sin_theta_1*z_41));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_33 + cos_theta_2*z_40) - c_4*(sin_theta_4*z_35 +
+        sin_theta_2*z_41));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_37 + cos_theta_3*z_40) - c_5*(sin_theta_4*z_38 +
+        sin_theta_3*z_41));
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_31 + cos_theta_1*z_43) - c_6*(sin_theta_5*z_34 +
+        sin_theta_1*z_44));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_33 + cos_theta_2*z_43) - c_7*(sin_theta_5*z_35 +
+        sin_theta_2*z_44));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_37 + cos_theta_3*z_43) - c_8*(sin_theta_5*z_38 +
+        sin_theta_3*z_44));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_40 + cos_theta_4*z_43) - c_9*(sin_theta_5*z_41 +
+        sin_theta_4*z_44));
+    Mdot1[4][4] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -877,7 +903,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -944,12 +970,36 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[10 + 0*N1 + 0];
+    C[0*N + 1] = y[10 + 0*N1 + 1];
+    C[0*N + 2] = y[10 + 0*N1 + 2];
+    C[0*N + 3] = y[10 + 0*N1 + 3];
+    C[0*N + 4] = y[10 + 0*N1 + 4];
+    C[1*N + 0] = y[10 + 1*N1 + 0];
+    C[1*N + 1] = y[10 + 1*N1 + 1];
+    C[1*N + 2] = y[10 + 1*N1 + 2];
+    C[1*N + 3] = y[10 + 1*N1 + 3];
+    C[1*N + 4] = y[10 + 1*N1 + 4];
+    C[2*N + 0] = y[10 + 2*N1 + 0];
+    C[2*N + 1] = y[10 + 2*N1 + 1];
+    C[2*N + 2] = y[10 + 2*N1 + 2];
+    C[2*N + 3] = y[10 + 2*N1 + 3];
+    C[2*N + 4] = y[10 + 2*N1 + 4];
+    C[3*N + 0] = y[10 + 3*N1 + 0];
+    C[3*N + 1] = y[10 + 3*N1 + 1];
+    C[3*N + 2] = y[10 + 3*N1 + 2];
+    C[3*N + 3] = y[10 + 3*N1 + 3];
+    C[3*N + 4] = y[10 + 3*N1 + 4];
+    C[4*N + 0] = y[10 + 4*N1 + 0];
+    C[4*N + 1] = y[10 + 4*N1 + 1];
+    C[4*N + 2] = y[10 + 4*N1 + 2];
+    C[4*N + 3] = y[10 + 4*N1 + 3];
+    C[4*N + 4] = y[10 + 4*N1 + 4];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -988,6 +1038,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[10 + 4*N1 + 3] = C[4*N + 3];
     y[10 + 4*N1 + 4] = C[4*N + 4];
     y[35 + 4] = s[4];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -1003,6 +1054,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "theta_1", "theta_2", "theta_3", "theta_4", "theta_5", NULL };
@@ -1016,6 +1080,7 @@ static const double parameter_defaults[] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.7853981633974483, 0.7853981633974483, 0.7853981633974483, 0.7853981633974483, 0.7853981633974483 };
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
+static const int carried[N] = { 1, 1, 1, 1, 1 };
 static const em_slice layout[] = {
     {"x", 0, 5},
     {"eta", 5, 5},
@@ -1063,6 +1128,7 @@ const em_model chain_5_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -1077,6 +1143,8 @@ const em_model chain_5_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

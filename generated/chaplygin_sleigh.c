@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:7fb08cb7bb99cb1a4a169a8b60644b33c5ac788dba4eba9ba23c5e9ee866a28f */
+/* body sha256:119ed477b6f48bdad04d239712381d6f20226d0a6b92abf5cb07b36e429016b4 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -25,7 +25,7 @@
  * Operations of the straight-line part:
  *   eigenfactor: 1 additions, 8 multiplications, 2 function calls
  *   triangular root: 1 additions, 10 multiplications, 2 function calls
- *   projection: 2 multiplications, 2 function calls
+ *   projection: 5 multiplications, 2 function calls
  */
 #include "chaplygin_sleigh.h"
 
@@ -61,10 +61,10 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     const double m = c[0];
-    const double J = c[1];
+    const double J_ = c[1];
     const double a_ = c[2];
     c[3] = m*a_;
-    c[4] = J + m*(a_*a_);
+    c[4] = J_ + m*(a_*a_);
     return 0;
 }
 
@@ -176,10 +176,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* x, y, theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4], y[5] };
@@ -231,7 +231,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -409,18 +410,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
     double A1[N_ROWS][N1];
     double b[N_ROWS];
@@ -453,7 +457,33 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+    const double theta_dot = v1[2];
+    const double z_7 = theta_dot*c_0;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_7;
+    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_7;
+    Mdot1[2][2] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -473,7 +503,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         *mode = wanted;
     }
 
-    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
         double B1[N_ROWS][N1];
         memcpy(B1, A1, sizeof B1);
@@ -495,7 +525,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         }
     }
     if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; i < N1; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
     }
     y[3] = eta1[0];
@@ -510,7 +540,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -569,12 +599,20 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[6 + 0*N1 + 0];
+    C[0*N + 1] = y[6 + 0*N1 + 1];
+    C[0*N + 2] = y[6 + 0*N1 + 2];
+    C[1*N + 0] = y[6 + 1*N1 + 0];
+    C[1*N + 1] = y[6 + 1*N1 + 1];
+    C[1*N + 2] = y[6 + 1*N1 + 2];
+    C[2*N + 0] = y[6 + 2*N1 + 0];
+    C[2*N + 1] = y[6 + 2*N1 + 1];
+    C[2*N + 2] = y[6 + 2*N1 + 2];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -595,6 +633,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[6 + 2*N1 + 1] = C[2*N + 1];
     y[6 + 2*N1 + 2] = C[2*N + 2];
     y[15 + 2] = s[2];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -610,6 +649,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "x", "y", "theta", NULL };
@@ -623,6 +675,7 @@ static const double parameter_defaults[] = { 1.0, 0.5, 0.4, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 0.0 };
 static const double initial_v[N] = { -1.0, 0.0, 0.8 };
+static const int carried[N] = { 1, 1, 1 };
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -673,6 +726,7 @@ const em_model chaplygin_sleigh_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -687,6 +741,8 @@ const em_model chaplygin_sleigh_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:33488d02ccc225d76fbf301ca31552cd46e0520c7d22933f838f59365020a5a8 */
+/* body sha256:6bf37f089aad6a90b8fa4fd311e1d649b97dc1a6a30b650f4062d0680e950645 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -188,10 +188,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
@@ -308,11 +308,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
     double A1[N_ROWS][N1];
     double A2[N_ROWS][N2];
@@ -336,7 +336,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     /* y */
     double eta2[N2] = { y[3] };
 
-    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
         double B1[N_ROWS][N1];
         memcpy(B1, A1, sizeof B1);
@@ -365,9 +365,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         }
     }
     if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; i < N1; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
-        for (int i = 0; i < N2; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N2; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
     }
     y[2] = eta1[0];
@@ -380,7 +380,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -425,10 +425,9 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -439,6 +438,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
         eta[i] = s[i]*sum;
     }
     memcpy(y + N, eta, sizeof eta);
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -450,6 +450,19 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #include "em_stepper.h"
@@ -465,6 +478,7 @@ static const double parameter_defaults[] = { 1.0, 1.0, 9.81, 0.25, 5.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.7173560908995228, -0.4467067093471654 };
 static const double initial_v[N] = { 0.0, 0.0 };
+static const int carried[N] = { 0, 0 };
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -513,6 +527,7 @@ const em_model driven_pendulum_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 0,
     .prepare = prepare,
     .state = state,
@@ -527,6 +542,8 @@ const em_model driven_pendulum_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:a86e5cbeca8a0debc589e76b5ba7fe47fc7dd038884baee54db68c308a09d921 */
+/* body sha256:320f304be189abb28cefb970558179ca1694cba74d8a35b8a2a1197224dd6a60 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -27,7 +27,7 @@
  * Operations of the straight-line part:
  *   eigenfactor: 23 additions, 43 multiplications, 4 function calls
  *   triangular root: 23 additions, 47 multiplications, 4 function calls
- *   projection: 3 additions, 11 multiplications, 4 function calls
+ *   projection: 5 additions, 18 multiplications, 4 function calls
  */
 #include "dual_link.h"
 
@@ -194,28 +194,26 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double sin_theta1 = sin(theta1);
     const double z_15 = z_6*sin_theta1;
     const double z_16 = 4.0 - z_13 - z_15;
-    const double z_17 = K2*z_16;
     const double cos_theta2 = cos(theta2);
-    const double z_19 = z_8 + l2*cos_theta2;
-    const double z_20 = K2*z_19;
-    const double z_24 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_25 = theta3_dot*z_24;
-    const double z_26 = theta2_dot*z_25;
-    const double z_27 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    const double z_29 = theta1_dot*z_6;
-    const double z_30 = c_1*(z_26 - theta2_dot*(z_27*z_29));
-    const double z_31 = theta1_dot - theta2_dot;
-    const double z_32 = z_31*z_27;
-    const double z_37 = z_24*(theta2_dot*c_1);
-    const double z_38 = theta3_dot*cos_theta1;
-    bias[0] = -((z_3 - z_8*z_17 - z_15*z_20 - z_30) + (c_1*(z_26 - theta2_dot*(z_6*z_32)) +
-        c_0*(theta3_dot*z_29)));
-    bias[1] = (cos_theta2*z_16*c_2 + z_19*sin_theta2*c_2 - z_30) - (c_1*(theta1_dot*z_25 - z_29*z_32) +
-        c_1*z_31*z_25);
-    bias[2] = -((theta3*K1 - (z_6*c_3*(theta1_dot*theta1_dot) + sin_theta1*z_17 + theta1_dot*z_37 -
-        cos_theta1*z_20)) + z_31*z_37);
+    const double z_18 = z_8 + l2*cos_theta2;
+    const double z_22 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_23 = theta3_dot*z_22;
+    const double z_24 = theta2_dot*z_23;
+    const double z_25 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double z_27 = theta1_dot*z_6;
+    const double z_28 = c_1*(z_24 - theta2_dot*(z_25*z_27));
+    const double z_29 = theta1_dot - theta2_dot;
+    const double z_30 = z_29*z_25;
+    const double z_35 = z_22*(theta2_dot*c_1);
+    const double z_36 = theta3_dot*cos_theta1;
+    bias[0] = -(((z_3 - z_8*K2*z_16 - K2*z_18*z_15) - z_28) + (c_1*(z_24 - theta2_dot*(z_6*z_30)) +
+        c_0*(theta3_dot*z_27)));
+    bias[1] = (c_2*(cos_theta2*z_16 + z_18*sin_theta2) - z_28) - (c_1*(theta1_dot*z_23 - z_27*z_30) +
+        c_1*z_29*z_23);
+    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_16 - cos_theta1*z_18)) - (z_6*c_3*(theta1_dot*theta1_dot) +
+        theta1_dot*z_35)) + z_29*z_35);
     bias[3] = z_3;
-    gamma[0] = theta1_dot*(z_38 - sin_theta1*z_29) + theta1_dot*z_38 - z_13*(theta2_dot*theta2_dot);
+    gamma[0] = theta1_dot*(z_36 - sin_theta1*z_27) + theta1_dot*z_36 - z_13*(theta2_dot*theta2_dot);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -276,10 +274,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* theta1, theta2, theta3: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[4], y[5], y[6] };
@@ -344,28 +342,26 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double z_24 = l2*sin_theta2;
     const double z_25 = z_4*sin_theta1;
     const double z_26 = 4.0 - z_24 - z_25;
-    const double z_27 = K2*z_26;
-    const double z_28 = l2*cos_theta2;
-    const double z_29 = z_21 + z_28;
-    const double z_30 = K2*z_29;
-    const double z_31 = theta1_dot*theta2_dot;
-    const double z_32 = c_1*(theta2_dot*z_13 - z_17*z_31);
-    const double z_36 = theta3_dot*cos_theta1;
+    const double z_27 = l2*cos_theta2;
+    const double z_28 = z_21 + z_27;
+    const double z_29 = theta1_dot*theta2_dot;
+    const double z_30 = c_1*(theta2_dot*z_13 - z_17*z_29);
+    const double z_34 = theta3_dot*cos_theta1;
     Mdot1[0][0] = c_0*(theta3_dot*z_4);
     Mdot1[0][1] = Mdot1[1][0] = c_1*(z_13 - z_16*z_17);
     Mdot1[1][1] = 0.0;
     Mdot1[0][2] = Mdot1[2][0] = 0.0;
     Mdot1[1][2] = Mdot1[2][1] = z_12*(c_1*z_16);
     Mdot1[2][2] = 0.0;
-    f1[0] = -(z_20 - z_21*z_27 - z_25*z_30 - z_32);
-    f1[1] = cos_theta2*z_26*c_2 + z_29*sin_theta2*c_2 - z_32;
-    f1[2] = -(theta3*K1 - (z_4*c_3*(theta1_dot*theta1_dot) + sin_theta1*z_27 + z_12*(c_1*z_31) -
-        cos_theta1*z_30));
+    f1[0] = -((z_20 - z_21*K2*z_26 - K2*z_28*z_25) - z_30);
+    f1[1] = c_2*(cos_theta2*z_26 + z_28*sin_theta2) - z_30;
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_26 - cos_theta1*z_28)) - (z_4*c_3*(theta1_dot*theta1_dot) +
+        z_12*(c_1*z_29)));
     f2[0] = z_20;
     A1[0][0] = z_21;
-    A1[0][1] = z_28;
+    A1[0][1] = z_27;
     A1[0][2] = sin_theta1;
-    gamma[0] = theta1_dot*(z_36 - theta1_dot*z_25) + theta1_dot*z_36 - z_24*(theta2_dot*theta2_dot);
+    gamma[0] = theta1_dot*(z_34 - theta1_dot*z_25) + theta1_dot*z_34 - z_24*(theta2_dot*theta2_dot);
 
     /* theta1, theta2, theta3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -373,7 +369,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -525,27 +522,26 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double z_27 = l2*sin_theta2;
     const double z_28 = z_3*sin_theta1;
     const double z_29 = 4.0 - z_27 - z_28;
-    const double z_30 = K2*z_29;
-    const double z_31 = l2*cos_theta2;
-    const double z_32 = z_24 + z_31;
-    const double z_33 = K2*z_32;
-    const double z_34 = theta1_dot*theta2_dot;
-    const double z_35 = c_1*(z_11*(theta2_dot*theta3_dot) - z_20*z_34);
-    const double z_38 = theta3_dot*cos_theta1;
+    const double z_30 = l2*cos_theta2;
+    const double z_31 = z_24 + z_30;
+    const double z_32 = theta1_dot*theta2_dot;
+    const double z_33 = c_1*(z_11*(theta2_dot*theta3_dot) - z_20*z_32);
+    const double z_36 = theta3_dot*cos_theta1;
     Mdot1[0][0] = c_0*(theta3_dot*z_3);
     Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_11 - z_19*z_20);
     Mdot1[1][1] = 0.0;
     Mdot1[0][2] = Mdot1[2][0] = 0.0;
     Mdot1[1][2] = Mdot1[2][1] = z_19*z_12;
     Mdot1[2][2] = 0.0;
-    f1[0] = -(z_23 - z_24*z_30 - z_28*z_33 - z_35);
-    f1[1] = cos_theta2*z_29*c_2 + z_32*sin_theta2*c_2 - z_35;
-    f1[2] = -(theta3*K1 - (z_3*c_3*(theta1_dot*theta1_dot) + sin_theta1*z_30 + z_12*z_34 - cos_theta1*z_33));
+    f1[0] = -((z_23 - z_24*K2*z_29 - K2*z_31*z_28) - z_33);
+    f1[1] = c_2*(cos_theta2*z_29 + z_31*sin_theta2) - z_33;
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_29 - cos_theta1*z_31)) - (z_3*c_3*(theta1_dot*theta1_dot) +
+        z_12*z_32));
     f2[0] = z_23;
     A1[0][0] = z_24;
-    A1[0][1] = z_31;
+    A1[0][1] = z_30;
     A1[0][2] = sin_theta1;
-    gamma[0] = theta1_dot*(z_38 - theta1_dot*z_28) + theta1_dot*z_38 - z_27*(theta2_dot*theta2_dot);
+    gamma[0] = theta1_dot*(z_36 - theta1_dot*z_28) + theta1_dot*z_36 - z_27*(theta2_dot*theta2_dot);
 
     /* theta1, theta2, theta3: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -606,18 +602,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
     double A1[N_ROWS][N1];
     double b[N_ROWS];
@@ -634,11 +633,14 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double cos_theta2 = cos(theta2);
     const double sin_theta1 = sin(theta1);
     const double sin_theta2 = sin(theta2);
+    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_12 = c_1*z_11;
+    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
     M1[0][0] = c_3*(z_3*z_3);
-    M1[0][1] = M1[1][0] = z_3*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    M1[0][1] = M1[1][0] = z_3*z_12;
     M1[1][1] = c_4;
     M1[0][2] = M1[2][0] = 0.0;
-    M1[1][2] = M1[2][1] = c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    M1[1][2] = M1[2][1] = c_1*z_14;
     M1[2][2] = c_3;
     A1[0][0] = z_3*cos_theta1;
     A1[0][1] = l2*cos_theta2;
@@ -655,9 +657,44 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         changed = 1;
     }
 
+    /* theta4 */
+    double eta2[N2] = { y[7] };
+
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+            double v2[N2];
+            memcpy(v2, eta2, sizeof v2);
+            em_from_axes(N2, c + 9, c + 10, v2);
+    const double c_0 = c[13];
+    const double theta1_dot = v1[0];
+    const double theta2_dot = v1[1];
+    const double theta3_dot = v1[2];
+    const double z_20 = theta1_dot - theta2_dot;
+    Mdot1[0][0] = c_0*(theta3_dot*z_3);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_11 - z_14*(z_3*z_20));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = 0.0;
+    Mdot1[1][2] = Mdot1[2][1] = z_20*z_12;
+    Mdot1[2][2] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -677,7 +714,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         *mode = wanted;
     }
 
-    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
         double B1[N_ROWS][N1];
         memcpy(B1, A1, sizeof B1);
@@ -699,7 +736,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         }
     }
     if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; i < N1; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
     }
     y[4] = eta1[0];
@@ -714,7 +751,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -783,12 +820,20 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[8 + 0*N1 + 0];
+    C[0*N + 1] = y[8 + 0*N1 + 1];
+    C[0*N + 2] = y[8 + 0*N1 + 2];
+    C[1*N + 0] = y[8 + 1*N1 + 0];
+    C[1*N + 1] = y[8 + 1*N1 + 1];
+    C[1*N + 2] = y[8 + 1*N1 + 2];
+    C[2*N + 0] = y[8 + 2*N1 + 0];
+    C[2*N + 1] = y[8 + 2*N1 + 1];
+    C[2*N + 2] = y[8 + 2*N1 + 2];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -809,6 +854,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[8 + 2*N1 + 1] = C[2*N + 1];
     y[8 + 2*N1 + 2] = C[2*N + 2];
     y[17 + 2] = s[2];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -824,6 +870,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
@@ -837,6 +896,7 @@ static const double parameter_defaults[] = { 1.0, 1.0, 1.0, 0.5, 0.7071067811865
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5235987755982989, 1.0471975511965979, 0.0, 2.356194490192345 };
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
+static const int carried[N] = { 1, 1, 1, 0 };
 static const em_slice layout[] = {
     {"x", 0, 4},
     {"eta", 4, 4},
@@ -888,6 +948,7 @@ const em_model dual_link_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -902,6 +963,8 @@ const em_model dual_link_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

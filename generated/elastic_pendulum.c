@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:682ba1407336a395b8f3f760f39d43989dbeba16af6e669feb22e6143626e537 */
+/* body sha256:1bc343b6999c83b1e563e41543e75fcfd7bdb5d08d6fc56e9b609136a589f410 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -165,16 +165,17 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
     const double m = c[0];
     const double r = y[1];
     const double M1 = m*(r*r);
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
+    if (!(M1 > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1);
     const double s1[1] = { sqrt(M1) };
     double r1[N1], w1[N1];
     for (int i = 0; i < N1; ++i) {
@@ -231,11 +232,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const double m = c[0];
     const double r = y[1];
     const double M1 = m*(r*r);
@@ -249,7 +250,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -297,10 +298,9 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -311,6 +311,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
         eta[i] = s[i]*sum;
     }
     memcpy(y + N, eta, sizeof eta);
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -322,6 +323,19 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #include "em_stepper.h"
@@ -337,6 +351,7 @@ static const double parameter_defaults[] = { 1.0, 100.0, 9.81, 1.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5235987755982989, 1.2 };
 static const double initial_v[N] = { 0.0, 0.0 };
+static const int carried[N] = { 0, 0 };
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -386,6 +401,7 @@ const em_model elastic_pendulum_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -400,6 +416,8 @@ const em_model elastic_pendulum_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:123e6c32074a0513a8f714196f476008ab557300aa9ef365e08b7e49bca64ce2 */
+/* body sha256:be436989fcc738457579f91f72eee755685f721430103eb2cdcdd1ab38c1e85f */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -26,7 +26,7 @@
  * Operations of the straight-line part:
  *   eigenfactor: 10 additions, 32 multiplications, 6 function calls
  *   triangular root: 11 additions, 36 multiplications, 6 function calls
- *   projection: 1 additions, 10 multiplications, 6 function calls
+ *   projection: 4 additions, 19 multiplications, 6 function calls
  */
 #include "four_bar.h"
 
@@ -272,10 +272,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* q1, q2: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4] };
@@ -362,7 +362,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -616,18 +617,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
     double M1[N1][N1];
     double A1[N_ROWS][N1];
@@ -675,7 +679,35 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+            double v2[N2];
+            memcpy(v2, eta2, sizeof v2);
+            em_from_axes(N2, c + 6, c + 7, v2);
+    const double q1_dot = v1[0];
+    const double q2_dot = v1[1];
+    const double z_16 = cos_q2_*sin_q1_;
+    const double z_18 = cos_q1_*sin_q2_;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_16 + q2_dot*z_18) - c_0*(q1_dot*z_18 + q2_dot*z_16));
+    Mdot1[1][1] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -695,7 +727,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         *mode = wanted;
     }
 
-    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
         double B1[N_ROWS][N1];
         memcpy(B1, A1, sizeof B1);
@@ -725,9 +757,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         }
     }
     if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; i < N1; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
-        for (int i = 0; i < N2; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N2; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
     }
     y[3] = eta1[0];
@@ -742,7 +774,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -807,12 +839,15 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[6 + 0*N1 + 0];
+    C[0*N + 1] = y[6 + 0*N1 + 1];
+    C[1*N + 0] = y[6 + 1*N1 + 0];
+    C[1*N + 1] = y[6 + 1*N1 + 1];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -827,6 +862,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[6 + 1*N1 + 0] = C[1*N + 0];
     y[6 + 1*N1 + 1] = C[1*N + 1];
     y[10 + 1] = s[1];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -842,6 +878,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", NULL };
@@ -855,6 +904,7 @@ static const double parameter_defaults[] = { 0.4, 1.0, 0.8, 1.0, 1.0, 9.81, 0.0 
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 1.5707963267948966, 0.4069607577066713, 1.6730644304861704 };
 static const double initial_v[N] = { 4.0, -0.1712309218771849, 1.9253387515666516 };
+static const int carried[N] = { 1, 1, 0 };
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -905,6 +955,7 @@ const em_model four_bar_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -919,6 +970,8 @@ const em_model four_bar_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

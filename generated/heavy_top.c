@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:3c5b1f0ff361a91e068afa60247fbbb1d9fcbb206cbdb62e0f5cd7638e548b1b */
+/* body sha256:308ccd299e7e8a8c690b32deed623192272f1f72f94b7f9d2b6c9c93746df217 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -26,7 +26,7 @@
  * Operations of the straight-line part:
  *   eigenfactor: 2 additions, 12 multiplications, 2 function calls
  *   triangular root: 3 additions, 17 multiplications, 2 function calls
- *   projection: 1 additions, 5 multiplications, 2 function calls
+ *   projection: 1 additions, 9 multiplications, 2 function calls
  */
 #include "heavy_top.h"
 
@@ -66,10 +66,10 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     const double m = c[0];
     const double l = c[1];
     const double g = c[2];
-    const double J = c[3];
+    const double J_ = c[3];
     const double J3 = c[4];
-    const double z_2 = J - J3;
-    M2[0][0] = J;
+    const double z_2 = J_ - J3;
+    M2[0][0] = J_;
     c[9] = 2.0*z_2;
     c[10] = z_2;
     c[11] = g*l*m;
@@ -83,14 +83,14 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
 (void)t;
-    const double J = c[3];
+    const double J_ = c[3];
     const double J3 = c[4];
     const double theta = x[1];
     const double sin_theta = sin(theta);
     const double cos_theta = cos(theta);
-    M[0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M[0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M[3] = M[1] = 0.0;
-    M[4] = J;
+    M[4] = J_;
     M[6] = M[2] = J3*cos_theta;
     M[7] = M[5] = 0.0;
     M[8] = J3;
@@ -149,7 +149,7 @@ static void motion_bias(double t, const double *restrict x, const double *restri
 static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
 {
 (void)t;
-    const double J = c[3];
+    const double J_ = c[3];
     const double J3 = c[4];
     const double c_2 = c[11];
     const double phi_dot = v[0];
@@ -158,8 +158,8 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta = x[1];
     const double sin_theta = sin(theta);
     const double cos_theta = cos(theta);
-    e[0] = 0.5*(phi_dot*(phi_dot*(J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
-        J*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
+    e[0] = 0.5*(phi_dot*(phi_dot*(J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
+        J_*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
     e[1] = 0.0;
     e[2] = 0.0;
     e[3] = cos_theta*c_2;
@@ -183,10 +183,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* phi, psi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[5] };
@@ -242,7 +242,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -290,12 +291,12 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 (void)t, (void)u;
     (void)flags, (void)fault;
     double M1[N1][N1];
-    const double J = c[3];
+    const double J_ = c[3];
     const double J3 = c[4];
     const double theta = y[1];
     const double sin_theta = sin(theta);
     const double cos_theta = cos(theta);
-    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[0][0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M1[1][0] = J3*cos_theta;
     M1[1][1] = J3;
 
@@ -370,25 +371,28 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
-    const double J = c[3];
+    const double J_ = c[3];
     const double J3 = c[4];
     const double theta = y[1];
     const double sin_theta = sin(theta);
     const double cos_theta = cos(theta);
-    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[0][0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M1[0][1] = M1[1][0] = J3*cos_theta;
     M1[1][1] = J3;
 
@@ -402,9 +406,39 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         changed = 1;
     }
 
+    /* theta */
+    double eta2[N2] = { y[4] };
+
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+            double v2[N2];
+            memcpy(v2, eta2, sizeof v2);
+            em_from_axes(N2, c + 5, c + 6, v2);
+    const double c_0 = c[9];
+    const double theta_dot = v2[0];
+    const double z_7 = theta_dot*sin_theta;
+    Mdot1[0][0] = c_0*(cos_theta*z_7);
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_7;
+    Mdot1[1][1] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -434,7 +468,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -499,12 +533,15 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[6 + 0*N1 + 0];
+    C[0*N + 2] = y[6 + 0*N1 + 1];
+    C[2*N + 0] = y[6 + 1*N1 + 0];
+    C[2*N + 2] = y[6 + 1*N1 + 1];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -519,6 +556,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[6 + 1*N1 + 0] = C[2*N + 0];
     y[6 + 1*N1 + 1] = C[2*N + 2];
     y[10 + 1] = s[2];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -534,6 +572,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "phi", "theta", "psi", NULL };
@@ -547,6 +598,7 @@ static const double parameter_defaults[] = { 1.0, 0.2, 9.81, 0.05, 0.02, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.6, 0.0 };
 static const double initial_v[N] = { 0.0, 0.0, 40.0 };
+static const int carried[N] = { 1, 0, 1 };
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -597,6 +649,7 @@ const em_model heavy_top_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -611,6 +664,8 @@ const em_model heavy_top_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

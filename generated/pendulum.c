@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:8133713a003e983192008e75a294757fa86d3e76f455530b3b470f3bfb10e318 */
+/* body sha256:33ca41539c93f19d3b9d997fb7e9a0c01c1088394d55baf9ae4a51b389e9e33b */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -142,10 +142,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[1] };
@@ -180,11 +180,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     return changed;
 }
 
@@ -193,7 +193,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -228,10 +228,9 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -242,6 +241,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
         eta[i] = s[i]*sum;
     }
     memcpy(y + N, eta, sizeof eta);
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -253,6 +253,19 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #include "em_stepper.h"
@@ -268,6 +281,7 @@ static const double parameter_defaults[] = { 1.0, 1.0, 9.81, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 2.0 };
 static const double initial_v[N] = { 0.0 };
+static const int carried[N] = { 0 };
 static const em_slice layout[] = {
     {"x", 0, 1},
     {"eta", 1, 1}
@@ -315,6 +329,7 @@ const em_model pendulum_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -329,6 +344,8 @@ const em_model pendulum_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

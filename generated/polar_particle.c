@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:510b0778eef1fdd67d0805972c75d256b375e1772355c96785df8f868b8c1382 */
+/* body sha256:c357ed17678c2929ba6ae8cdf604397c618e39ca7cc07ab6fd72c312aa31c58e */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -153,10 +153,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
     const double m = c[0];
     const double r = y[0];
     const double z_2 = r*r;
@@ -175,6 +175,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[3] };
+    if (!(M2 > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2);
     const double s2[1] = { sqrt(M2) };
     double r2[N2], w2[N2];
     for (int i = 0; i < N2; ++i) {
@@ -215,11 +216,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const double m = c[0];
     const double r = y[0];
     const double M2 = m*(r*r);
@@ -233,7 +234,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -281,10 +282,9 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -295,6 +295,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
         eta[i] = s[i]*sum;
     }
     memcpy(y + N, eta, sizeof eta);
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -306,6 +307,19 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #include "em_stepper.h"
@@ -321,6 +335,7 @@ static const double parameter_defaults[] = { 1.0, 1.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.1, 0.0 };
 static const double initial_v[N] = { 0.0, 43.58898943540674 };
+static const int carried[N] = { 0, 0 };
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -370,6 +385,7 @@ const em_model polar_particle_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -384,6 +400,8 @@ const em_model polar_particle_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

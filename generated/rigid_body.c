@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:307a063ca9ed6387970f65274aa7dd15e4e14d67f51f85863dc1ac39561064b3 */
+/* body sha256:7940bea1792ccd146bd2c5143aeaf0707c33ee374fb4fb8d40c734b62693b300 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -22,9 +22,9 @@
  *   dM/dpsi: M does not depend on it
  *
  * Operations of the straight-line part:
- *   eigenfactor: 13 additions, 41 multiplications, 4 function calls
- *   triangular root: 16 additions, 51 multiplications, 4 function calls
- *   projection: 3 additions, 15 multiplications, 4 function calls
+ *   eigenfactor: 14 additions, 43 multiplications, 4 function calls
+ *   triangular root: 17 additions, 54 multiplications, 4 function calls
+ *   projection: 9 additions, 33 multiplications, 4 function calls
  */
 #include "rigid_body.h"
 
@@ -152,29 +152,24 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double sin_theta = sin(theta);
     const double z_6 = theta_dot*sin_theta;
     const double z_7 = cos_theta*z_6;
-    const double z_9 = sin_theta*sin_theta;
     const double sin_phi_ = sin(phi_);
     const double cos_phi_ = cos(phi_);
-    const double z_14 = sin_phi_*cos_phi_;
-    const double z_15 = phi_dot*z_14;
-    const double z_16 = z_9*z_15;
-    const double z_17 = sin_phi_*sin_phi_;
-    const double z_19 = cos_phi_*cos_phi_;
-    const double z_21 = phi_dot*z_6;
-    const double z_22 = theta_dot*theta_dot;
-    const double z_23 = cos_theta*z_14;
-    const double z_24 = J3*sin_theta;
-    const double z_25 = sin_theta*z_17;
-    const double z_26 = sin_theta*z_19;
-    const double z_27 = psi_dot*psi_dot;
-    const double z_28 = psi_dot*theta_dot;
-    const double z_29 = z_23*z_28;
-    const double z_30 = psi_dot*phi_dot;
-    bias[0] = 2.0*psi_dot*(J3*z_7 - J1*(z_16 + z_17*z_7) - J2*(-(z_16 - z_19*z_7))) + J3*z_21 - c_0*(z_19*z_21 +
-        z_22*z_23 - z_17*z_21);
-    bias[1] = -(((cos_theta*z_24 - cos_theta*J1*z_25 - cos_theta*J2*z_26)*z_27 + z_30*z_24 - c_0*z_29) +
-        (c_0*(z_29 + z_26*z_30 - z_25*z_30) - c_1*(theta_dot*z_15)));
-    bias[2] = (c_0*z_9*z_27*z_14 + c_0*(z_26 - z_25)*z_28 - z_14*(c_0*z_22)) + psi_dot*J3*z_6;
+    const double z_12 = sin_phi_*cos_phi_;
+    const double z_14 = z_12*(phi_dot*(sin_theta*sin_theta));
+    const double z_15 = sin_phi_*sin_phi_;
+    const double z_17 = cos_phi_*cos_phi_;
+    const double z_19 = phi_dot*z_6;
+    const double z_20 = psi_dot*sin_theta;
+    const double z_21 = J2*(theta_dot*sin_phi_ - cos_phi_*z_20);
+    const double z_22 = J1*(theta_dot*cos_phi_ + sin_phi_*z_20);
+    const double z_23 = psi_dot*cos_theta;
+    const double z_24 = theta_dot*z_12;
+    const double z_25 = phi_dot*z_20;
+    bias[0] = 2.0*psi_dot*(J3*z_7 - J1*(z_14 + z_15*z_7) - J2*(-(z_14 - z_17*z_7))) + J3*z_19 - c_0*(z_17*z_19 +
+        z_12*(cos_theta*(theta_dot*theta_dot)) - z_15*z_19);
+    bias[1] = -((cos_theta*(psi_dot*cos_phi_*z_21 - psi_dot*sin_phi_*z_22) + J3*(phi_dot + z_23)*z_20) +
+        (c_0*(z_23*z_24 + z_17*z_25 - z_15*z_25) - phi_dot*c_1*z_24));
+    bias[2] = (sin_phi_*(z_20*z_21 - theta_dot*z_22) + cos_phi_*(theta_dot*z_21 + z_20*z_22)) + psi_dot*J3*z_6;
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
@@ -224,10 +219,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* psi, theta, phi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4], y[5] };
@@ -258,30 +253,30 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double phi_dot = v1[2];
     const double theta = y[1];
     const double phi_ = y[2];
-    const double cos_theta = cos(theta);
-    const double z_3 = theta_dot*cos_theta;
     const double sin_theta = sin(theta);
-    const double z_6 = J3*sin_theta;
-    const double z_8 = sin_theta*sin_theta;
+    const double cos_theta = cos(theta);
+    const double z_5 = theta_dot*cos_theta;
+    const double z_6 = sin_theta*z_5;
     const double sin_phi_ = sin(phi_);
     const double cos_phi_ = cos(phi_);
-    const double z_13 = sin_phi_*cos_phi_;
-    const double z_14 = phi_dot*z_13;
-    const double z_15 = z_8*z_14;
-    const double z_16 = sin_theta*(sin_phi_*sin_phi_);
-    const double z_18 = sin_theta*(cos_phi_*cos_phi_);
-    const double z_22 = psi_dot*psi_dot;
-    const double z_23 = c_0*z_13;
-    Mdot1[0][0] = (-2.0)*(z_3*z_6 - J1*(z_15 + z_16*z_3) - J2*(-(z_15 - z_18*z_3)));
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(phi_dot*z_18 + z_13*z_3 - phi_dot*z_16);
-    Mdot1[1][1] = -c_1*z_14;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*z_6;
+    const double z_12 = sin_phi_*cos_phi_;
+    const double z_13 = phi_dot*z_12;
+    const double z_14 = sin_theta*sin_theta*z_13;
+    const double z_15 = sin_phi_*sin_phi_;
+    const double z_17 = cos_phi_*cos_phi_;
+    const double z_19 = phi_dot*sin_theta;
+    const double z_22 = psi_dot*sin_theta;
+    const double z_23 = J2*(theta_dot*sin_phi_ - cos_phi_*z_22);
+    const double z_24 = J1*(theta_dot*cos_phi_ + sin_phi_*z_22);
+    Mdot1[0][0] = (-2.0)*(J3*z_6 - J1*(z_14 + z_15*z_6) - J2*(-(z_14 - z_17*z_6)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_17*z_19 + z_5*z_12 - z_15*z_19);
+    Mdot1[1][1] = -c_1*z_13;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
     Mdot1[1][2] = Mdot1[2][1] = 0.0;
     Mdot1[2][2] = 0.0;
     f1[0] = 0.0;
-    f1[1] = -((cos_theta*z_6 - cos_theta*(J1*z_16) - cos_theta*(J2*z_18))*z_22 + psi_dot*phi_dot*z_6 -
-        psi_dot*(z_3*z_23));
-    f1[2] = z_8*z_22*z_23 + psi_dot*theta_dot*(c_0*(z_18 - z_16)) - theta_dot*theta_dot*z_23;
+    f1[1] = -(cos_theta*(psi_dot*cos_phi_*z_23 - psi_dot*sin_phi_*z_24) + J3*(phi_dot + psi_dot*cos_theta)*z_22);
+    f1[2] = sin_phi_*(z_22*z_23 - theta_dot*z_24) + cos_phi_*(theta_dot*z_23 + z_22*z_24);
 
     /* psi, theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -289,7 +284,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -338,17 +334,16 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double theta = y[1];
     const double phi_ = y[2];
     const double cos_theta = cos(theta);
-    const double sin_phi_ = sin(phi_);
-    const double z_6 = sin_phi_*sin_phi_;
     const double sin_theta = sin(theta);
-    const double z_8 = sin_theta*sin_theta;
+    const double z_4 = sin_theta*sin_theta;
+    const double sin_phi_ = sin(phi_);
+    const double z_8 = sin_phi_*sin_phi_;
     const double cos_phi_ = cos(phi_);
     const double z_11 = cos_phi_*cos_phi_;
     const double z_13 = sin_phi_*cos_phi_;
-    const double z_14 = c_0*z_13;
-    M1[0][0] = J3*(cos_theta*cos_theta) + J1*z_6*z_8 + J2*z_8*z_11;
-    M1[1][0] = sin_theta*z_14;
-    M1[1][1] = J1*z_11 + J2*z_6;
+    M1[0][0] = J3*(cos_theta*cos_theta) + z_4*(J1*z_8) + z_4*(J2*z_11);
+    M1[1][0] = sin_theta*(c_0*z_13);
+    M1[1][1] = J1*z_11 + J2*z_8;
     M1[2][0] = J3*cos_theta;
     M1[2][1] = 0.0;
     M1[2][2] = J3;
@@ -375,23 +370,23 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double psi_dot = v1[0];
     const double theta_dot = v1[1];
     const double phi_dot = v1[2];
-    const double z_16 = theta_dot*cos_theta;
-    const double z_17 = J3*sin_theta;
-    const double z_19 = phi_dot*z_13;
-    const double z_20 = z_8*z_19;
-    const double z_21 = sin_theta*z_6;
-    const double z_22 = sin_theta*z_11;
-    const double z_25 = psi_dot*psi_dot;
-    Mdot1[0][0] = (-2.0)*(z_16*z_17 - J1*(z_20 + z_21*z_16) - J2*(-(z_20 - z_22*z_16)));
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(phi_dot*z_22 + z_13*z_16 - phi_dot*z_21);
-    Mdot1[1][1] = -c_1*z_19;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*z_17;
+    const double z_15 = theta_dot*cos_theta;
+    const double z_16 = sin_theta*z_15;
+    const double z_18 = phi_dot*z_13;
+    const double z_19 = z_4*z_18;
+    const double z_20 = phi_dot*sin_theta;
+    const double z_23 = psi_dot*sin_theta;
+    const double z_24 = J2*(theta_dot*sin_phi_ - cos_phi_*z_23);
+    const double z_25 = J1*(theta_dot*cos_phi_ + sin_phi_*z_23);
+    Mdot1[0][0] = (-2.0)*(J3*z_16 - J1*(z_19 + z_8*z_16) - J2*(-(z_19 - z_11*z_16)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_11*z_20 + z_13*z_15 - z_8*z_20);
+    Mdot1[1][1] = -c_1*z_18;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
     Mdot1[1][2] = Mdot1[2][1] = 0.0;
     Mdot1[2][2] = 0.0;
     f1[0] = 0.0;
-    f1[1] = -((cos_theta*z_17 - cos_theta*(J1*z_21) - cos_theta*(J2*z_22))*z_25 + psi_dot*phi_dot*z_17 -
-        psi_dot*(z_16*z_14));
-    f1[2] = z_8*z_25*z_14 + psi_dot*theta_dot*(c_0*(z_22 - z_21)) - theta_dot*theta_dot*z_14;
+    f1[1] = -(cos_theta*(psi_dot*cos_phi_*z_24 - psi_dot*sin_phi_*z_25) + J3*(phi_dot + psi_dot*cos_theta)*z_23);
+    f1[2] = sin_phi_*(z_23*z_24 - theta_dot*z_25) + cos_phi_*(theta_dot*z_24 + z_23*z_25);
 
     /* psi, theta, phi: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -415,18 +410,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
     const double J1 = c[0];
     const double J2 = c[1];
@@ -435,15 +433,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double theta = y[1];
     const double phi_ = y[2];
     const double cos_theta = cos(theta);
-    const double sin_phi_ = sin(phi_);
-    const double z_6 = sin_phi_*sin_phi_;
     const double sin_theta = sin(theta);
-    const double z_8 = sin_theta*sin_theta;
+    const double z_4 = sin_theta*sin_theta;
+    const double sin_phi_ = sin(phi_);
+    const double z_8 = sin_phi_*sin_phi_;
     const double cos_phi_ = cos(phi_);
     const double z_11 = cos_phi_*cos_phi_;
-    M1[0][0] = J3*(cos_theta*cos_theta) + J1*z_6*z_8 + J2*z_8*z_11;
-    M1[0][1] = M1[1][0] = sin_phi_*sin_theta*cos_phi_*c_0;
-    M1[1][1] = J1*z_11 + J2*z_6;
+    const double z_13 = sin_phi_*cos_phi_;
+    M1[0][0] = J3*(cos_theta*cos_theta) + z_4*(J1*z_8) + z_4*(J2*z_11);
+    M1[0][1] = M1[1][0] = sin_theta*(c_0*z_13);
+    M1[1][1] = J1*z_11 + J2*z_8;
     M1[0][2] = M1[2][0] = J3*cos_theta;
     M1[1][2] = M1[2][1] = 0.0;
     M1[2][2] = J3;
@@ -460,7 +459,39 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+    const double c_1 = c[4];
+    const double theta_dot = v1[1];
+    const double phi_dot = v1[2];
+    const double z_15 = theta_dot*cos_theta;
+    const double z_16 = sin_theta*z_15;
+    const double z_18 = phi_dot*z_13;
+    const double z_19 = z_4*z_18;
+    const double z_20 = phi_dot*sin_theta;
+    Mdot1[0][0] = (-2.0)*(J3*z_16 - J1*(z_19 + z_8*z_16) - J2*(-(z_19 - z_11*z_16)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_11*z_20 + z_13*z_15 - z_8*z_20);
+    Mdot1[1][1] = -c_1*z_18;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -491,7 +522,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -550,12 +581,20 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[6 + 0*N1 + 0];
+    C[0*N + 1] = y[6 + 0*N1 + 1];
+    C[0*N + 2] = y[6 + 0*N1 + 2];
+    C[1*N + 0] = y[6 + 1*N1 + 0];
+    C[1*N + 1] = y[6 + 1*N1 + 1];
+    C[1*N + 2] = y[6 + 1*N1 + 2];
+    C[2*N + 0] = y[6 + 2*N1 + 0];
+    C[2*N + 1] = y[6 + 2*N1 + 1];
+    C[2*N + 2] = y[6 + 2*N1 + 2];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -576,6 +615,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[6 + 2*N1 + 1] = C[2*N + 1];
     y[6 + 2*N1 + 2] = C[2*N + 2];
     y[15 + 2] = s[2];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -591,6 +631,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "psi", "theta", "phi", NULL };
@@ -604,6 +657,7 @@ static const double parameter_defaults[] = { 1.0, 2.0, 3.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 1.2, 1.4 };
 static const double initial_v[N] = { 1.971111170334329, 0.15611102464058085, -0.47267558118845315 };
+static const int carried[N] = { 1, 1, 1 };
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -653,6 +707,7 @@ const em_model rigid_body_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -667,6 +722,8 @@ const em_model rigid_body_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

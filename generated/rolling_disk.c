@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:2a4b4124ed2c977725569f01fa7e867673fe6e5c38a8ea140a0eb15f92533d9c */
+/* body sha256:25cb259ce4cc360a0d39bbe9ae950667bd9df0d30c6bc44498abce4282011bc7 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -21,9 +21,9 @@
  *   dM/dx, dM/dy, dM/dpsi: M does not depend on them
  *
  * Operations of the straight-line part:
- *   eigenfactor: 13 additions, 47 multiplications, 4 function calls
- *   triangular root: 14 additions, 59 multiplications, 4 function calls
- *   projection: 1 additions, 14 multiplications, 4 function calls
+ *   eigenfactor: 14 additions, 54 multiplications, 4 function calls
+ *   triangular root: 15 additions, 66 multiplications, 4 function calls
+ *   projection: 5 additions, 33 multiplications, 4 function calls
  */
 #include "rolling_disk.h"
 
@@ -45,7 +45,7 @@ enum {
     SETTLES = 1,      /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1,
     N_PARAMETERS = 3,
-    N_PREPARED = 13, /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 15, /* the parameters, factors of constant blocks, shared constants */
     N1 = 5 /* x, y, phi, theta, psi */
 };
 
@@ -67,13 +67,15 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[3] = z_2;
     c[4] = 2.5*z_3;
     c[5] = 0.5*z_3;
-    c[6] = 4.0*z_2;
-    c[7] = 5.0*z_3;
-    c[8] = 2.0*z_3;
-    c[9] = 4.0*z_5;
-    c[10] = z_3;
+    c[6] = z_3;
+    c[7] = 4.0*z_5;
+    c[8] = 4.0*z_2;
+    c[9] = 2.0*z_2;
+    c[10] = 3.0*z_3;
     c[11] = 1.25*z_3;
-    c[12] = z_5;
+    c[12] = 5.0*z_3;
+    c[13] = 2.0*z_3;
+    c[14] = z_5;
     return 0;
 }
 
@@ -84,7 +86,7 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double m = c[0];
     const double c_0 = c[3];
     const double c_2 = c[5];
-    const double c_7 = c[10];
+    const double c_3 = c[6];
     const double c_8 = c[11];
     const double phi_ = x[2];
     const double theta = x[3];
@@ -99,7 +101,7 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     M[6] = m;
     M[10] = M[2] = -sin_theta*z_6;
     M[11] = M[7] = -sin_theta*z_8;
-    M[12] = 0.25*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M[12] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M[15] = M[3] = -cos_theta*z_8;
     M[16] = M[8] = cos_theta*z_6;
     M[17] = M[13] = 0.0;
@@ -178,8 +180,8 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double c_3 = c[6];
     const double c_4 = c[7];
     const double c_5 = c[8];
-    const double c_6 = c[9];
-    const double c_7 = c[10];
+    const double c_9 = c[12];
+    const double c_10 = c[13];
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double phi_dot = v[2];
@@ -210,10 +212,10 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double z_35 = r*(phi_dot*psi_dot);
     bias[0] = -(c_0*(z_2*z_7 - z_13) - c_0*(z_13 - z_14*z_7));
     bias[1] = c_0*(z_15 + z_2*z_16) + c_0*(z_15 + z_14*z_16);
-    bias[2] = 0.5*(2.0*c_0*(z_19 - z_22) - (2.0*c_0*z_19 + c_4*(sin_theta*z_12) - 2.0*c_0*z_22 -
-        theta_dot*cos_theta*(psi_dot*c_7)));
-    bias[3] = (-0.25)*(((z_26*c_3 + z_28*c_3 + z_30*c_3 + psi_dot*c_5*z_11 - c_4*(z_2*(sin_theta*cos_theta)) -
-        z_29*c_3) - sin_theta*c_6) - 4.0*(c_0*(z_26 - z_29) + c_0*(z_28 + z_30)));
+    bias[2] = 0.5*(2.0*c_0*(z_19 - z_22) - (2.0*c_0*z_19 + c_9*(sin_theta*z_12) - 2.0*c_0*z_22 -
+        theta_dot*cos_theta*(psi_dot*c_3)));
+    bias[3] = (-0.25)*(((z_26*c_5 + z_28*c_5 + z_30*c_5 + psi_dot*c_10*z_11 - c_9*(z_2*(sin_theta*cos_theta)) -
+        z_29*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_26 - z_29) + c_0*(z_28 + z_30)));
     bias[4] = c_2*z_12;
     gamma[0] = sin_phi_*z_35;
     gamma[1] = -cos_phi_*z_35;
@@ -226,10 +228,10 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double m = c[0];
     const double c_0 = c[3];
     const double c_3 = c[6];
-    const double c_4 = c[7];
     const double c_5 = c[8];
-    const double c_7 = c[10];
     const double c_9 = c[12];
+    const double c_10 = c[13];
+    const double c_11 = c[14];
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double phi_dot = v[2];
@@ -245,15 +247,15 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double z_11 = sin_phi_*c_0;
     const double cos_theta = cos(theta);
     const double z_14 = theta_dot*cos_theta;
-    const double z_18 = cos_phi_*c_3;
-    const double z_19 = sin_phi_*c_3;
+    const double z_18 = cos_phi_*c_5;
+    const double z_19 = sin_phi_*c_5;
     e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_5*z_9 - z_11*z_14) + 4.0*y_dot*(y_dot*m + z_9*z_14 - z_5*z_11) -
-        phi_dot*(x_dot*sin_theta*z_18 + y_dot*sin_theta*z_19 + c_5*(psi_dot*sin_theta) -
-        phi_dot*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_19 -
-        y_dot*cos_theta*z_18 - theta_dot*c_4) - 2.0*psi_dot*(c_7*(-(psi_dot - z_5))));
+        phi_dot*(x_dot*sin_theta*z_18 + y_dot*sin_theta*z_19 + c_10*(psi_dot*sin_theta) -
+        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_19 -
+        y_dot*cos_theta*z_18 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_5))));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = cos_theta*c_9;
+    e[3] = cos_theta*c_11;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -274,10 +276,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -310,6 +312,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double c_4 = c[7];
     const double c_5 = c[8];
     const double c_6 = c[9];
+    const double c_7 = c[10];
     const double x_dot = v1[0];
     const double y_dot = v1[1];
     const double phi_dot = v1[2];
@@ -325,21 +328,16 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double z_10 = phi_dot*sin_theta;
     const double z_12 = theta_dot*sin_theta;
     const double z_13 = phi_dot*cos_theta;
-    const double z_16 = x_dot*sin_phi_;
-    const double z_18 = y_dot*cos_phi_;
-    const double z_19 = x_dot*cos_phi_;
-    const double z_20 = y_dot*sin_phi_;
-    const double z_22 = c_3*z_13;
-    const double z_24 = c_3*z_12;
-    const double z_29 = r*cos_phi_;
-    const double z_30 = r*sin_phi_;
-    const double z_31 = phi_dot*psi_dot;
+    const double z_18 = phi_dot*phi_dot;
+    const double z_22 = phi_dot*psi_dot;
+    const double z_26 = r*cos_phi_;
+    const double z_27 = r*sin_phi_;
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.0;
     Mdot1[1][1] = 0.0;
     Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi_*z_6 - sin_phi_*z_10));
     Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi_*z_10 + sin_phi_*z_6);
-    Mdot1[2][2] = c_1*(sin_theta*z_6);
+    Mdot1[2][2] = sin_theta*c_1*z_6;
     Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi_*z_12 - cos_phi_*z_13);
     Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi_*z_13 + cos_phi_*z_12);
     Mdot1[2][3] = Mdot1[3][2] = 0.0;
@@ -351,22 +349,23 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     Mdot1[4][4] = 0.0;
     f1[0] = 0.0;
     f1[1] = 0.0;
-    f1[2] = c_0*(z_10*z_16 - z_10*z_18 - z_6*z_19 - z_6*z_20);
-    f1[3] = (-0.25)*((z_19*z_22 + z_20*z_22 + z_18*z_24 + c_5*(psi_dot*z_13) -
-        c_4*(phi_dot*phi_dot*(sin_theta*cos_theta)) - z_16*z_24) - sin_theta*c_6);
+    f1[2] = -(cos_phi_*(c_0*(x_dot*z_6 + y_dot*z_10)) + sin_phi_*(c_0*(y_dot*z_6 - x_dot*z_10)));
+    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi_*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_18 -
+        cos_phi_*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_22 + sin_phi_*c_6*(y_dot*phi_dot) +
+        cos_phi_*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_18));
     f1[4] = 0.0;
     A1[0][0] = 1.0;
     A1[0][1] = 0.0;
     A1[0][2] = 0.0;
     A1[0][3] = 0.0;
-    A1[0][4] = -z_29;
+    A1[0][4] = -z_26;
     A1[1][0] = 0.0;
     A1[1][1] = 1.0;
     A1[1][2] = 0.0;
     A1[1][3] = 0.0;
-    A1[1][4] = -z_30;
-    gamma[0] = z_30*z_31;
-    gamma[1] = -z_29*z_31;
+    A1[1][4] = -z_27;
+    gamma[0] = z_27*z_22;
+    gamma[1] = -z_26*z_22;
 
     /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -374,7 +373,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -453,7 +453,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double m = c[0];
     const double c_0 = c[3];
     const double c_2 = c[5];
-    const double c_7 = c[10];
+    const double c_3 = c[6];
     const double c_8 = c[11];
     const double phi_ = y[2];
     const double theta = y[3];
@@ -468,7 +468,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     M1[1][1] = m;
     M1[2][0] = -sin_theta*z_6;
     M1[2][1] = -sin_theta*z_8;
-    M1[2][2] = 0.25*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M1[3][0] = -cos_theta*z_8;
     M1[3][1] = cos_theta*z_6;
     M1[3][2] = 0.0;
@@ -503,10 +503,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     double gamma[N_ROWS];
     const double r = c[1];
     const double c_1 = c[4];
-    const double c_3 = c[6];
     const double c_4 = c[7];
     const double c_5 = c[8];
     const double c_6 = c[9];
+    const double c_7 = c[10];
     const double x_dot = v1[0];
     const double y_dot = v1[1];
     const double phi_dot = v1[2];
@@ -516,15 +516,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double z_16 = phi_dot*sin_theta;
     const double z_18 = theta_dot*sin_theta;
     const double z_19 = phi_dot*cos_theta;
-    const double z_21 = x_dot*sin_phi_;
-    const double z_23 = y_dot*cos_phi_;
-    const double z_24 = x_dot*cos_phi_;
-    const double z_25 = y_dot*sin_phi_;
-    const double z_27 = c_3*z_19;
-    const double z_29 = c_3*z_18;
-    const double z_34 = r*cos_phi_;
-    const double z_35 = r*sin_phi_;
-    const double z_36 = phi_dot*psi_dot;
+    const double z_22 = phi_dot*phi_dot;
+    const double z_26 = phi_dot*psi_dot;
+    const double z_30 = r*cos_phi_;
+    const double z_31 = r*sin_phi_;
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.0;
     Mdot1[1][1] = 0.0;
@@ -542,22 +537,23 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     Mdot1[4][4] = 0.0;
     f1[0] = 0.0;
     f1[1] = 0.0;
-    f1[2] = c_0*(z_16*z_21 - z_16*z_23 - z_14*z_24 - z_14*z_25);
-    f1[3] = (-0.25)*((z_24*z_27 + z_25*z_27 + z_23*z_29 + c_5*(psi_dot*z_19) -
-        sin_theta*c_4*(cos_theta*(phi_dot*phi_dot)) - z_21*z_29) - sin_theta*c_6);
+    f1[2] = -(cos_phi_*(c_0*(x_dot*z_14 + y_dot*z_16)) + sin_phi_*(c_0*(y_dot*z_14 - x_dot*z_16)));
+    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi_*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_22 -
+        cos_phi_*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_26 + sin_phi_*c_6*(y_dot*phi_dot) +
+        cos_phi_*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_22));
     f1[4] = 0.0;
     A1[0][0] = 1.0;
     A1[0][1] = 0.0;
     A1[0][2] = 0.0;
     A1[0][3] = 0.0;
-    A1[0][4] = -z_34;
+    A1[0][4] = -z_30;
     A1[1][0] = 0.0;
     A1[1][1] = 1.0;
     A1[1][2] = 0.0;
     A1[1][3] = 0.0;
-    A1[1][4] = -z_35;
-    gamma[0] = z_35*z_36;
-    gamma[1] = -z_34*z_36;
+    A1[1][4] = -z_31;
+    gamma[0] = z_31*z_26;
+    gamma[1] = -z_30*z_26;
 
     /* x, y, phi, theta, psi: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -613,18 +609,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
     double A1[N_ROWS][N1];
     double b[N_ROWS];
@@ -632,7 +631,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double r = c[1];
     const double c_0 = c[3];
     const double c_2 = c[5];
-    const double c_7 = c[10];
+    const double c_3 = c[6];
     const double c_8 = c[11];
     const double phi_ = y[2];
     const double theta = y[3];
@@ -647,7 +646,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     M1[1][1] = m;
     M1[0][2] = M1[2][0] = -sin_theta*z_6;
     M1[1][2] = M1[2][1] = -sin_theta*z_8;
-    M1[2][2] = 0.25*(c_7*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M1[0][3] = M1[3][0] = -cos_theta*z_8;
     M1[1][3] = M1[3][1] = cos_theta*z_6;
     M1[2][3] = M1[3][2] = 0.0;
@@ -682,7 +681,47 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+    const double c_1 = c[4];
+    const double phi_dot = v1[2];
+    const double theta_dot = v1[3];
+    const double z_15 = theta_dot*cos_theta;
+    const double z_17 = phi_dot*sin_theta;
+    const double z_19 = theta_dot*sin_theta;
+    const double z_20 = phi_dot*cos_theta;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi_*z_15 - sin_phi_*z_17));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi_*z_17 + sin_phi_*z_15);
+    Mdot1[2][2] = sin_theta*c_1*z_15;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi_*z_19 - cos_phi_*z_20);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi_*z_20 + cos_phi_*z_19);
+    Mdot1[2][3] = Mdot1[3][2] = 0.0;
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = 0.0;
+    Mdot1[1][4] = Mdot1[4][1] = 0.0;
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_15;
+    Mdot1[3][4] = Mdot1[4][3] = 0.0;
+    Mdot1[4][4] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -702,7 +741,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         *mode = wanted;
     }
 
-    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
         double B1[N_ROWS][N1];
         memcpy(B1, A1, sizeof B1);
@@ -724,7 +763,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         }
     }
     if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; i < N1; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
     }
     y[5] = eta1[0];
@@ -741,7 +780,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -808,12 +847,36 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[10 + 0*N1 + 0];
+    C[0*N + 1] = y[10 + 0*N1 + 1];
+    C[0*N + 2] = y[10 + 0*N1 + 2];
+    C[0*N + 3] = y[10 + 0*N1 + 3];
+    C[0*N + 4] = y[10 + 0*N1 + 4];
+    C[1*N + 0] = y[10 + 1*N1 + 0];
+    C[1*N + 1] = y[10 + 1*N1 + 1];
+    C[1*N + 2] = y[10 + 1*N1 + 2];
+    C[1*N + 3] = y[10 + 1*N1 + 3];
+    C[1*N + 4] = y[10 + 1*N1 + 4];
+    C[2*N + 0] = y[10 + 2*N1 + 0];
+    C[2*N + 1] = y[10 + 2*N1 + 1];
+    C[2*N + 2] = y[10 + 2*N1 + 2];
+    C[2*N + 3] = y[10 + 2*N1 + 3];
+    C[2*N + 4] = y[10 + 2*N1 + 4];
+    C[3*N + 0] = y[10 + 3*N1 + 0];
+    C[3*N + 1] = y[10 + 3*N1 + 1];
+    C[3*N + 2] = y[10 + 3*N1 + 2];
+    C[3*N + 3] = y[10 + 3*N1 + 3];
+    C[3*N + 4] = y[10 + 3*N1 + 4];
+    C[4*N + 0] = y[10 + 4*N1 + 0];
+    C[4*N + 1] = y[10 + 4*N1 + 1];
+    C[4*N + 2] = y[10 + 4*N1 + 2];
+    C[4*N + 3] = y[10 + 4*N1 + 3];
+    C[4*N + 4] = y[10 + 4*N1 + 4];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -852,6 +915,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[10 + 4*N1 + 3] = C[4*N + 3];
     y[10 + 4*N1 + 4] = C[4*N + 4];
     y[35 + 4] = s[4];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -867,6 +931,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "x", "y", "phi", "theta", "psi", NULL };
@@ -880,6 +957,7 @@ static const double parameter_defaults[] = { 1.0, 0.5, 9.81, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 0.0, 0.3, 0.0 };
 static const double initial_v[N] = { 2.146192491889161, 0.0, 1.0, 0.0, 4.292384983778322 };
+static const int carried[N] = { 1, 1, 1, 1, 1 };
 static const em_slice layout[] = {
     {"x", 0, 5},
     {"eta", 5, 5},
@@ -928,6 +1006,7 @@ const em_model rolling_disk_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -942,6 +1021,8 @@ const em_model rolling_disk_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:87710fcc28db971c4ed30f352d732e1a8906fe7166a37840b120f72c93cf917a */
+/* body sha256:393bca8b383bac5ba01ff4bfa59a90506fe2b4c41dbdfd005e95baab5e36857f */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -169,10 +169,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
@@ -233,11 +233,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     return changed;
 }
 
@@ -246,7 +246,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -291,10 +291,9 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -305,6 +304,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
         eta[i] = s[i]*sum;
     }
     memcpy(y + N, eta, sizeof eta);
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -316,6 +316,19 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #include "em_stepper.h"
@@ -331,6 +344,7 @@ static const double parameter_defaults[] = { 1.0, 9.0, 14.0, 2.0, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 1.0, 0.0 };
 static const double initial_v[N] = { 0.0, 0.5 };
+static const int carried[N] = { 0, 0 };
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -378,6 +392,7 @@ const em_model rotating_spring_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -392,6 +407,8 @@ const em_model rotating_spring_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:52fdd7743196a9276f073dc063c56134f2b025b9bc43ca22fa68473cc0f83d96 */
+/* body sha256:6bc98f6c5e5f9456cd746a17d6706e78f98292f31f361672078844dbff83514b */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -23,7 +23,7 @@
  * Operations of the straight-line part:
  *   eigenfactor: 56 additions, 124 multiplications, 4 function calls
  *   triangular root: 69 additions, 149 multiplications, 4 function calls
- *   projection: 21 additions, 41 multiplications, 4 function calls
+ *   projection: 45 additions, 96 multiplications, 4 function calls
  */
 #include "spatial_arm_3.h"
 
@@ -405,10 +405,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4], y[5] };
@@ -515,7 +515,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N1; ++i) {
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega1[i][j] = mu1[i][j]/((s1[j] - s1[i])*(s1[j] + s1[i]));
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]/gap;
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -696,18 +697,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
     const double m_2 = c[1];
     const double m_3 = c[2];
@@ -740,19 +744,21 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double cos_q_3 = cos(q_3);
     const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
     const double z_12 = cos_q_2*c_0 + z_10*c_1;
-    const double sin_q_3 = sin(q_3);
-    const double z_16 = sin_q_3*sin_q_3;
     const double sin_q_2 = sin(q_2);
-    const double z_18 = sin_q_2*sin_q_2;
+    const double z_15 = sin_q_2*sin_q_2;
+    const double sin_q_3 = sin(q_3);
+    const double z_18 = sin_q_3*sin_q_3;
     const double z_22 = m_2*(c_2 + z_6);
-    const double z_24 = cos_q_3*z_10;
-    const double z_26 = z_7*z_16;
+    const double z_25 = z_7*z_18;
+    const double z_29 = z_22 + cos_q_3*z_10*c_3 + c_4*z_25;
+    const double z_32 = cos_q_3*cos_q_3;
     const double z_33 = sin_q_3*sin_q_2;
-    const double z_36 = c_13 + l_3*cos_q_3;
-    M1[0][0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + c_7*z_16*z_18 + c_24 + (z_22 + m_3*z_24 +
-        c_3*z_26)*c_9 + c_17*z_18 + cos_q_2*(z_22 + c_3*z_24 + c_4*z_26)*c_21 + c_18*(z_18*(cos_q_3*cos_q_3)));
-    M1[0][1] = M1[1][0] = (1.0/12.0)*(cos_q_3*c_11*z_33 + c_15*z_33);
-    M1[1][1] = (1.0/12.0)*(cos_q_3*(cos_q_3*c_0 + z_36*c_1) + c_25 + z_36*c_26 + c_18*z_16);
+    const double z_37 = c_13 + l_3*cos_q_3;
+    const double z_38 = cos_q_3*c_0 + z_37*c_1;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + z_15*(c_7*z_18) + c_24 + (z_22 +
+        z_10*(m_3*cos_q_3) + c_3*z_25)*c_9 + c_17*z_15 + cos_q_2*z_29*c_21 + c_18*z_15*z_32);
+    M1[0][1] = M1[1][0] = (1.0/12.0)*(z_33*(cos_q_3*c_11) + c_15*z_33);
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_38 + c_25 + z_37*c_26 + c_18*z_18);
     M1[0][2] = M1[2][0] = (1.0/12.0)*z_12;
     M1[1][2] = M1[2][1] = 0.0;
     M1[2][2] = c_27;
@@ -769,7 +775,52 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+    const double c_5 = c[13];
+    const double c_6 = c[14];
+    const double c_8 = c[16];
+    const double c_10 = c[18];
+    const double c_12 = c[20];
+    const double c_14 = c[22];
+    const double q_2_dot = v1[1];
+    const double q_3_dot = v1[2];
+    const double z_43 = q_2_dot*sin_q_2;
+    const double z_45 = q_3_dot*sin_q_3;
+    const double z_46 = l_3*z_43 + 2.0*(cos_q_3*(l_2*z_43) + z_7*z_45);
+    const double z_47 = c_0*z_43 + z_46*c_1;
+    const double z_49 = c_5*z_43;
+    const double z_51 = cos_q_3*z_45;
+    const double z_52 = m_3*(z_10*z_45 + cos_q_3*z_46) + 2.0*(c_6*z_18*z_43 - c_3*(z_7*z_51));
+    const double z_53 = z_15*z_51;
+    const double z_54 = cos_q_2*z_43;
+    const double z_57 = q_3_dot*sin_q_2;
+    const double z_58 = sin_q_3*(q_2_dot*cos_q_2);
+    Mdot1[0][0] = ((-1.0/12.0))*((z_12*z_43 + cos_q_2*z_47) + 3.0*l_2*(z_29*z_43 + cos_q_2*(z_49 + 2.0*z_52)) +
+        12.0*c_8*(z_53 - z_32*z_54) + (z_49 + z_52)*c_9 - 2.0*c_7*(z_53 + z_18*z_54) - c_10*z_54);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_18*z_57 - z_32*z_57 - cos_q_3*z_58) -
+        6.0*c_12*(cos_q_3*z_57 + z_58));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_51 - (c_7*z_51 + z_38*z_45) - c_15*z_45);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_47;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -800,7 +851,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -859,12 +910,20 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[6 + 0*N1 + 0];
+    C[0*N + 1] = y[6 + 0*N1 + 1];
+    C[0*N + 2] = y[6 + 0*N1 + 2];
+    C[1*N + 0] = y[6 + 1*N1 + 0];
+    C[1*N + 1] = y[6 + 1*N1 + 1];
+    C[1*N + 2] = y[6 + 1*N1 + 2];
+    C[2*N + 0] = y[6 + 2*N1 + 0];
+    C[2*N + 1] = y[6 + 2*N1 + 1];
+    C[2*N + 2] = y[6 + 2*N1 + 2];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -885,6 +944,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[6 + 2*N1 + 1] = C[2*N + 1];
     y[6 + 2*N1 + 2] = C[2*N + 2];
     y[15 + 2] = s[2];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -900,6 +960,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "q_1", "q_2", "q_3", NULL };
@@ -913,6 +986,7 @@ static const double parameter_defaults[] = { 1.0, 1.0, 1.0, 0.6, 0.6, 0.6, 0.05,
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5, 0.7, 0.9 };
 static const double initial_v[N] = { 1.0, 0.0, 0.0 };
+static const int carried[N] = { 1, 1, 1 };
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -961,6 +1035,7 @@ const em_model spatial_arm_3_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -975,6 +1050,8 @@ const em_model spatial_arm_3_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:fa11371e82ad1f7f47283ac7e616070331c97d081ff46f7f8d76272b4677092e */
+/* body sha256:8b97260d924e426c9cd51ef20f76024ce8f2a5fea8d281366e69bbd1b68f8478 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -28,7 +28,7 @@
  * Operations of the straight-line part:
  *   eigenfactor: 40 additions, 107 multiplications, 3 divisions
  *   triangular root: 45 additions, 121 multiplications, 3 divisions
- *   projection: 8 additions, 24 multiplications, 2 divisions
+ *   projection: 24 additions, 69 multiplications, 3 divisions
  */
 #include "sphere.h"
 
@@ -322,10 +322,10 @@ static void model_events(double t, const double *restrict x, const double *restr
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           int flags, double *restrict dy, em_fault *restrict fault)
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
 (void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5] };
@@ -456,7 +456,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     for (int i = 0; i < N3; ++i) {
         Omega3[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
-            Omega3[i][j] = mu3[i][j]/((s3[j] - s3[i])*(s3[j] + s3[i]));
+            const double gap = (s3[j] - s3[i])*(s3[j] + s3[i]);
+            Omega3[i][j] = mu3[i][j]/gap;
             Omega3[j][i] = -Omega3[i][j];
         }
     }
@@ -786,18 +787,21 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
 #include "em_mechanics.h"
 
-/* Blocks whose eigenvalues come closer than EM_CLOSE, relative to the larger, leave the published system for the
- * triangular root, and come back when all are farther apart than EM_APART. */
-#define EM_CLOSE 0.03
-#define EM_APART 0.06
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.3
+#define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double step,
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)step, (void)fault;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M3[N3][N3];
     double A1[N_ROWS][N1];
     double A2[N_ROWS][N2];
@@ -813,29 +817,32 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double z_4 = p_1*p_1;
     const double z_6 = p_2*p_2;
     const double z_7 = 1.0 + z_4 + z_6 + z_2;
-    const double z_8 = 1.0/(z_7*z_7);
-    const double z_9 = z_2*z_8;
-    const double z_10 = z_8;
-    const double z_11 = z_10 + z_6*z_8;
-    const double z_13 = c_4*z_8;
-    const double z_14 = z_4*z_8;
-    const double z_16 = c_3/z_7;
-    M3[0][0] = (8.0/5.0)*(c_0*(z_9 + z_11));
-    M3[0][1] = M3[1][0] = -z_13*(p_1*p_2);
-    M3[1][1] = (8.0/5.0)*(c_0*(z_10 + z_9 + z_14));
-    M3[0][2] = M3[2][0] = -z_13*(p_1*p_3);
-    M3[1][2] = M3[2][1] = -z_13*(p_2*p_3);
-    M3[2][2] = (8.0/5.0)*(c_0*(z_14 + z_11));
+    const double z_8 = z_7*z_7;
+    const double z_9 = 1.0/z_8;
+    const double z_10 = z_2*z_9;
+    const double z_11 = z_9;
+    const double z_12 = z_11 + z_6*z_9;
+    const double z_14 = p_1*z_9;
+    const double z_15 = c_4*z_14;
+    const double z_16 = z_4*z_9;
+    const double z_17 = p_2*p_3;
+    const double z_19 = c_3/z_7;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_10 + z_12));
+    M3[0][1] = M3[1][0] = -p_2*z_15;
+    M3[1][1] = (8.0/5.0)*(c_0*(z_11 + z_10 + z_16));
+    M3[0][2] = M3[2][0] = -p_3*z_15;
+    M3[1][2] = M3[2][1] = -c_4*z_9*z_17;
+    M3[2][2] = (8.0/5.0)*(c_0*(z_16 + z_12));
     A1[0][0] = 1.0;
     A1[1][0] = 0.0;
     A2[0][0] = 0.0;
     A2[1][0] = 1.0;
-    A3[0][0] = -p_3*z_16;
-    A3[0][1] = -z_16;
-    A3[0][2] = p_1*z_16;
-    A3[1][0] = z_16;
-    A3[1][1] = -p_3*z_16;
-    A3[1][2] = p_2*z_16;
+    A3[0][0] = -p_3*z_19;
+    A3[0][1] = -z_19;
+    A3[0][2] = p_1*z_19;
+    A3[1][0] = z_19;
+    A3[1][1] = -p_3*z_19;
+    A3[1][2] = p_2*z_19;
     b[0] = 0.0;
     b[1] = 0.0;
 
@@ -857,7 +864,48 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     double gap = INFINITY;
     gap = fmin(gap, em_gap(N3, s3));
-    const int wanted = flags & EM_KEEP_MODE ? *mode : gap < (*mode ? EM_APART : EM_CLOSE);
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            em_from_axes(N1, c + 4, c + 5, v1);
+            double v2[N2];
+            memcpy(v2, eta2, sizeof v2);
+            em_from_axes(N2, c + 8, c + 9, v2);
+            double v3[N3];
+            memcpy(v3, eta3, sizeof v3);
+            if (*mode) {
+                double L[N3*N3], r[N3];
+                if (em_cholesky(N3, M3[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N3, L, r, v3);
+            } else
+            em_from_axes(N3, C3, s3, v3);
+            double Mdot3[N3][N3], mu3[N3][N3];
+    const double c_1 = c[13];
+    const double p_1_dot = v3[0];
+    const double p_2_dot = v3[1];
+    const double p_3_dot = v3[2];
+    const double z_21 = p_3_dot*p_3;
+    const double z_24 = p_2_dot*p_2;
+    const double z_25 = (p_1_dot*p_1 + z_24 + z_21)/(z_7*z_8);
+    const double z_26 = c_0*(z_21*z_9 - 2.0*z_2*z_25);
+    const double z_28 = c_1*z_25;
+    const double z_29 = c_0*(z_24*z_9 - 2.0*z_6*z_25) - z_28;
+    const double z_30 = c_0*(p_1_dot*z_14 - 2.0*z_4*z_25);
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_26 - z_29);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(z_9*(p_1_dot*p_2) + p_2_dot*z_14 - 4.0*z_25*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_28 - z_26 - z_30);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(z_9*(p_1_dot*p_3) + p_3_dot*z_14 - 4.0*z_25*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(z_9*(p_2_dot*p_3) + z_9*(p_3_dot*p_2) - 4.0*z_25*z_17));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_30 - z_29);
+            em_congruence(N3, C3, Mdot3[0], mu3[0]);
+            time = fmin(time, em_time_to_crossing(N3, s3, mu3[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
     if (*mode || wanted) {
         const int moving = *mode != wanted;
         changed |= moving;
@@ -877,7 +925,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         *mode = wanted;
     }
 
-    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
         double B1[N_ROWS][N1];
         memcpy(B1, A1, sizeof B1);
@@ -915,11 +963,11 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         }
     }
     if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; i < N1; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
-        for (int i = 0; i < N2; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N2; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
-        for (int i = 0; i < N3; ++i)
+        for (int i = 0; (flags & EM_STABILISE) && i < N3; ++i)
             for (int row = 0; row < N_ROWS; ++row) eta3[i] -= B3[row][i]*lambda[row];
     }
     y[5] = eta1[0];
@@ -936,7 +984,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -1015,12 +1063,20 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n) */
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    memcpy(y, x, N * sizeof *y);
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[2*N + 2] = y[10 + 0*N3 + 0];
+    C[2*N + 3] = y[10 + 0*N3 + 1];
+    C[2*N + 4] = y[10 + 0*N3 + 2];
+    C[3*N + 2] = y[10 + 1*N3 + 0];
+    C[3*N + 3] = y[10 + 1*N3 + 1];
+    C[3*N + 4] = y[10 + 1*N3 + 2];
+    C[4*N + 2] = y[10 + 2*N3 + 0];
+    C[4*N + 3] = y[10 + 2*N3 + 1];
+    C[4*N + 4] = y[10 + 2*N3 + 2];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
     for (int i = 0; i < N; ++i) {
@@ -1041,6 +1097,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     y[10 + 2*N3 + 1] = C[4*N + 3];
     y[10 + 2*N3 + 2] = C[4*N + 4];
     y[19 + 2] = s[4];
+    memcpy(y, x, N * sizeof *y);
     return 0;
 }
 
@@ -1056,6 +1113,19 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
 #include "em_stepper.h"
 
 static const char *const coordinate_names[] = { "x", "y", "p_1", "p_2", "p_3", NULL };
@@ -1069,6 +1139,7 @@ static const double parameter_defaults[] = { 1.0, 0.5, 9.81, 0.08726646259971647
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 0.1, -0.2, 0.3 };
 static const double initial_v[N] = { 0.3, 0.5, -0.375, 0.48, 0.255 };
+static const int carried[N] = { 0, 0, 1, 1, 1 };
 static const em_slice layout[] = {
     {"x", 0, 5},
     {"eta", 5, 5},
@@ -1120,6 +1191,7 @@ const em_model sphere_model = {
     .left_out = left_out,
     .block = block,
     .scales = scales,
+    .carried = carried,
     .conserves_energy = 1,
     .prepare = prepare,
     .state = state,
@@ -1134,6 +1206,8 @@ const em_model sphere_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -31,14 +31,16 @@ def model_of(name: str) -> Model:
 
 
 @cache
-def system_of(name: str, formulation: str = "eigenfactor") -> System:
+def system_of(name: str, formulation: str = "eigenfactor", **options: str) -> System:
     """Return the System of models/NAME.py."""
-    return system_for(model_of(name), formulation)
+    return system_for(model_of(name), formulation, **options)
 
 
-def system_for(model: Model, formulation: str = "eigenfactor", savings: frozenset[Saving] = ALL_SAVINGS) -> System:
+def system_for(
+    model: Model, formulation: str = "eigenfactor", savings: frozenset[Saving] = ALL_SAVINGS, **options: str
+) -> System:
     """Return the System of any model."""
-    return loaded(compiler.generate(model, formulation=formulation, savings=savings))
+    return loaded(compiler.generate(model, formulation=formulation, savings=savings, **options))
 
 
 def loaded(sources: Sources) -> System:

@@ -10,7 +10,7 @@
 int main(void)
 {
     const em_model *model = &dual_link_model;
-    double c[256], y[64], v[8];
+    double c[256], y[64] = {0.0}, v[8];
     const double atol[8] = {1e-9, 1e-9, 1e-9, 1e-9};
     em_fault fault = {0};
     if (model->abi != EM_ABI || model->n_prepared > 256 || model->n_state > 64 || model->n > 8) return 2;

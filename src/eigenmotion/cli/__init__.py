@@ -16,6 +16,7 @@ COMMANDS = {
     "build": "Generate, then compile the importable module beside the sources.",
     "explain": "Say what the generated code carries, and what it leaves out and why.",
     "run": "Simulate a model; print a summary, draw it, save it.",
+    "report": "Measure error against run time, and recommend.",
 }
 DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
 

@@ -34,7 +34,7 @@ class Figures:
 
 
 def write_figures(directory: Path | str, only: Collection[int] = ()) -> Figures:
-    """Run the paper's experiment and draw Figures 2 to 8, or some of them, as `directory`/figure_N.png.
+    """Run the paper's experiment and draw Figures 2 to 8, or `only` some of them, as `directory`/figure_N.png.
 
     Raises
     ------
@@ -47,7 +47,8 @@ def write_figures(directory: Path | str, only: Collection[int] = ()) -> Figures:
         for number, figure in FIGURES.items()
         if not only or number in only
     )
-    return Figures(paths, findings(made))
+    said = findings(made)
+    return Figures(paths, tuple(finding for finding in said if not only or finding.figure in only))
 
 
 def _motion(made: Experiment, path: Path) -> Path:

@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from ..names import Vector
-from .experiment import Experiment, History
+from .experiment import PAIRS, Experiment, History
 
 SLIGHTLY = 2.0
 """Up to this ratio of two errors one is called slightly larger than the other."""
@@ -46,6 +46,7 @@ def findings(experiment: Experiment) -> tuple[Finding, ...]:
         _verified(experiment),
         _closest(history),
         _no_crossing(history),
+        _approached(history),
         _active(history),
         _uncoupled(history),
         _variable_step(experiment),
@@ -102,6 +103,22 @@ def peaks(history: History, i: int, j: int) -> list[tuple[float, float]]:
     return [(float(history.t[k]), float(size[k])) for k in 1 + np.flatnonzero(top)]
 
 
+def approaches(history: History, i: int, j: int) -> list[tuple[float, float]]:
+    """Return times [s] and sizes of the local minima of |lambda_i - lambda_j| below half of that at the start."""
+    size = np.abs(history.eigenvalues[i] - history.eigenvalues[j])
+    low = (size[1:-1] < size[:-2]) & (size[1:-1] <= size[2:]) & (size[1:-1] < 0.5 * size[0])
+    return [(float(history.t[k]), float(size[k])) for k in 1 + np.flatnonzero(low)]
+
+
+def _approached(history: History) -> Finding:
+    """The approaches within the coupled block, in the order of time."""
+    found = sorted((t, size, i, j) for i, j in PAIRS for t, size in approaches(history, i, j))
+    measured = "; ".join(f"lambda_{i + 1} and lambda_{j + 1} to {size:.3f} at t = {t:.2f}" for t, size, i, j in found)
+    as_told = bool(found) and found[0][2:] == (1, 3) and abs(found[0][0] - 2.0) < 0.1
+    numbers = {f"at_{t:.1f}": size for t, size, _, _ in found}
+    return _finding(5, "at t = 2 the second and the fourth eigenvalue become close", measured, _yes(as_told), **numbers)
+
+
 def _active(history: History) -> Finding:
     """Peaks of Omega_24 near 2 and 6.5; of Omega_12, whose sign changes where the motion turns, about 4.25."""
     (first, _), (last, _) = (peaks(history, 1, 3)[k] for k in (0, -1))
@@ -145,8 +162,13 @@ def _variable_step(experiment: Experiment) -> Finding:
 
 
 def _violation(experiment: Experiment) -> Finding:
-    ours, brute = (runs.published.violation.max() for runs in (experiment.eigenfactor, experiment.inverse))
-    measured = f"largest violation {ours:.1e} m, brute force {brute:.1e} m: {ours / brute:.1f} times"
+    both = (experiment.eigenfactor, experiment.inverse)
+    ours, brute = (runs.published.violation.max() for runs in both)
+    fixed, projected = ([getattr(runs, kind).violation.max() for runs in both] for kind in ("fixed", "projected"))
+    measured = (
+        f"largest violation {ours:.1e} m, brute force {brute:.1e} m: {ours / brute:.1f} times "
+        f"(equal steps: {fixed[0]:.1e} and {fixed[1]:.1e}; projected: {projected[0]:.1e} and {projected[1]:.1e})"
+    )
     statement = "the constraint violation is slightly lower than with brute force"
     return _finding(7, statement, measured, _yes(ours < brute), eigenfactor=ours, inverse=brute)
 

@@ -8,6 +8,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from ..plot import require_matplotlib
 from .examine import Findings
 from .recommend import Curve
@@ -17,14 +19,15 @@ _LOOKS = {
     "eigenfactor": ("#0072B2", "o", "-"),
     "cholesky": ("#D55E00", "s", "-"),
     "lagrange": ("#009E73", "^", "-"),
-    "inverse": ("#CC79A7", "D", "-"),
+    "inverse": ("#CC79A7", "D", "--"),
     "heyoka.py Taylor": ("#000000", "*", "--"),
     "CVODES Adams": ("#E69F00", "P", ":"),
-    "CVODES BDF": ("#E69F00", "X", ":"),
+    "CVODES BDF": ("#E69F00", "p", (0, (1, 3))),
     "SciPy DOP853": ("#56B4E9", "v", "-."),
     "SciPy LSODA": ("#56B4E9", "<", "-."),
     "SciPy Radau": ("#56B4E9", ">", "-."),
 }
+_HOLLOW = "inverse"  # often on top of "lagrange", which must show through
 _ERROR = "largest error, max $|x - x_{ref}| / (1 + |x_{ref}|)$"
 _BEST = "dop853"
 
@@ -53,6 +56,7 @@ def _against_peers(found: Findings) -> Picture:
         _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors, spread=True)
     _finish(axes, found, "run time of one call [ms]", _ERROR)
     _legend(figure, axes)
+    axes.set_title(f"{found.name}, {found.ask.t_end:g} s of motion")
     return _picture(
         figure, found, "time", f"{found.name}: error against run time",
         f"Our formulations with {_BEST}, and what else there is. Bars: quartiles of the repeats. Lower left is better.",
@@ -66,6 +70,7 @@ def _by_method(found: Findings) -> Picture:
             _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors)
         _finish(axes, found, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
         axes.set_title(method)
+    figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
     _legend(figure, panels[0], below=True)
     return _picture(
         figure, found, "methods", f"{found.name}: formulations by method",
@@ -83,6 +88,7 @@ def _convergence(found: Findings) -> Picture:
         _guide(axes, lines, order, found.floor)
         _finish(axes, found, "accepted steps", _ERROR if axes is panels[0] else "")
         axes.set_title(f"{method}; grey: order {order}")
+    figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
     _legend(figure, panels[0], below=True)
     return _picture(
         figure, found, "order", f"{found.name}: order of convergence",
@@ -108,15 +114,17 @@ def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], sprea
     name = curve.formulation if curve.family == OURS else curve.label
     colour, marker, style = _LOOKS.get(name, ("#666666", "x", "--"))
     heights = [max(e, 1e-17) for e in y]
-    axes.plot(x, heights, style, color=colour, marker=marker, markersize=4.5, linewidth=1.3, label=name)
+    look = {"markersize": 7, "markerfacecolor": "none"} if name == _HOLLOW else {"markersize": 4.5}
+    axes.plot(x, heights, linestyle=style, color=colour, marker=marker, linewidth=1.3, label=name, **look)
     if spread:
         low, high = ([1e3 * (getattr(p, side) or 0) for p in curve.points] for side in ("seconds_low", "seconds_high"))
-        axes.hlines(heights, low, high, color=colour, linewidth=1, alpha=0.6)
+        axes.hlines(heights, low, high, color=colour, linewidth=1, alpha=0.5)
 
 
 def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> None:
     """A line of the method's slope through the middle of the points it is about."""
-    points = [(p.nsteps, p.error_max) for c in lines for p in c.points if p.nsteps and floor < (p.error_max or 0) < 1e-2]
+    every = [(p.nsteps or 0, p.error_max or 0.0) for curve in lines for p in curve.points]
+    points = [(steps, error) for steps, error in every if steps and floor < error < 1e-2]
     if not points:
         return
     steps = sorted(n for n, _ in points)
@@ -128,13 +136,28 @@ def _finish(axes: Any, found: Findings, xlabel: str, ylabel: str) -> None:
     from matplotlib.ticker import LogLocator  # noqa: PLC0415, an optional package
 
     axes.set(xlabel=xlabel, ylabel=ylabel)
-    axes.axhline(found.ask.error, color="0.5", linewidth=0.8, linestyle=(0, (6, 3)))
-    axes.axhspan(1e-18, max(float(found.reference.errors.max()), 1e-17), color="0.93", zorder=-1)
-    low = min((e for c in found.curves for e in c.errors if e > 0), default=1e-14)
-    axes.set_ylim(max(low / 5, 1e-17), 3.0)
+    axes.axhline(found.ask.error, color="0.4", linewidth=0.9, linestyle=(0, (6, 3)), label="accuracy asked for")
+    own = max(float(found.reference.errors.max()), 1e-17)
+    errors = [e for c in found.curves for e in c.errors if e > 0] or [found.ask.error]
+    low, high = min(errors) / 5, max(errors) * 5
+    if own > low:
+        axes.axhspan(low, own, color="0.92", zorder=-1, label="below the reference's own error")
+    axes.set_ylim(max(low, 1e-17), high)
     axes.yaxis.set_major_locator(LogLocator(numticks=10))
+    _label_times(axes)
     axes.grid(color="0.9", linewidth=0.7)
     axes.spines[["top", "right"]].set_visible(False)
+
+
+def _label_times(axes: Any) -> None:
+    """Label few enough of 1, 2, 5, 10, 20, ... in plain numbers that none overlap."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: PLC0415, an optional package
+
+    first, last = axes.get_xlim()
+    decades = np.log10(last / first)
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 2 else (1, 3) if decades < 3 else (1,)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
 
 
 def _legend(figure: Any, axes: Any, below: bool = False) -> None:
@@ -153,5 +176,4 @@ def _picture(figure: Any, found: Findings, kind: str, title: str, text: str) -> 
     with mpl.rc_context({"svg.hashsalt": stem, "svg.fonttype": "path"}):
         figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
     figure.savefig(png, format="png", dpi=150)
-    grey = "Dashed grey: the accuracy asked for. Shaded: below the reference's own error."
-    return Picture(stem, title, f"{text} {grey}", svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())
+    return Picture(stem, title, text, svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())

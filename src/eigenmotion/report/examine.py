@@ -1,7 +1,7 @@
 """One model from its equations to a recommendation."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -29,7 +29,7 @@ class Ask:
     error: float = 1e-8
     t_end: float = 10.0
     tolerances: tuple[float, ...] = OUR_TOLERANCES
-    budget: Budget = Budget()
+    budget: Budget = field(default_factory=Budget)
 
 
 @dataclass(frozen=True, slots=True)

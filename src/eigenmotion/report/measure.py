@@ -14,8 +14,8 @@ from .reference import Reference, scaled_error
 from .solvers import Attempt, Motion, Solver
 
 Progress = Callable[[float, str], None]  # how much of the whole is done, 0 ... 1, and what comes next
-_BATCH = 2e-3  # [s] quicker runs are timed several at once
-_SLOW = 0.2  # [s] slower ones are repeated three times
+_TURN = 2e-3  # [s] a turn of quicker runs is several calls, each timed alone: the median ignores the disturbed ones
+_SLOW = 0.2  # [s] slower ones get three turns
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class Measurement:
 
     error_end, error_max : max over coordinates of |x - x_ref| / (1 + |x_ref|), at the end and over all rows
     velocity_error_end, velocity_error_max : the same of the velocities
-    seconds : median of `repeats` whole calls; seconds_low, seconds_high : quartiles
+    seconds : median of `repeats` whole calls, each timed alone; seconds_low, seconds_high : quartiles
     constraint_violation, position_violation : largest |A v + b| and |phi| over all rows
     energy_integral : integral of |P(t) - P(t0)| dt over the rows (62) [J s], P = T2 - T0 + V
     factor_residual : largest max|M - C^T S^2 C| / max|M|
@@ -108,7 +108,7 @@ class Budget:
     """How long to go on.
 
     longest : a solver is not tightened further once a run took longer [s]
-    rounds : times that every run is repeated; slow runs three times
+    rounds : turns that every run gets; slow runs get three
     """
 
     longest: float = 1.0
@@ -166,26 +166,28 @@ def _nothing(times: Vector) -> Motion:
 
 
 def _time(cells: list[_Cell], turn: int) -> None:
-    """One sample of each run that got to its end; no garbage is collected meanwhile."""
+    """A turn for each run that got to its end; no garbage is collected meanwhile."""
     gc.collect()
     gc.disable()
     try:
         for cell in cells:
             if cell.measurement.error_end is not None and (turn < 3 or cell.first < _SLOW):
-                cell.samples.append(_sample(cell.attempt.run, cell.first))
+                cell.samples += _samples(cell.attempt.run, cell.first)
     finally:
         gc.enable()
 
 
-def _sample(run: Callable[[], object], expected: float) -> float:
-    """Mean of a few calls in a row [s], after one that warms the caches where runs are quick."""
-    count = max(1, min(20, round(_BATCH / expected)))
+def _samples(run: Callable[[], object], expected: float) -> list[float]:
+    """Return the seconds of each of a few calls in a row, after one that warms the caches where runs are quick."""
+    count = max(1, min(10, round(_TURN / expected)))
     if count > 1:
         run()
-    start = time.perf_counter()
+    samples = []
     for _ in range(count):
+        start = time.perf_counter()
         run()
-    return (time.perf_counter() - start) / count
+        samples.append(time.perf_counter() - start)
+    return samples
 
 
 def _timed(cell: _Cell) -> Measurement:

@@ -66,7 +66,7 @@ def _section(found: Findings, drawn: Sequence[Picture]) -> Section:
         about=f"{system.n} coordinates, {system.m} constraint rows ({system.h} holonomic), "
         f"t = 0 ... {found.ask.t_end:g}, errors at {len(reference.t)} equidistant times",
         advice=recommendation(found),
-        pictures=tuple((p.title, p.text, Markup(p.svg)) for p in drawn),  # noqa: S704, our own drawing
+        pictures=tuple((p.title, p.text, Markup(p.svg)) for p in drawn),
         reaching=_reaching(found),
         ratios=_ratios(found),
         costs=_costs(found),

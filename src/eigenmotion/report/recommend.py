@@ -54,9 +54,12 @@ class Curve:
         return float(np.exp(s0 + (s1 - s0) * (e0 - np.log(error)) / (e0 - e1)))
 
     def order(self, floor: float) -> float | None:
-        """Return p of error ~ steps^-p, fitted where the error is below 1e-2 and above `floor`."""
+        """Return p of error ~ steps^-p, fitted where the error is below 1e-2 and above `floor`.
+
+        None where there are too few points, or hardly more steps at the last than at the first: the order varies.
+        """
         used = [p for p in self.points if p.nsteps and p.error_max and floor < p.error_max < 1e-2]
-        if len(used) < 4:
+        if len(used) < 4 or (used[-1].nsteps or 0) < 2 * (used[0].nsteps or 0):
             return None
         steps, errors = np.log([[p.nsteps, p.error_max] for p in used]).T
         return -float(np.polyfit(steps, errors, 1)[0])

@@ -31,16 +31,16 @@ def recommendation(found: Findings) -> tuple[str, ...]:
     if advice.chosen is None:
         return (_not_reached(found), *_caution(found))
     best = advice.chosen
-    return (
+    choice = (
         f"For an error of {advice.asked:g}, largest on the way, on this machine: formulation {best.formulation}, "
         f"method {best.method}, rtol = atol = {best.tolerance:.1e}: error {number(best.error_max)} in "
-        f"{seconds(best.seconds)} ({spread(best)}).",
-        f'system = eigenmotion.build(model, formulation="{best.formulation}"); eigenmotion.simulate(system, '
-        f'(0, {found.ask.t_end:g}), method="{best.method}", rtol={best.tolerance:.1e}, atol={best.tolerance:.1e})',
-        *_as_fast(found),
-        *_others(found),
-        *_caution(found),
+        f"{seconds(best.seconds)} ({spread(best)})."
     )
+    call = (
+        f'system = eigenmotion.build(model, formulation="{best.formulation}"); eigenmotion.simulate(system, '
+        f'(0, {found.ask.t_end:g}), method="{best.method}", rtol={best.tolerance:.1e}, atol={best.tolerance:.1e})'
+    )
+    return (choice, call, *_as_fast(found), *_others(found), *_caution(found))
 
 
 def _not_reached(found: Findings) -> str:
@@ -74,7 +74,8 @@ def _caution(found: Findings) -> tuple[str, ...]:
     own = float(found.reference.errors.max())
     if own < 0.1 * found.recommendation.asked:
         return ()
-    return (
+    words = (
         f"Caution: the reference itself is only good to {number(own)}, as the motion magnifies small differences; "
-        "errors of that size cannot be told apart. Shorten the span with --t-end.",
+        "errors of that size cannot be told apart. Shorten the span with --t-end."
     )
+    return (words,)

@@ -1,0 +1,77 @@
+"""`eigenmotion report`."""
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from pathlib import Path
+
+import click
+
+from eigenmotion.order import order
+from eigenmotion.plot import require_matplotlib
+from eigenmotion.report import Ask, examine, recommendation, write_report
+
+from .options import assignments, distinct
+
+Progress = Callable[[float, str], None]
+_STEPS = 1000
+
+
+@click.command("report")
+@click.argument("models", metavar="MODEL...", nargs=-1, type=click.Path(path_type=Path))
+@click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path("report"),
+              show_default=True, help="Folder of the page, pictures and numbers.")  # fmt: skip
+@click.option("--error", type=click.FloatRange(min=0, min_open=True), default=1e-8, show_default=True,
+              help="The accuracy to recommend for.")  # fmt: skip
+@click.option("--t-end", type=click.FloatRange(min=0, min_open=True), default=10.0, show_default=True,
+              help="Time at which to end; it starts at 0.")  # fmt: skip
+@click.option("-D", "define", multiple=True, metavar="NAME=VALUE", help="Set an argument of the model's function.")
+@click.option("--paper", is_flag=True, help="Also draw the figures of the paper's experiment.")
+def command(
+    models: tuple[Path, ...], output: Path, error: float, t_end: float, define: tuple[str, ...], paper: bool
+) -> None:
+    """Measure error against run time for each MODEL, in every formulation and method, beside SciPy and others.
+
+    Writes report.html, report.json, report.csv and the pictures, and says which formulation, method and tolerance
+    reach the accuracy asked for soonest on this machine.
+    """
+    if not (models or paper):
+        raise click.UsageError("name at least one MODEL, or --paper")
+    require_matplotlib()
+    if models:
+        _report(models, output, Ask(error=error, t_end=t_end), define)
+    if paper:
+        _draw_paper(output)
+
+
+def _report(models: tuple[Path, ...], output: Path, ask: Ask, define: tuple[str, ...]) -> None:
+    orders = distinct([order(file, assignments(define, "-D")) for file in models])
+    reports = []
+    for each in orders:
+        with _bar(each.model.name) as progress:
+            reports.append(examine(each.model, ask, progress))
+    page, *others = write_report(reports, output)
+    for found in reports:
+        click.echo(f"{found.name}: " + "\n  ".join(recommendation(found)))
+    click.echo(f"wrote {page} and {len(others)} files beside it")
+
+
+def _draw_paper(output: Path) -> None:
+    import_module("eigenmotion.paper").write_figures(output)
+    click.echo(f"wrote the paper's figures to {output}")
+
+
+@contextmanager
+def _bar(name: str) -> Iterator[Progress]:
+    """Show how far it is, where somebody is watching."""
+    if not sys.stderr.isatty():
+        yield lambda _done, _what: None
+        return
+    with click.progressbar(length=_STEPS, label=name, file=sys.stderr, item_show_func=str) as bar:
+
+        def progress(done: float, what: str) -> None:
+            bar.update(max(0, round(_STEPS * done) - bar.pos), what)
+
+        yield progress
+        progress(1.0, "done")

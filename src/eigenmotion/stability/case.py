@@ -1,0 +1,90 @@
+"""A case: a mechanism driven to its limits by a parameter."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import numpy as np
+
+from ..codegen.model import Model
+from ..names import Vector
+from .outcome import UNCONSTRAINED, Variant
+from .truth import Truth
+
+EXPLICIT = {"rk34": 1e-7, "dopri5": 1e-8, "dop853": 1e-8}
+STIFF = {"radau": 1e-6, "bdf": 1e-6, "lsoda": 1e-7}
+TOLERANCES: Mapping[str, float] = MappingProxyType(EXPLICIT | STIFF)
+
+
+@dataclass(frozen=True)
+class Point:
+    """One value of a case's parameter.
+
+    Attributes
+    ----------
+    label : the value in words
+    parameters : over the model's defaults
+    x0, v0 : (n,)
+    units : (n,) size of a small coordinate: atol is tolerance x units, of the velocity as well
+    times : (k,) rows that are compared; the run goes from `start` to the last
+    truth : what they are compared with
+    conserves : whether T2 - T0 + V is constant here
+    turns : (n,) after which a coordinate is the same again, 0: never; None: no coordinate is an angle that may wind
+    period : of which drifts are told [s]
+    """
+
+    label: str
+    parameters: Mapping[str, float]
+    x0: Vector
+    v0: Vector
+    units: Vector
+    start: float
+    times: Vector
+    truth: Truth
+    conserves: bool = True
+    turns: Vector | None = None
+    period: float = 1.0
+
+
+@dataclass(frozen=True)
+class Case:
+    """A family of points of one model.
+
+    Attributes
+    ----------
+    axis : what is swept, with its unit
+    values : what `point` is called with, and `model` too
+    reduced : those of the quick check
+    tolerances : of the methods it is run with
+    max_steps : attempts (accepted steps of SciPy's methods) after which a run gives up
+    flags : C compiler flags after ours
+    weight : expected cost, to begin with the longest
+    """
+
+    name: str
+    title: str
+    about: str
+    axis: str
+    values: tuple[float, ...]
+    model: Callable[[float], Model]
+    point: Callable[[float], Point]
+    reduced: tuple[float, ...] = ()
+    variants: tuple[Variant, ...] = UNCONSTRAINED
+    tolerances: Mapping[str, float] = field(default_factory=lambda: TOLERANCES)
+    max_steps: int = 200_000
+    max_steps_stiff: int = 4_000
+    flags: str | None = None
+    weight: float = 1.0
+
+
+def power(value: float) -> str:
+    """Write a value of a sweep as a power of ten where it is one."""
+    if value == 0:
+        return "0"
+    exponent = np.log10(value)
+    return f"1e{exponent:.0f}" if abs(exponent - round(exponent)) < 1e-9 else f"{value:g}"
+
+
+def rows(start: float, end: float, count: int = 40) -> Vector:
+    """Return the times of `count` rows, the last at the end and none at the start."""
+    return np.linspace(start, end, count + 1)[1:]

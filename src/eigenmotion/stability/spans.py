@@ -1,0 +1,186 @@
+"""The cases of long spans, units, starts and size."""
+
+from math import cos, pi, sin, sqrt
+
+import numpy as np
+from scipy.special import ellipj, ellipk, ellipkinc
+
+from ..models import chain as chain_model
+from ..models import slider_crank
+from ..names import Vector
+from .case import EXPLICIT, Case, Point, power, rows
+from .models import bent_oscillators, cartesian_pendulum, elastic_link
+from .outcome import CONSTRAINED, SEVERAL_ROWS
+from .places import closed_loop
+from .scenes import scale_of, start_of
+from .truth import ClosedForm, Integrated, chain, lagrange
+
+ROWS = 400
+
+
+def oscillators(periods: float) -> Point:
+    """Two linear oscillators in curved coordinates, for many periods of the slower."""
+    x0, v0 = start_of(bent_oscillators())
+    truth = ClosedForm(_bent, "linear oscillators", own=1e-9)
+    times = rows(0.0, 2 * pi * periods, ROWS)
+    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, period=2 * pi)
+
+
+def _bent(start: Vector, elapsed: Vector) -> Vector:
+    x, z, x_dot, z_dot = start
+    c, w = 0.8, (1.0, sqrt(2.0))
+    u, u_dot = _oscillation(x + c * z**2 / 2, x_dot + c * z * z_dot, w[0], elapsed)
+    z_t, z_t_dot = _oscillation(z, z_dot, w[1], elapsed)
+    return np.stack([u - c * z_t**2 / 2, z_t, u_dot - c * z_t * z_t_dot, z_t_dot], axis=1)
+
+
+def _oscillation(a: float, b: float, w: float, t: Vector) -> tuple[Vector, Vector]:
+    c, s = np.cos(w * t), np.sin(w * t)
+    return a * c + b / w * s, b * c - a * w * s
+
+
+def pendulum(periods: float) -> Point:
+    """A pendulum of 1 rad under a holonomic constraint."""
+    x0, v0 = start_of(cartesian_pendulum())
+    period = float(4 * ellipk(sin(0.5) ** 2))
+    truth = ClosedForm(_swing, "Jacobi's elliptic functions", own=1e-9)
+    times = rows(0.0, period * periods, ROWS)
+    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, period=period)
+
+
+def _swing(start: Vector, elapsed: Vector) -> Vector:
+    """sin(theta / 2) = k sn(t + t0), theta' = 2 k cn(t + t0), where g = l."""
+    x, y, x_dot, y_dot = start
+    theta = np.arctan2(x, -y)
+    rate = x_dot * cos(theta) + y_dot * sin(theta)
+    k = np.hypot(sin(theta / 2), rate / 2)
+    begin = ellipkinc(np.arctan2(sin(theta / 2), rate / 2), k**2)
+    whole = 4 * ellipk(k**2)
+    sn, cn, dn, _ = ellipj(np.remainder(elapsed + begin, whole), k**2)
+    s, c, rates = 2 * k * sn * dn, 1 - 2 * (k * sn) ** 2, 2 * k * cn
+    return np.stack([s, -c, rates * c, rates * s], axis=1)
+
+
+def lengths_of_link(u: float) -> Point:
+    """The elastic link with lengths in a unit of u metres: angles and times are the same."""
+    return _elastic(u, 1.0, power(u))
+
+
+def masses_of_link(w: float) -> Point:
+    """The same with masses in a unit of w kilograms."""
+    return _elastic(1.0, w, power(w))
+
+
+def _elastic(u: float, w: float, label: str) -> Point:
+    parameters = {"m_1": w, "m_2": w, "l": u, "L": u, "k": 50 * w, "d": 0.0, "K_1": 20 * w * u**2, "K_2": 10 * w * u**2}
+    x0, v0 = start_of(elastic_link())
+    x0[2] = 0.1 * u
+    units = np.array([1.0, 1.0, u])
+    truth = Integrated(lagrange(elastic_link(), parameters), scale_of(units, x0, v0))
+    return Point(label, parameters, x0, v0, units, 0.0, rows(0.0, 2.0), truth)
+
+
+def lengths_of_crank(u: float) -> Point:
+    """The slider-crank with lengths in a unit of u metres."""
+    return _crank(u, 1.0, power(u))
+
+
+def masses_of_crank(w: float) -> Point:
+    """The same with masses in a unit of w kilograms."""
+    return _crank(1.0, w, power(w))
+
+
+def _crank(u: float, w: float, label: str, start: float = 0.0, end: float = 1.0, rate: float = 5.0) -> Point:
+    parameters = {"r": 0.3 * u, "l": u, "m_c": w, "m_r": w, "m_s": 2 * w, "g": 9.81 * u}
+    state = closed_loop(1.0, rate, parameters["r"], parameters["l"])
+    units = np.array([1.0, 1.0, u])
+    truth = Integrated(lagrange(slider_crank.model, parameters), scale_of(units, state[:3], state[3:]))
+    times = rows(start, end) if start != end else np.array([end])
+    return Point(label, parameters, state[:3], state[3:], units, start, times, truth)
+
+
+def starts_of_pendulum(which: float) -> Point:
+    """A double pendulum that starts as `_STARTS` say."""
+    angle = {2: 0.0, 3: pi}.get(int(which), 1.0)
+    x0, v0 = np.array([angle, angle]), np.zeros(2) if which in (1, 2, 3) else np.array([0.5, -0.5])
+    label, start, end = _STARTS[int(which)]
+    units = np.ones(2)
+    truth = Integrated(chain(units, units, 9.81), scale_of(units, x0, v0))
+    times = rows(start, end) if start != end else np.array([end])
+    return Point(label, {}, x0, v0, units, start, times, truth)
+
+
+def starts_of_crank(which: float) -> Point:
+    """A slider-crank that does."""
+    label, start, end = _STARTS[int(which)]
+    return _crank(1.0, 1.0, label, start, end, rate=0.0 if which == 1 else 5.0)
+
+
+_STARTS = (
+    ("forwards", 0.0, 2.0), ("at rest", 0.0, 2.0), ("at an\nequilibrium", 0.0, 2.0), ("unstable\nequilibrium", 0.0, 2.0),
+    ("zero length", 1.0, 1.0), ("backwards", 2.0, 0.0), ("not from 0", 1e6, 1e6 + 2.0),
+)  # fmt: skip
+
+
+def links(n: float) -> Point:
+    """A chain of n links let go at 45 degrees."""
+    ones, x0 = np.ones(int(n)), np.full(int(n), pi / 4)
+    truth = Integrated(chain(ones, ones, 9.81), scale_of(ones, x0, 0 * x0))
+    return Point(str(int(n)), {}, x0, 0 * x0, ones, 0.0, rows(0.0, 1.0, 20), truth)
+
+
+_UNITS = tuple(10.0**e for e in range(-12, 13, 3))
+_PERIODS = (1e2, 1e3, 1e4, 1e5)
+
+CASES = (
+    Case(
+        "long_free", "Many periods, no constraint",
+        "Two linear oscillators in curved coordinates, in which M is coupled and varies. SciPy's methods are left "
+        "out: their steps are made in Python.",
+        "periods", _PERIODS, lambda _: bent_oscillators(), oscillators, reduced=(1e2,), tolerances=EXPLICIT,
+        max_steps=100_000_000, weight=20.0,
+    ),
+    Case(
+        "long_constrained", "Many periods, holonomic constraint",
+        "A pendulum in x and y. SciPy's methods are left out: their steps are made in Python.",
+        "periods", _PERIODS, lambda _: cartesian_pendulum(), pendulum, variants=CONSTRAINED, tolerances=EXPLICIT,
+        max_steps=100_000_000, weight=15.0,
+    ),
+    Case(
+        "lengths", "Unit of length, mixed coordinates",
+        "The elastic link, two angles and a length, with lengths in ever larger units. atol goes with the unit.",
+        "unit [m]", _UNITS, lambda _: elastic_link(), lengths_of_link, reduced=(1e-12,),
+    ),
+    Case(
+        "masses", "Unit of mass",
+        "The same with masses in ever larger units.",
+        "unit [kg]", _UNITS, lambda _: elastic_link(), masses_of_link,
+    ),
+    Case(
+        "lengths_constrained", "Unit of length, holonomic constraints",
+        "The slider-crank, two angles and a length, with lengths in ever larger units.",
+        "unit [m]", _UNITS, lambda _: slider_crank.model, lengths_of_crank, reduced=(1e-12,), variants=SEVERAL_ROWS,
+    ),
+    Case(
+        "masses_constrained", "Unit of mass, holonomic constraints",
+        "The same with masses in ever larger units.",
+        "unit [kg]", _UNITS, lambda _: slider_crank.model, masses_of_crank, variants=SEVERAL_ROWS,
+    ),
+    Case(
+        "starts", "Starts and spans",
+        "A double pendulum that starts at rest, at an equilibrium, for no time, backwards.",
+        "", tuple(map(float, range(len(_STARTS)))), lambda _: chain_model.model(2), starts_of_pendulum,
+        reduced=(1.0, 2.0, 4.0, 5.0),
+    ),
+    Case(
+        "starts_constrained", "Starts and spans, holonomic constraints",
+        "The slider-crank likewise.",
+        "", (0.0, 1.0, 4.0, 5.0, 6.0), lambda _: slider_crank.model, starts_of_crank, variants=SEVERAL_ROWS,
+    ),
+    Case(
+        "chain", "Chains",
+        "Chains of n links, let go at 45 degrees, for 1 s: within what can be predicted.",
+        "links n", (2.0, 4.0, 8.0, 16.0, 32.0), lambda n: chain_model.model(int(n)), links,
+        weight=30.0,
+    ),
+)  # fmt: skip

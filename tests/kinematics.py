@@ -1,0 +1,60 @@
+"""Accelerations out of a right-hand side: the map y -> v differentiated along dy by its own formula, in NumPy."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from eigenmotion import System
+
+Values = Mapping[str, float] | None
+
+
+def acceleration(system: System, time: float, y: np.ndarray, dy: np.ndarray, parameters: Values = None) -> np.ndarray:
+    """Return xddot (n,) for x = y[:n], by blocks of M.
+
+    eigenfactor   v = C^T S^-1 eta   xddot = Cdot^T S^-1 eta - C^T S^-2 Sdot eta + C^T S^-1 etadot
+    cholesky      v = L^-T eta       xddot = L^-T (etadot - Ldot^T v)
+    """
+    if "v" in system.layout:
+        return dy[system.layout["v"]]
+    x, v = y[: system.n], dy[: system.n]
+    M, rate = system.mass_matrix(x, time, parameters), mass_rate(system, time, x, v, parameters)
+    if system.formulation == "cholesky":
+        L = np.linalg.cholesky(M)
+        inner = np.linalg.solve(L, np.linalg.solve(L, rate).T)
+        L_rate = L @ (np.tril(inner) - np.diag(np.diag(inner)) / 2)
+        return np.linalg.solve(L.T, dy[system.layout["eta"]] - L_rate.T @ v)
+    result = linear_part(system, time, y, dy[system.layout["eta"]], parameters)
+    for block, C, s, C_dot, s_dot in carried(system, y, dy):
+        eta = y[system.layout["eta"]][list(block)]
+        units = system.scales[list(block)]
+        result[list(block)] += units * (C_dot.T @ (eta / s) - C.T @ (s_dot * eta / s**2))
+    for (k,) in (block for block in system.blocks if len(block) == 1 and block[0] not in system.compiled.carried):
+        result[k] -= rate[k, k] / (2 * M[k, k]) * v[k]
+    return result
+
+
+def linear_part(system: System, time: float, y: np.ndarray, eta: np.ndarray, parameters: Values) -> np.ndarray:
+    """Return v of the state with another eta: for a given y it is linear in it."""
+    other = y.copy()
+    other[system.layout["eta"]] = eta
+    return np.array(system.rhs(time, other, parameters)[: system.n])
+
+
+def carried(system: System, y: np.ndarray, dy: np.ndarray):
+    """Give block, C, s, Cdot, sdot of each block whose eigenfactors the state carries."""
+    if "s" not in system.layout:
+        return
+    C, s = system.layout["C"].start, system.layout["s"].start
+    for block in (block for block in system.blocks if block[0] in system.compiled.carried):
+        n = len(block)
+        yield block, y[C : C + n * n].reshape(n, n), y[s : s + n], dy[C : C + n * n].reshape(n, n), dy[s : s + n]
+        C, s = C + n * n, s + n
+
+
+def mass_rate(system: System, time: float, x: np.ndarray, v: np.ndarray, parameters: Values = None) -> np.ndarray:
+    """Return Mdot (n, n): the gradient along v, and the explicit part by differences of order 8."""
+    h = 1e-2
+    weights = np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
+    ahead, behind = ([system.mass_matrix(x, time + s * k * h, parameters) for k in range(1, 5)] for s in (1, -1))
+    explicit = np.tensordot(weights, np.array(ahead) - np.array(behind), axes=1)
+    return np.tensordot(v, system.mass_matrix_gradient(x, time, parameters), axes=1) + explicit

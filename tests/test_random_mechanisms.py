@@ -1,0 +1,180 @@
+"""Random mechanisms: M(x) positive definite, of polynomials and sines; every formulation against NumPy."""
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy
+from eigenmotion import Model, System, t
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sympy.physics.mechanics import dynamicsymbols
+
+from .generation import FORMULATIONS, relative, system_for
+from .kinematics import acceleration
+
+SHAPES = ((1, 0), (2, 1), (3, 1), (3, 2), (4, 2), (5, 3))
+"""Coordinates and constraint rows."""
+TERMS = 4
+
+
+@dataclass(frozen=True)
+class Ridge:
+    """Sum over terms of weight * f(direction . x + rate t + phase), f sine or square: values and derivatives."""
+
+    weight: np.ndarray
+    direction: np.ndarray
+    rate: np.ndarray
+    phase: np.ndarray
+    sines: np.ndarray
+
+    def _parts(self, x, time):
+        u = self.direction @ x + self.rate * time + self.phase
+        f = np.where(self.sines, np.sin(u), u**2 / 4)
+        f_u = np.where(self.sines, np.cos(u), u / 2)
+        f_uu = np.where(self.sines, -np.sin(u), 0.5)
+        return self.weight * f, self.weight * f_u, self.weight * f_uu
+
+    def value(self, x, time):
+        return self._parts(x, time)[0].sum()
+
+    def gradient(self, x, time):
+        """Return (d/dx (n,), d/dt)."""
+        slope = self._parts(x, time)[1]
+        return slope @ self.direction, slope @ self.rate
+
+    def expression(self, x):
+        angles = [sum(float(d) * c for d, c in zip(row, x, strict=True)) + float(r) * t + float(p)
+                  for row, r, p in zip(self.direction, self.rate, self.phase, strict=True)]  # fmt: skip
+        return sum(float(w) * (sympy.sin(u) if sine else u**2 / 4)
+                   for w, u, sine in zip(self.weight, angles, self.sines, strict=True))  # fmt: skip
+
+
+def ridge(random: np.random.Generator, n: int, size: float) -> Ridge:
+    direction = random.uniform(-1, 1, (TERMS, n)) * (random.random((TERMS, n)) < 0.7)
+    rate = random.uniform(-0.5, 0.5, TERMS) * (random.random(TERMS) < 0.5)
+    return Ridge(size * random.uniform(-1, 1, TERMS), direction, rate, random.uniform(-1, 1, TERMS), random.random(TERMS) < 0.6)
+
+
+class Mechanism:
+    """T = 1/2 v^T (R^T R + D) v + G v + T0 and V, A, b, with R, G, T0, V, A, b ridge functions of x and t.
+
+    The NumPy side forms every derivative by the product rule; it shares nothing with the generator.
+    """
+
+    def __init__(self, number: int) -> None:
+        self.n, self.m = SHAPES[number]
+        random = np.random.default_rng(100 + number)
+        n, m = self.n, self.m
+        self.D = np.diag(np.round(random.uniform(0.8, 2.5, n), 3))
+        self.R = [[ridge(random, n, 0.5) for _ in range(n)] for _ in range(n)]
+        self.G = [ridge(random, n, 0.4) for _ in range(n)]
+        self.T0, self.V = ridge(random, n, 0.7), ridge(random, n, 2.0)
+        self.A = [[ridge(random, n, 0.6) for _ in range(n)] for _ in range(m)]
+        self.b = [ridge(random, n, 0.3) for _ in range(m)]
+        self.friction = random.uniform(0, 0.5, n)
+
+    def model(self) -> Model:
+        x = dynamicsymbols(f"x1:{self.n + 1}")
+        v = sympy.Matrix([c.diff() for c in x])
+        R = sympy.Matrix([[entry.expression(x) for entry in row] for row in self.R])
+        A = [[entry.expression(x) for entry in row] for row in self.A]
+        turned = R * v
+        T2 = (turned.dot(turned) + v.dot(sympy.Matrix(self.D) * v)) / 2
+        return Model(
+            name=f"random_{self.n}_{self.m}",
+            coordinates=x,
+            kinetic_energy=T2 + sum(g.expression(x) * w for g, w in zip(self.G, v, strict=True)) + self.T0.expression(x),
+            potential_energy=self.V.expression(x),
+            forces=[-float(d) * w for d, w in zip(self.friction, v, strict=True)],
+            nonholonomic_constraints=[
+                sum(a * w for a, w in zip(row, v, strict=True)) + b.expression(x) for row, b in zip(A, self.b, strict=True)
+            ],
+        )
+
+    def acceleration(self, x, v, time):
+        """Return xddot, lambda of M a + Mdot v + Gdot - 1/2 v M_x v - G_x^T v - T0_x + V_x - Q + A^T lambda = 0."""
+        R, R_x, R_t = tabulated(self.R, x, time)
+        _, G_x, G_t = tabulated([self.G], x, time)
+        A, A_x, A_t = tabulated(self.A, x, time, self.n)
+        b_x, b_t = (np.array([row.gradient(x, time)[k] for row in self.b]) for k in (0, 1))
+        M = R.T @ R + self.D
+        M_x = np.einsum("aik,aj->ijk", R_x, R) + np.einsum("ai,ajk->ijk", R, R_x)
+        M_dot = M_x @ v + R_t.T @ R + R.T @ R_t
+        coriolis = np.einsum("ijk,i,j->k", M_x, v, v) / 2 + G_x[0].T @ v
+        f = coriolis + self.T0.gradient(x, time)[0] - self.V.gradient(x, time)[0] - self.friction * v
+        f -= M_dot @ v + G_x[0] @ v + G_t[0]
+        if not self.m:
+            return np.linalg.solve(M, f), np.zeros(0)
+        gamma = (A_x @ v + A_t) @ v + b_x @ v + b_t
+        whole = np.block([[M, A.T], [A, np.zeros((self.m, self.m))]])
+        solution = np.linalg.solve(whole, np.concatenate([f, -gamma]))
+        return solution[: self.n], solution[self.n :]
+
+
+def tabulated(rows, x, time, width=None):
+    """Return values (r, c), d/dx (r, c, n) and d/dt (r, c) of a table of ridge functions."""
+    shape = (len(rows), width or len(rows[0]))
+    gradients = [[entry.gradient(x, time) for entry in row] for row in rows]
+    values = np.array([[entry.value(x, time) for entry in row] for row in rows]).reshape(shape)
+    in_x = np.array([[g[0] for g in row] for row in gradients]).reshape(*shape, len(x))
+    return values, in_x, np.array([[g[1] for g in row] for row in gradients]).reshape(shape)
+
+
+@cache
+def mechanism(number: int) -> Mechanism:
+    return Mechanism(number)
+
+
+@cache
+def system(number: int, formulation: str) -> System:
+    return system_for(mechanism(number).model(), formulation)
+
+
+POINTS = st.tuples(st.integers(0, 2**32 - 1), st.floats(0, 3))
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}".format(*SHAPES[number]))
+def test_every_formulation_agrees_with_numpy(number, formulation):
+    compiled, right = system(number, formulation), mechanism(number)
+
+    @given(POINTS)
+    @settings(max_examples=25, deadline=None, derandomize=True, database=None)
+    def agree(point):
+        seed, time = point
+        random = np.random.default_rng(seed)
+        x, v = random.uniform(-1.5, 1.5, right.n), random.normal(size=right.n)
+        a, multipliers = right.acceleration(x, v, time)
+        found, rows = compiled.acceleration(x, v, time)
+        A, _ = compiled.pfaffian(x, time)
+        hard = np.linalg.cond(A) ** 2 if right.m else 1.0
+        assert relative(found, a) < 1e-11 * hard
+        assert relative(rows, multipliers, 1.0) < 1e-11 * hard
+        y = compiled.state(x, v, time)
+        dy = compiled.rhs(time, y)
+        gap = closest(compiled, x, time) if formulation == "eigenfactor" else 1.0
+        assert relative(acceleration(compiled, time, y, dy), a, 1.0) < 1e-10 * hard / gap
+
+    agree()
+
+
+def closest(compiled: System, x: np.ndarray, time: float) -> float:
+    """Smallest distance of two eigenvalues: what Omega is divided by."""
+    eigenvalues = np.linalg.eigvalsh(compiled.mass_matrix(x, time))
+    return min(1.0, float(np.diff(eigenvalues).min(initial=1.0)))
+
+
+@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}".format(*SHAPES[number]))
+def test_every_formulation_moves_alike(number):
+    ends = []
+    for formulation in FORMULATIONS:
+        one = system(number, formulation)
+        x, v = one.project_initial_state(np.zeros(one.n), np.linspace(0.3, 1, one.n))
+        run = one.simulate((0, 1.5), x0=x, v0=v, rtol=1e-11, atol=1e-12)
+        assert run.success, run.message
+        assert run.factor_residual.max() < 1e-13
+        assert np.abs(run.constraint_residual).max(initial=0.0) < 1e-12
+        ends.append(np.concatenate([run.x[:, -1], run.v[:, -1]]))
+    assert max(relative(end, ends[-1], 1.0) for end in ends) < 1e-9
