@@ -15,7 +15,7 @@ from .schedule import Constants, Cost, Operation, Schedule, operands_of, schedul
 SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""
 WIDTH = 110
-CALLS: Mapping[str, str] = {"abs": "fabs", "min": "fmin", "max": "fmax", "sign": "em_sign", "step": "em_heaviside"}
+CALLS: Mapping[str, str] = {"sin": "em_sin", "cos": "em_cos", "abs": "fabs", "min": "fmin", "max": "fmax", "sign": "em_sign", "step": "em_heaviside"}
 INFIX: Mapping[str, str] = {"and": "&&", "or": "||"}
 
 

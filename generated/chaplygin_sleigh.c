@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:119ed477b6f48bdad04d239712381d6f20226d0a6b92abf5cb07b36e429016b4 */
+/* body sha256:7afd00aa67e5b30d82c65ffea8237edd723a9d9e2c4fd9537fd4e33fa8623cc2 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -76,8 +76,8 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_0 = c[3];
     const double c_1 = c[4];
     const double theta = x[2];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     M[0] = m;
     M[3] = M[1] = 0.0;
     M[4] = m;
@@ -93,8 +93,8 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
 (void)t;
     const double c_0 = c[3];
     const double theta = x[2];
-    const double cos_theta = cos(theta);
-    const double sin_theta = sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
     dM[24] = dM[20] = -cos_theta*c_0;
     dM[25] = dM[23] = -sin_theta*c_0;
 }
@@ -104,8 +104,8 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 {
 (void)t, (void)c;
     const double theta = x[2];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     A[0] = -sin_theta;
     A[1] = cos_theta;
     A[2] = 0.0;
@@ -128,9 +128,9 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double y_dot = v[1];
     const double theta_dot = v[2];
     const double theta = x[2];
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     const double z_4 = c_0*(theta_dot*theta_dot);
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     bias[0] = cos_theta*z_4;
     bias[1] = sin_theta*z_4;
     bias[2] = 0.0;
@@ -148,9 +148,9 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double y_dot = v[1];
     const double theta_dot = v[2];
     const double theta = x[2];
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     const double z_6 = theta_dot*c_0;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     e[0] = 0.5*(x_dot*(x_dot*m - sin_theta*z_6) + y_dot*(y_dot*m + cos_theta*z_6) - theta_dot*(x_dot*sin_theta*c_0
         - y_dot*cos_theta*c_0 - theta_dot*c_1));
     e[1] = 0.0;
@@ -207,9 +207,9 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double y_dot = v1[1];
     const double theta_dot = v1[2];
     const double theta = y[2];
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     const double z_4 = theta_dot*c_0;
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     const double z_8 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.0;
@@ -310,8 +310,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_0 = c[3];
     const double c_1 = c[4];
     const double theta = y[2];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[1][0] = 0.0;
     M1[1][1] = m;
@@ -432,8 +432,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_0 = c[3];
     const double c_1 = c[4];
     const double theta = y[2];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[0][1] = M1[1][0] = 0.0;
     M1[1][1] = m;

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:7e1f0cdb372c8fc0d01417d8c906782f87549bd3506d1f38b81ff03c74d07b86 */
+/* body sha256:e68298f8ab11ac7c882678939c9abb45ead88753dabb2fd56fea188f796b23eb */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -83,10 +83,10 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_4 = c[9];
     const double theta1 = x[0];
     const double theta2 = x[1];
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     M[0] = c_3;
     M[2] = M[1] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     M[3] = c_4;
@@ -100,10 +100,10 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double c_0 = c[5];
     const double theta1 = x[0];
     const double theta2 = x[1];
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double cos_theta1 = cos(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_7 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
     dM[2] = dM[1] = -z_7;
     dM[6] = dM[5] = z_7;
@@ -133,11 +133,11 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta2_dot = v[1];
     const double theta1 = x[0];
     const double theta2 = x[1];
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
     const double z_7 = cos_theta2*sin_theta1;
-    const double cos_theta1 = cos(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_10 = cos_theta1*sin_theta2;
     const double z_11 = theta1_dot*theta2_dot*(c_0*(z_7 - z_10));
     const double z_13 = c_0*(theta1_dot*z_7 + theta2_dot*z_10) - c_0*(theta1_dot*z_10 + theta2_dot*z_7);
@@ -161,10 +161,10 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta2_dot = v[1];
     const double theta1 = x[0];
     const double theta2 = x[1];
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_10 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_10) + theta2_dot*(theta1_dot*z_10 + theta2_dot*c_4));
     e[1] = 0.0;
@@ -220,11 +220,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double theta2_dot = v1[1];
     const double theta1 = y[0];
     const double theta2 = y[1];
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
     const double z_6 = cos_theta2*sin_theta1;
-    const double cos_theta1 = cos(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_10 = cos_theta1*sin_theta2;
     const double z_11 = theta1_dot*theta2_dot*(c_0*(z_6 - z_10));
     Mdot1[0][0] = 0.0;
@@ -287,10 +287,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_4 = c[9];
     const double theta1 = y[0];
     const double theta2 = y[1];
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     M1[0][0] = c_3;
     M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     M1[1][1] = c_4;
@@ -368,10 +368,10 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_4 = c[9];
     const double theta1 = y[0];
     const double theta2 = y[1];
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     M1[0][0] = c_3;
     M1[0][1] = M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     M1[1][1] = c_4;

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:6bf37f089aad6a90b8fa4fd311e1d649b97dc1a6a30b650f4062d0680e950645 */
+/* body sha256:089bb0ca9e01e022975876212257784a2b66439762b59f04dca0fe805fa3cfc1 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -111,9 +111,9 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     const double x_ = x[0];
     const double y_ = x[1];
     const double z_5 = t*w;
-    const double cos_z_5 = cos(z_5);
+    const double cos_z_5 = em_cos(z_5);
     const double z_7 = y_ - a_*cos_z_5;
-    const double sin_z_5 = sin(z_5);
+    const double sin_z_5 = em_sin(z_5);
     A[0] = 2.0*x_;
     A[1] = 2.0*z_7;
     b[0] = c_3*(z_7*sin_z_5);
@@ -127,7 +127,7 @@ static void position(double t, const double *restrict x, const double *restrict 
     const double c_4 = c[17];
     const double x_ = x[0];
     const double y_ = x[1];
-    const double cos_5 = cos(t*w);
+    const double cos_5 = em_cos(t*w);
     const double z_6 = y_ - a_*cos_5;
     phi[0] = x_*x_ + z_6*z_6 - c_4;
 }
@@ -146,10 +146,10 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double y_dot = v[1];
     const double y_ = x[1];
     const double z_5 = t*w;
-    const double sin_z_5 = sin(z_5);
+    const double sin_z_5 = em_sin(z_5);
     const double z_8 = sin_z_5*c_1;
     const double z_9 = y_dot + z_8;
-    const double cos_z_5 = cos(z_5);
+    const double cos_z_5 = em_cos(z_5);
     bias[0] = 0.0;
     bias[1] = c_0;
     gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_9) + (z_8*z_9 + cos_z_5*(y_ - a_*cos_z_5)*c_2));
@@ -231,9 +231,9 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double x_ = y[0];
     const double y_ = y[1];
     const double z_6 = t*w;
-    const double cos_z_6 = cos(z_6);
+    const double cos_z_6 = em_cos(z_6);
     const double z_8 = y_ - a_*cos_z_6;
-    const double sin_z_6 = sin(z_6);
+    const double sin_z_6 = em_sin(z_6);
     const double z_13 = sin_z_6*c_1;
     const double z_14 = y_dot + z_13;
     f1[0] = 0.0;
@@ -323,9 +323,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double x_ = y[0];
     const double y_ = y[1];
     const double z_5 = t*w;
-    const double cos_z_5 = cos(z_5);
+    const double cos_z_5 = em_cos(z_5);
     const double z_7 = y_ - a_*cos_z_5;
-    const double sin_z_5 = sin(z_5);
+    const double sin_z_5 = em_sin(z_5);
     A1[0][0] = 2.0*x_;
     A2[0][0] = 2.0*z_7;
     b[0] = c_3*(z_7*sin_z_5);

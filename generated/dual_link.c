@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:320f304be189abb28cefb970558179ca1694cba74d8a35b8a2a1197224dd6a60 */
+/* body sha256:2c122f49a232dff2de8c0529a5df0ae32de8c2a31de7cfe72a1c5158fa6e20a0 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -97,10 +97,10 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double theta2 = x[1];
     const double theta3 = x[2];
     const double z_3 = theta3 + l1;
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     M[0] = c_3*(z_3*z_3);
     M[4] = M[1] = z_3*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     M[5] = c_4;
@@ -125,10 +125,10 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double theta2 = x[1];
     const double theta3 = x[2];
     const double z_2 = theta3 + l1;
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double cos_theta1 = cos(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_10 = z_2*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
     const double z_11 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     dM[4] = dM[1] = -z_10;
@@ -148,9 +148,9 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     const double theta1 = x[0];
     const double theta2 = x[1];
     const double theta3 = x[2];
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
     A[0] = (theta3 + l1)*cos_theta1;
     A[1] = l2*cos_theta2;
     A[2] = sin_theta1;
@@ -187,14 +187,14 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta4 = x[3];
     const double z_3 = K3*(theta1 + 1.5707963267948966 - theta4);
     const double z_6 = theta3 + l1;
-    const double cos_theta1 = cos(theta1);
+    const double cos_theta1 = em_cos(theta1);
     const double z_8 = z_6*cos_theta1;
-    const double sin_theta2 = sin(theta2);
+    const double sin_theta2 = em_sin(theta2);
     const double z_13 = l2*sin_theta2;
-    const double sin_theta1 = sin(theta1);
+    const double sin_theta1 = em_sin(theta1);
     const double z_15 = z_6*sin_theta1;
     const double z_16 = 4.0 - z_13 - z_15;
-    const double cos_theta2 = cos(theta2);
+    const double cos_theta2 = em_cos(theta2);
     const double z_18 = z_8 + l2*cos_theta2;
     const double z_22 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const double z_23 = theta3_dot*z_22;
@@ -239,10 +239,10 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta4 = x[3];
     const double z_6 = theta3 + l1;
     const double z_9 = theta2_dot*c_1;
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_16 = z_6*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     const double z_19 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
     const double z_23 = z_6*cos_theta1 + l2*cos_theta2;
@@ -329,10 +329,10 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double theta3 = y[2];
     const double theta4 = y[3];
     const double z_4 = theta3 + l1;
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_12 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const double z_13 = theta3_dot*z_12;
     const double z_16 = theta1_dot - theta2_dot;
@@ -459,10 +459,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double theta2 = y[1];
     const double theta3 = y[2];
     const double z_3 = theta3 + l1;
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const double z_12 = c_1*z_11;
     const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
@@ -629,10 +629,10 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double theta2 = y[1];
     const double theta3 = y[2];
     const double z_3 = theta3 + l1;
-    const double cos_theta1 = cos(theta1);
-    const double cos_theta2 = cos(theta2);
-    const double sin_theta1 = sin(theta1);
-    const double sin_theta2 = sin(theta2);
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
     const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const double z_12 = c_1*z_11;
     const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:1bc343b6999c83b1e563e41543e75fcfd7bdb5d08d6fc56e9b609136a589f410 */
+/* body sha256:6b205c1e273f645be99b8ea9c8e5dcb07e69a6cd225f7cccd6e40bc9f1336f11 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -121,8 +121,8 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double r_dot = v[1];
     const double theta = x[0];
     const double r = x[1];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     bias[0] = -(r*c_1*sin_theta + r*c_0*(theta_dot*r_dot));
     bias[1] = theta_dot*theta_dot*(m*r) + cos_theta*c_1 - k*(r - L);
 }
@@ -140,7 +140,7 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta = x[0];
     const double r = x[1];
     const double z_6 = r - L;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
     e[1] = 0.0;
     e[2] = 0.0;
@@ -206,8 +206,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double theta_dot = v1[0];
     const double r_dot = v2[0];
     const double theta = y[0];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     const double Mdot1 = c_0*(r_dot*r);
     f1[0] = -r*c_1*sin_theta;
     f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);

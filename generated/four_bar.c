@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:be436989fcc738457579f91f72eee755685f721430103eb2cdcdd1ab38c1e85f */
+/* body sha256:b852141bd2c9af5830a93446b805ff5f155df642447611b053fbae5a430d8485 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -108,10 +108,10 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_6 = c[16];
     const double q1_ = x[0];
     const double q2_ = x[1];
-    const double cos_q1_ = cos(q1_);
-    const double cos_q2_ = cos(q2_);
-    const double sin_q1_ = sin(q1_);
-    const double sin_q2_ = sin(q2_);
+    const double cos_q1_ = em_cos(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double sin_q1_ = em_sin(q1_);
+    const double sin_q2_ = em_sin(q2_);
     M[0] = c_4;
     M[3] = M[1] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
     M[4] = c_5;
@@ -128,10 +128,10 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double c_0 = c[10];
     const double q1_ = x[0];
     const double q2_ = x[1];
-    const double cos_q2_ = cos(q2_);
-    const double sin_q1_ = sin(q1_);
-    const double cos_q1_ = cos(q1_);
-    const double sin_q2_ = sin(q2_);
+    const double cos_q2_ = em_cos(q2_);
+    const double sin_q1_ = em_sin(q1_);
+    const double cos_q1_ = em_cos(q1_);
+    const double sin_q2_ = em_sin(q2_);
     const double z_7 = c_0*(cos_q2_*sin_q1_ - cos_q1_*sin_q2_);
     dM[3] = dM[1] = (-0.5)*z_7;
     dM[12] = dM[10] = 0.5*z_7;
@@ -147,12 +147,12 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     const double q1_ = x[0];
     const double q2_ = x[1];
     const double q3_ = x[2];
-    const double sin_q1_ = sin(q1_);
-    const double sin_q2_ = sin(q2_);
-    const double sin_q3_ = sin(q3_);
-    const double cos_q1_ = cos(q1_);
-    const double cos_q2_ = cos(q2_);
-    const double cos_q3_ = cos(q3_);
+    const double sin_q1_ = em_sin(q1_);
+    const double sin_q2_ = em_sin(q2_);
+    const double sin_q3_ = em_sin(q3_);
+    const double cos_q1_ = em_cos(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double cos_q3_ = em_cos(q3_);
     A[0] = -a_*sin_q1_;
     A[1] = -b_*sin_q2_;
     A[2] = c_*sin_q3_;
@@ -174,12 +174,12 @@ static void position(double t, const double *restrict x, const double *restrict 
     const double q1_ = x[0];
     const double q2_ = x[1];
     const double q3_ = x[2];
-    const double cos_q1_ = cos(q1_);
-    const double cos_q2_ = cos(q2_);
-    const double cos_q3_ = cos(q3_);
-    const double sin_q1_ = sin(q1_);
-    const double sin_q2_ = sin(q2_);
-    const double sin_q3_ = sin(q3_);
+    const double cos_q1_ = em_cos(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double cos_q3_ = em_cos(q3_);
+    const double sin_q1_ = em_sin(q1_);
+    const double sin_q2_ = em_sin(q2_);
+    const double sin_q3_ = em_sin(q3_);
     phi[0] = a_*cos_q1_ + b_*cos_q2_ - c_*cos_q3_ - d;
     phi[1] = a_*sin_q1_ + b_*sin_q2_ - c_*sin_q3_;
 }
@@ -202,19 +202,19 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double q1_ = x[0];
     const double q2_ = x[1];
     const double q3_ = x[2];
-    const double cos_q2_ = cos(q2_);
-    const double sin_q1_ = sin(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double sin_q1_ = em_sin(q1_);
     const double z_7 = cos_q2_*sin_q1_;
-    const double cos_q1_ = cos(q1_);
-    const double sin_q2_ = sin(q2_);
+    const double cos_q1_ = em_cos(q1_);
+    const double sin_q2_ = em_sin(q2_);
     const double z_10 = cos_q1_*sin_q2_;
     const double z_11 = q1_dot*q2_dot*(c_0*(z_7 - z_10));
     const double z_13 = c_0*(q1_dot*z_7 + q2_dot*z_10) - c_0*(q1_dot*z_10 + q2_dot*z_7);
-    const double cos_q3_ = cos(q3_);
+    const double cos_q3_ = em_cos(q3_);
     const double z_19 = a_*(q1_dot*q1_dot);
     const double z_21 = b_*(q2_dot*q2_dot);
     const double z_24 = c_*(q3_dot*q3_dot);
-    const double sin_q3_ = sin(q3_);
+    const double sin_q3_ = em_sin(q3_);
     bias[0] = (-0.5)*((z_11 + cos_q1_*c_1) - q2_dot*z_13);
     bias[1] = 0.5*((z_11 - cos_q2_*c_2) + q1_dot*z_13);
     bias[2] = -cos_q3_*c_3;
@@ -241,12 +241,12 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double q1_ = x[0];
     const double q2_ = x[1];
     const double q3_ = x[2];
-    const double cos_q1_ = cos(q1_);
-    const double cos_q2_ = cos(q2_);
-    const double sin_q1_ = sin(q1_);
-    const double sin_q2_ = sin(q2_);
+    const double cos_q1_ = em_cos(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double sin_q1_ = em_sin(q1_);
+    const double sin_q2_ = em_sin(q2_);
     const double z_9 = c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_);
-    const double sin_q3_ = sin(q3_);
+    const double sin_q3_ = em_sin(q3_);
     e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_9 + q1_dot*c_7) + q2_dot*(3.0*q1_dot*z_9 + q2_dot*c_8) +
         c_9*(q3_dot*q3_dot));
     e[1] = 0.0;
@@ -323,19 +323,19 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double q1_ = y[0];
     const double q2_ = y[1];
     const double q3_ = y[2];
-    const double cos_q2_ = cos(q2_);
-    const double sin_q1_ = sin(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double sin_q1_ = em_sin(q1_);
     const double z_6 = cos_q2_*sin_q1_;
-    const double cos_q1_ = cos(q1_);
-    const double sin_q2_ = sin(q2_);
+    const double cos_q1_ = em_cos(q1_);
+    const double sin_q2_ = em_sin(q2_);
     const double z_10 = cos_q1_*sin_q2_;
     const double z_11 = q1_dot*q2_dot*(c_0*(z_6 - z_10));
-    const double cos_q3_ = cos(q3_);
+    const double cos_q3_ = em_cos(q3_);
     const double z_18 = a_*sin_q1_;
     const double z_20 = b_*sin_q2_;
     const double z_21 = a_*cos_q1_;
     const double z_22 = b_*cos_q2_;
-    const double sin_q3_ = sin(q3_);
+    const double sin_q3_ = em_sin(q3_);
     const double z_25 = c_*sin_q3_;
     const double z_26 = c_*cos_q3_;
     const double z_27 = q1_dot*q1_dot;
@@ -464,10 +464,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_5 = c[15];
     const double q1_ = y[0];
     const double q2_ = y[1];
-    const double cos_q1_ = cos(q1_);
-    const double cos_q2_ = cos(q2_);
-    const double sin_q1_ = sin(q1_);
-    const double sin_q2_ = sin(q2_);
+    const double cos_q1_ = em_cos(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double sin_q1_ = em_sin(q1_);
+    const double sin_q2_ = em_sin(q2_);
     M1[0][0] = c_4;
     M1[1][0] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
     M1[1][1] = c_5;
@@ -517,12 +517,12 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double z_10 = cos_q2_*sin_q1_;
     const double z_12 = cos_q1_*sin_q2_;
     const double z_13 = q1_dot*q2_dot*(c_0*(z_10 - z_12));
-    const double cos_q3_ = cos(q3_);
+    const double cos_q3_ = em_cos(q3_);
     const double z_20 = a_*sin_q1_;
     const double z_22 = b_*sin_q2_;
     const double z_23 = a_*cos_q1_;
     const double z_24 = b_*cos_q2_;
-    const double sin_q3_ = sin(q3_);
+    const double sin_q3_ = em_sin(q3_);
     const double z_27 = c_*sin_q3_;
     const double z_28 = c_*cos_q3_;
     const double z_29 = q1_dot*q1_dot;
@@ -646,12 +646,12 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double q1_ = y[0];
     const double q2_ = y[1];
     const double q3_ = y[2];
-    const double cos_q1_ = cos(q1_);
-    const double cos_q2_ = cos(q2_);
-    const double sin_q1_ = sin(q1_);
-    const double sin_q2_ = sin(q2_);
-    const double sin_q3_ = sin(q3_);
-    const double cos_q3_ = cos(q3_);
+    const double cos_q1_ = em_cos(q1_);
+    const double cos_q2_ = em_cos(q2_);
+    const double sin_q1_ = em_sin(q1_);
+    const double sin_q2_ = em_sin(q2_);
+    const double sin_q3_ = em_sin(q3_);
+    const double cos_q3_ = em_cos(q3_);
     M1[0][0] = c_4;
     M1[0][1] = M1[1][0] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
     M1[1][1] = c_5;

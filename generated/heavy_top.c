@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:308ccd299e7e8a8c690b32deed623192272f1f72f94b7f9d2b6c9c93746df217 */
+/* body sha256:cc403e773ce79329989928aca0397e954ffb0fdf211c18e37e29c900becdff37 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -86,8 +86,8 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double J_ = c[3];
     const double J3 = c[4];
     const double theta = x[1];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     M[0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M[3] = M[1] = 0.0;
     M[4] = J_;
@@ -104,8 +104,8 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double J3 = c[4];
     const double c_0 = c[9];
     const double theta = x[1];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     dM[9] = c_0*(sin_theta*cos_theta);
     dM[15] = dM[11] = -sin_theta*J3;
 }
@@ -135,9 +135,9 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta_dot = v[1];
     const double psi_dot = v[2];
     const double theta = x[1];
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     const double z_5 = psi_dot*J3;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     const double z_9 = phi_dot*sin_theta;
     const double z_10 = theta_dot*z_9;
     bias[0] = -(cos_theta*c_0*z_10 - theta_dot*sin_theta*z_5);
@@ -156,8 +156,8 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta_dot = v[1];
     const double psi_dot = v[2];
     const double theta = x[1];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     e[0] = 0.5*(phi_dot*(phi_dot*(J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
         J_*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
     e[1] = 0.0;
@@ -226,8 +226,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double psi_dot = v1[1];
     const double theta_dot = v2[0];
     const double theta = y[1];
-    const double cos_theta = cos(theta);
-    const double sin_theta = sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
     const double z_5 = theta_dot*sin_theta;
     Mdot1[0][0] = cos_theta*c_0*z_5;
     Mdot1[0][1] = Mdot1[1][0] = -J3*z_5;
@@ -294,8 +294,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double J_ = c[3];
     const double J3 = c[4];
     const double theta = y[1];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M1[1][0] = J3*cos_theta;
     M1[1][1] = J3;
@@ -390,8 +390,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double J_ = c[3];
     const double J3 = c[4];
     const double theta = y[1];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M1[0][1] = M1[1][0] = J3*cos_theta;
     M1[1][1] = J3;

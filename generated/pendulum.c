@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:33ca41539c93f19d3b9d997fb7e9a0c01c1088394d55baf9ae4a51b389e9e33b */
+/* body sha256:893f5efff3fbc69069c52c98ab688c1e1149b19d72a894a519a0f82d3679d0cb */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -105,7 +105,7 @@ static void motion_bias(double t, const double *restrict x, const double *restri
 (void)t, (void)v, (void)u, (void)gamma;
     const double c_0 = c[7];
     const double theta = x[0];
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     bias[0] = -c_0*sin_theta;
 }
 
@@ -117,7 +117,7 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double c_2 = c[9];
     const double theta_dot = v[0];
     const double theta = x[0];
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     e[0] = c_2*(theta_dot*theta_dot);
     e[1] = 0.0;
     e[2] = 0.0;
@@ -162,7 +162,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double f1[N1];
     const double c_0 = c[7];
     const double theta = y[0];
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     f1[0] = -c_0*sin_theta;
 
     /* theta: constant factors, a = S^-1 C f (41) */

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:7940bea1792ccd146bd2c5143aeaf0707c33ee374fb4fb8d40c734b62693b300 */
+/* body sha256:41022d4d665870b5af0fba310d597da854becffda6edb1d12116a1dc24bdff28 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -77,12 +77,12 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_0 = c[3];
     const double theta = x[1];
     const double phi_ = x[2];
-    const double cos_theta = cos(theta);
-    const double sin_phi_ = sin(phi_);
+    const double cos_theta = em_cos(theta);
+    const double sin_phi_ = em_sin(phi_);
     const double z_6 = sin_phi_*sin_phi_;
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     const double z_8 = sin_theta*sin_theta;
-    const double cos_phi_ = cos(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_11 = cos_phi_*cos_phi_;
     M[0] = J3*(cos_theta*cos_theta) + J1*z_6*z_8 + J2*z_8*z_11;
     M[3] = M[1] = sin_phi_*sin_theta*cos_phi_*c_0;
@@ -104,12 +104,12 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double c_1 = c[4];
     const double theta = x[1];
     const double phi_ = x[2];
-    const double cos_theta = cos(theta);
-    const double sin_theta = sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
     const double z_4 = cos_theta*sin_theta;
-    const double sin_phi_ = sin(phi_);
+    const double sin_phi_ = em_sin(phi_);
     const double z_8 = sin_phi_*sin_phi_;
-    const double cos_phi_ = cos(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_11 = cos_phi_*cos_phi_;
     const double z_13 = sin_phi_*cos_phi_;
     const double z_15 = c_1*z_13;
@@ -148,12 +148,12 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double phi_dot = v[2];
     const double theta = x[1];
     const double phi_ = x[2];
-    const double cos_theta = cos(theta);
-    const double sin_theta = sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
     const double z_6 = theta_dot*sin_theta;
     const double z_7 = cos_theta*z_6;
-    const double sin_phi_ = sin(phi_);
-    const double cos_phi_ = cos(phi_);
+    const double sin_phi_ = em_sin(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_12 = sin_phi_*cos_phi_;
     const double z_14 = z_12*(phi_dot*(sin_theta*sin_theta));
     const double z_15 = sin_phi_*sin_phi_;
@@ -185,12 +185,12 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double phi_dot = v[2];
     const double theta = x[1];
     const double phi_ = x[2];
-    const double cos_theta = cos(theta);
-    const double sin_phi_ = sin(phi_);
+    const double cos_theta = em_cos(theta);
+    const double sin_phi_ = em_sin(phi_);
     const double z_7 = sin_phi_*sin_phi_;
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     const double z_9 = sin_theta*sin_theta;
-    const double cos_phi_ = cos(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_12 = cos_phi_*cos_phi_;
     const double z_15 = sin_phi_*sin_theta*(cos_phi_*c_0);
     e[0] = 0.5*(psi_dot*(psi_dot*(J3*(cos_theta*cos_theta) + J1*z_7*z_9 + J2*z_9*z_12) + theta_dot*z_15 +
@@ -253,12 +253,12 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double phi_dot = v1[2];
     const double theta = y[1];
     const double phi_ = y[2];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     const double z_5 = theta_dot*cos_theta;
     const double z_6 = sin_theta*z_5;
-    const double sin_phi_ = sin(phi_);
-    const double cos_phi_ = cos(phi_);
+    const double sin_phi_ = em_sin(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_12 = sin_phi_*cos_phi_;
     const double z_13 = phi_dot*z_12;
     const double z_14 = sin_theta*sin_theta*z_13;
@@ -333,12 +333,12 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_0 = c[3];
     const double theta = y[1];
     const double phi_ = y[2];
-    const double cos_theta = cos(theta);
-    const double sin_theta = sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
     const double z_4 = sin_theta*sin_theta;
-    const double sin_phi_ = sin(phi_);
+    const double sin_phi_ = em_sin(phi_);
     const double z_8 = sin_phi_*sin_phi_;
-    const double cos_phi_ = cos(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_11 = cos_phi_*cos_phi_;
     const double z_13 = sin_phi_*cos_phi_;
     M1[0][0] = J3*(cos_theta*cos_theta) + z_4*(J1*z_8) + z_4*(J2*z_11);
@@ -432,12 +432,12 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_0 = c[3];
     const double theta = y[1];
     const double phi_ = y[2];
-    const double cos_theta = cos(theta);
-    const double sin_theta = sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
     const double z_4 = sin_theta*sin_theta;
-    const double sin_phi_ = sin(phi_);
+    const double sin_phi_ = em_sin(phi_);
     const double z_8 = sin_phi_*sin_phi_;
-    const double cos_phi_ = cos(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_11 = cos_phi_*cos_phi_;
     const double z_13 = sin_phi_*cos_phi_;
     M1[0][0] = J3*(cos_theta*cos_theta) + z_4*(J1*z_8) + z_4*(J2*z_11);

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:25cb259ce4cc360a0d39bbe9ae950667bd9df0d30c6bc44498abce4282011bc7 */
+/* body sha256:6ea3d9295f728d01fa07142397b363ca61000df089232975d9df86a44f098e32 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -90,12 +90,12 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_8 = c[11];
     const double phi_ = x[2];
     const double theta = x[3];
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
     const double z_6 = cos_phi_*c_0;
-    const double sin_phi_ = sin(phi_);
+    const double sin_phi_ = em_sin(phi_);
     const double z_8 = sin_phi_*c_0;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     M[0] = m;
     M[5] = M[1] = 0.0;
     M[6] = m;
@@ -123,12 +123,12 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double c_2 = c[5];
     const double phi_ = x[2];
     const double theta = x[3];
-    const double sin_theta = sin(theta);
-    const double sin_phi_ = sin(phi_);
+    const double sin_theta = em_sin(theta);
+    const double sin_phi_ = em_sin(phi_);
     const double z_5 = sin_phi_*c_0;
-    const double cos_phi_ = cos(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_7 = cos_phi_*c_0;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     dM[60] = dM[52] = sin_theta*z_5;
     dM[61] = dM[57] = -sin_theta*z_7;
     dM[65] = dM[53] = -cos_theta*z_7;
@@ -147,8 +147,8 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 (void)t;
     const double r = c[1];
     const double phi_ = x[2];
-    const double cos_phi_ = cos(phi_);
-    const double sin_phi_ = sin(phi_);
+    const double cos_phi_ = em_cos(phi_);
+    const double sin_phi_ = em_sin(phi_);
     A[0] = 1.0;
     A[1] = 0.0;
     A[2] = 0.0;
@@ -190,11 +190,11 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double phi_ = x[2];
     const double theta = x[3];
     const double z_2 = phi_dot*phi_dot;
-    const double sin_theta = sin(theta);
-    const double sin_phi_ = sin(phi_);
+    const double sin_theta = em_sin(theta);
+    const double sin_phi_ = em_sin(phi_);
     const double z_7 = sin_theta*sin_phi_;
-    const double cos_phi_ = cos(phi_);
-    const double cos_theta = cos(theta);
+    const double cos_phi_ = em_cos(phi_);
+    const double cos_theta = em_cos(theta);
     const double z_11 = phi_dot*cos_theta;
     const double z_12 = theta_dot*z_11;
     const double z_13 = cos_phi_*z_12;
@@ -239,13 +239,13 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double psi_dot = v[4];
     const double phi_ = x[2];
     const double theta = x[3];
-    const double sin_theta = sin(theta);
+    const double sin_theta = em_sin(theta);
     const double z_5 = phi_dot*sin_theta;
-    const double cos_phi_ = cos(phi_);
+    const double cos_phi_ = em_cos(phi_);
     const double z_9 = cos_phi_*c_0;
-    const double sin_phi_ = sin(phi_);
+    const double sin_phi_ = em_sin(phi_);
     const double z_11 = sin_phi_*c_0;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     const double z_14 = theta_dot*cos_theta;
     const double z_18 = cos_phi_*c_5;
     const double z_19 = sin_phi_*c_5;
@@ -320,11 +320,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double psi_dot = v1[4];
     const double phi_ = y[2];
     const double theta = y[3];
-    const double cos_phi_ = cos(phi_);
-    const double cos_theta = cos(theta);
+    const double cos_phi_ = em_cos(phi_);
+    const double cos_theta = em_cos(theta);
     const double z_6 = theta_dot*cos_theta;
-    const double sin_phi_ = sin(phi_);
-    const double sin_theta = sin(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double sin_theta = em_sin(theta);
     const double z_10 = phi_dot*sin_theta;
     const double z_12 = theta_dot*sin_theta;
     const double z_13 = phi_dot*cos_theta;
@@ -457,12 +457,12 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_8 = c[11];
     const double phi_ = y[2];
     const double theta = y[3];
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
     const double z_6 = cos_phi_*c_0;
-    const double sin_phi_ = sin(phi_);
+    const double sin_phi_ = em_sin(phi_);
     const double z_8 = sin_phi_*c_0;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[1][0] = 0.0;
     M1[1][1] = m;
@@ -635,12 +635,12 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_8 = c[11];
     const double phi_ = y[2];
     const double theta = y[3];
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
     const double z_6 = cos_phi_*c_0;
-    const double sin_phi_ = sin(phi_);
+    const double sin_phi_ = em_sin(phi_);
     const double z_8 = sin_phi_*c_0;
-    const double cos_theta = cos(theta);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[0][1] = M1[1][0] = 0.0;
     M1[1][1] = m;

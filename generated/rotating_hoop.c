@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:759eb2a330d688e6308058c6a9df16207ccf97d6a2f6a082992ec99c6c1839ec */
+/* body sha256:dd19bad7874790f185e9792b4e097fa8b8e307d1952d5bd58ea052acfae7cb1b */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -109,8 +109,8 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double c_0 = c[8];
     const double c_1 = c[9];
     const double theta = x[0];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     bias[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
 }
 
@@ -123,8 +123,8 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double c_4 = c[12];
     const double theta_dot = v[0];
     const double theta = x[0];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     e[0] = c_3*(theta_dot*theta_dot);
     e[1] = 0.0;
     e[2] = c_4*(sin_theta*sin_theta);
@@ -170,8 +170,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double c_0 = c[8];
     const double c_1 = c[9];
     const double theta = y[0];
-    const double sin_theta = sin(theta);
-    const double cos_theta = cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
     f1[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
 
     /* theta: constant factors, a = S^-1 C f (41) */

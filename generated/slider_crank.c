@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:80c94b86763c32adc639e15acfcbfe17744bc9d6211c0a23f31388dfb9be046e */
+/* body sha256:8d0cf20c0584240b8541078eb793ab2ad2c79318a557da50829f06abec99956c */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -102,10 +102,10 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_4 = c[14];
     const double theta = x[0];
     const double phi_ = x[1];
-    const double sin_phi_ = sin(phi_);
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
-    const double cos_theta = cos(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
+    const double cos_theta = em_cos(theta);
     M[0] = c_3;
     M[3] = M[1] = 0.5*(c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta));
     M[4] = c_4;
@@ -122,10 +122,10 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double c_0 = c[10];
     const double theta = x[0];
     const double phi_ = x[1];
-    const double sin_phi_ = sin(phi_);
-    const double cos_theta = cos(theta);
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
+    const double sin_phi_ = em_sin(phi_);
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
     dM[3] = dM[1] = 0.5*(c_0*(sin_phi_*cos_theta + sin_theta*cos_phi_));
     dM[12] = dM[10] = 0.5*(c_0*(sin_phi_*cos_theta + sin_theta*cos_phi_));
 }
@@ -138,10 +138,10 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     const double l = c[1];
     const double theta = x[0];
     const double phi_ = x[1];
-    const double sin_theta = sin(theta);
-    const double sin_phi_ = sin(phi_);
-    const double cos_theta = cos(theta);
-    const double cos_phi_ = cos(phi_);
+    const double sin_theta = em_sin(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double cos_theta = em_cos(theta);
+    const double cos_phi_ = em_cos(phi_);
     A[0] = r*sin_theta;
     A[1] = l*sin_phi_;
     A[2] = 1.0;
@@ -161,10 +161,10 @@ static void position(double t, const double *restrict x, const double *restrict 
     const double theta = x[0];
     const double phi_ = x[1];
     const double x_ = x[2];
-    const double cos_theta = cos(theta);
-    const double cos_phi_ = cos(phi_);
-    const double sin_theta = sin(theta);
-    const double sin_phi_ = sin(phi_);
+    const double cos_theta = em_cos(theta);
+    const double cos_phi_ = em_cos(phi_);
+    const double sin_theta = em_sin(theta);
+    const double sin_phi_ = em_sin(phi_);
     phi[0] = -(r*cos_theta + l*cos_phi_ - x_);
     phi[1] = r*sin_theta - l*sin_phi_;
 }
@@ -183,11 +183,11 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double phi_dot = v[1];
     const double theta = x[0];
     const double phi_ = x[1];
-    const double sin_phi_ = sin(phi_);
-    const double cos_theta = cos(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double cos_theta = em_cos(theta);
     const double z_7 = sin_phi_*cos_theta;
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
     const double z_10 = sin_theta*cos_phi_;
     const double z_11 = theta_dot*phi_dot*(c_0*(z_7 + z_10));
     const double z_13 = c_0*(phi_dot*z_10 + theta_dot*z_7) + c_0*(phi_dot*z_7 + theta_dot*z_10);
@@ -218,10 +218,10 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double x_dot = v[2];
     const double theta = x[0];
     const double phi_ = x[1];
-    const double sin_phi_ = sin(phi_);
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
-    const double cos_theta = cos(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
+    const double cos_theta = em_cos(theta);
     const double z_9 = c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta);
     e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_9 + theta_dot*c_5) + phi_dot*(3.0*theta_dot*z_9 + phi_dot*c_6) +
         c_7*(x_dot*x_dot));
@@ -295,11 +295,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double phi_dot = v1[1];
     const double theta = y[0];
     const double phi_ = y[1];
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
     const double z_6 = sin_theta*cos_phi_;
-    const double sin_phi_ = sin(phi_);
-    const double cos_theta = cos(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double cos_theta = em_cos(theta);
     const double z_10 = sin_phi_*cos_theta;
     const double z_11 = theta_dot*phi_dot*(c_0*(z_10 + z_6));
     const double z_15 = r*sin_theta;
@@ -431,10 +431,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_4 = c[14];
     const double theta = y[0];
     const double phi_ = y[1];
-    const double sin_phi_ = sin(phi_);
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
-    const double cos_theta = cos(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = c_3;
     M1[1][0] = 0.5*(c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta));
     M1[1][1] = c_4;
@@ -602,10 +602,10 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_4 = c[14];
     const double theta = y[0];
     const double phi_ = y[1];
-    const double sin_phi_ = sin(phi_);
-    const double sin_theta = sin(theta);
-    const double cos_phi_ = cos(phi_);
-    const double cos_theta = cos(theta);
+    const double sin_phi_ = em_sin(phi_);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi_ = em_cos(phi_);
+    const double cos_theta = em_cos(theta);
     M1[0][0] = c_3;
     M1[0][1] = M1[1][0] = 0.5*(c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta));
     M1[1][1] = c_4;

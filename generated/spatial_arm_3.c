@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:6bc98f6c5e5f9456cd746a17d6706e78f98292f31f361672078844dbff83514b */
+/* body sha256:0755667d89fa7f115dd5bd5d8828dd3061dbf4dc04af7daff88c2643b7dfd448 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -150,15 +150,15 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double c_27 = c[35];
     const double q_2 = x[1];
     const double q_3 = x[2];
-    const double cos_q_2 = cos(q_2);
+    const double cos_q_2 = em_cos(q_2);
     const double z_6 = l_2*cos_q_2;
     const double z_7 = l_1 + z_6;
-    const double cos_q_3 = cos(q_3);
+    const double cos_q_3 = em_cos(q_3);
     const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
     const double z_12 = cos_q_2*c_0 + z_10*c_1;
-    const double sin_q_3 = sin(q_3);
+    const double sin_q_3 = em_sin(q_3);
     const double z_16 = sin_q_3*sin_q_3;
-    const double sin_q_2 = sin(q_2);
+    const double sin_q_2 = em_sin(q_2);
     const double z_18 = sin_q_2*sin_q_2;
     const double z_22 = m_2*(c_2 + z_6);
     const double z_24 = cos_q_3*z_10;
@@ -206,17 +206,17 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double c_33 = c[41];
     const double q_2 = x[1];
     const double q_3 = x[2];
-    const double cos_q_2 = cos(q_2);
+    const double cos_q_2 = em_cos(q_2);
     const double z_6 = l_2*cos_q_2;
     const double z_7 = l_1 + z_6;
-    const double cos_q_3 = cos(q_3);
+    const double cos_q_3 = em_cos(q_3);
     const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
-    const double sin_q_2 = sin(q_2);
+    const double sin_q_2 = em_sin(q_2);
     const double z_14 = cos_q_3*sin_q_2;
     const double z_15 = l_3*sin_q_2 + c_13*z_14;
     const double z_16 = c_0*sin_q_2 + z_15*c_1;
     const double z_20 = cos_q_3*c_3;
-    const double sin_q_3 = sin(q_3);
+    const double sin_q_3 = em_sin(q_3);
     const double z_23 = sin_q_3*sin_q_3;
     const double z_25 = sin_q_2*c_5;
     const double z_26 = sin_q_2*z_23;
@@ -285,13 +285,13 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double q_3_dot = v[2];
     const double q_2 = x[1];
     const double q_3 = x[2];
-    const double sin_q_3 = sin(q_3);
-    const double cos_q_3 = cos(q_3);
-    const double sin_q_2 = sin(q_2);
+    const double sin_q_3 = em_sin(q_3);
+    const double cos_q_3 = em_cos(q_3);
+    const double sin_q_2 = em_sin(q_2);
     const double z_8 = q_1_dot*sin_q_2;
     const double z_9 = q_2_dot*sin_q_3 - cos_q_3*z_8;
     const double z_11 = q_3_dot*sin_q_3;
-    const double cos_q_2 = cos(q_2);
+    const double cos_q_2 = em_cos(q_2);
     const double z_13 = q_2_dot*cos_q_2;
     const double z_14 = cos_q_3*z_9;
     const double z_15 = q_3_dot*cos_q_3;
@@ -360,15 +360,15 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double q_3_dot = v[2];
     const double q_2 = x[1];
     const double q_3 = x[2];
-    const double cos_q_2 = cos(q_2);
+    const double cos_q_2 = em_cos(q_2);
     const double z_7 = l_2*cos_q_2;
     const double z_8 = l_1 + z_7;
-    const double cos_q_3 = cos(q_3);
+    const double cos_q_3 = em_cos(q_3);
     const double z_11 = cos_q_2*l_3 + 2.0*z_8*cos_q_3;
     const double z_13 = cos_q_2*c_0 + z_11*c_1;
-    const double sin_q_3 = sin(q_3);
+    const double sin_q_3 = em_sin(q_3);
     const double z_17 = sin_q_3*sin_q_3;
-    const double sin_q_2 = sin(q_2);
+    const double sin_q_2 = em_sin(q_2);
     const double z_19 = sin_q_2*sin_q_2;
     const double z_23 = m_2*(c_2 + z_7);
     const double z_25 = cos_q_3*z_11;
@@ -463,14 +463,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double q_3_dot = v1[2];
     const double q_2 = y[1];
     const double q_3 = y[2];
-    const double cos_q_2 = cos(q_2);
+    const double cos_q_2 = em_cos(q_2);
     const double z_6 = l_2*cos_q_2;
     const double z_7 = l_1 + z_6;
-    const double cos_q_3 = cos(q_3);
+    const double cos_q_3 = em_cos(q_3);
     const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
-    const double sin_q_2 = sin(q_2);
+    const double sin_q_2 = em_sin(q_2);
     const double z_14 = q_2_dot*sin_q_2;
-    const double sin_q_3 = sin(q_3);
+    const double sin_q_3 = em_sin(q_3);
     const double z_17 = q_3_dot*sin_q_3;
     const double z_18 = l_3*z_14 + 2.0*(cos_q_3*(l_2*z_14) + z_7*z_17);
     const double z_19 = c_0*z_14 + z_18*c_1;
@@ -583,15 +583,15 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_27 = c[35];
     const double q_2 = y[1];
     const double q_3 = y[2];
-    const double cos_q_2 = cos(q_2);
+    const double cos_q_2 = em_cos(q_2);
     const double z_6 = l_2*cos_q_2;
     const double z_7 = l_1 + z_6;
-    const double cos_q_3 = cos(q_3);
+    const double cos_q_3 = em_cos(q_3);
     const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
     const double z_12 = cos_q_2*c_0 + z_10*c_1;
-    const double sin_q_2 = sin(q_2);
+    const double sin_q_2 = em_sin(q_2);
     const double z_15 = sin_q_2*sin_q_2;
-    const double sin_q_3 = sin(q_3);
+    const double sin_q_3 = em_sin(q_3);
     const double z_18 = sin_q_3*sin_q_3;
     const double z_22 = m_2*(c_2 + z_6);
     const double z_25 = z_7*z_18;
@@ -738,15 +738,15 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_27 = c[35];
     const double q_2 = y[1];
     const double q_3 = y[2];
-    const double cos_q_2 = cos(q_2);
+    const double cos_q_2 = em_cos(q_2);
     const double z_6 = l_2*cos_q_2;
     const double z_7 = l_1 + z_6;
-    const double cos_q_3 = cos(q_3);
+    const double cos_q_3 = em_cos(q_3);
     const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
     const double z_12 = cos_q_2*c_0 + z_10*c_1;
-    const double sin_q_2 = sin(q_2);
+    const double sin_q_2 = em_sin(q_2);
     const double z_15 = sin_q_2*sin_q_2;
-    const double sin_q_3 = sin(q_3);
+    const double sin_q_3 = em_sin(q_3);
     const double z_18 = sin_q_3*sin_q_3;
     const double z_22 = m_2*(c_2 + z_6);
     const double z_25 = z_7*z_18;

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:8b97260d924e426c9cd51ef20f76024ce8f2a5fea8d281366e69bbd1b68f8478 */
+/* body sha256:001e5b74de3efb622d40c725b4dc6b4bede3c523db4e088b467935000cd03a9d */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -72,7 +72,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     const double g = c[2];
     const double alpha = c[3];
     const double z_2 = m*(R*R);
-    const double sin_alpha = sin(alpha);
+    const double sin_alpha = em_sin(alpha);
     M1[0][0] = m;
     M2[0][0] = m;
     c[12] = z_2;

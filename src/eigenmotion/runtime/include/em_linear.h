@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "eigenmotion.h"
+#include "em_trigonometry.h"
 
 enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8 };
 
