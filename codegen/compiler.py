@@ -104,5 +104,6 @@ def _defaults(model: Model) -> Defaults:
         inputs=tuple((name_of(u), value) for u, value in model.inputs),
         x=model.initial_x,
         v=model.initial_v,
+        y=model.initial_y,
         events=model.events,
     )

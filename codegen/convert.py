@@ -13,14 +13,14 @@ from sympy.logic.boolalg import ITE, And, BooleanFalse, BooleanTrue, Not, Or
 from .graph import Graph, Kind, Node, Number, exact
 from .model import ModelError
 
-FUNCTIONS: Mapping[type[sympy.Basic], str] = {
+FUNCTIONS: dict[type[sympy.Basic], str] = {
     sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.asin: "asin", sympy.acos: "acos", sympy.atan: "atan",
     sympy.atan2: "atan2", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh", sympy.asinh: "asinh",
     sympy.acosh: "acosh", sympy.atanh: "atanh", sympy.exp: "exp", sympy.log: "log", sympy.Abs: "abs",
     sympy.sign: "sign", sympy.Min: "min", sympy.Max: "max", sympy.erf: "erf", sympy.floor: "floor",
     sympy.ceiling: "ceil", sympy.Heaviside: "step",
 }  # fmt: skip
-RELATIONS: Mapping[type[sympy.Basic], str] = {
+RELATIONS: dict[type[sympy.Basic], str] = {
     sympy.StrictLessThan: "<", sympy.LessThan: "<=", sympy.StrictGreaterThan: ">", sympy.GreaterThan: ">=",
     sympy.Equality: "==", sympy.Unequality: "!=", And: "and", Or: "or", Not: "not",
 }  # fmt: skip

@@ -33,6 +33,7 @@ class Mechanics:
     A : (m, n); b : (m,) (8)
     phi : (h,) the holonomic constraints
     outputs, events : (name, expression) with a_k = xddot_k and lambda_i as symbols
+    quasi_velocities : (name, P(x, t) v) (3), n of them or none
     """
 
     name: str
@@ -54,6 +55,7 @@ class Mechanics:
     phi: tuple[sympy.Expr, ...]
     outputs: tuple[tuple[str, sympy.Expr], ...]
     events: tuple[tuple[str, sympy.Expr], ...]
+    quasi_velocities: tuple[tuple[str, sympy.Expr], ...]
 
     def mass_matrix_gradient(self) -> tuple[sympy.ImmutableDenseMatrix, ...]:
         """Return dM/dx_k, k = 1 .. n, each (n, n)."""
@@ -109,6 +111,7 @@ class _Derivation:
             b=tuple(back(b)), phi=tuple(back(phi)),
             outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
             events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
+            quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
         )  # fmt: skip
 
     def node(self, expression: sympy.Expr) -> Node:

@@ -71,6 +71,11 @@ def ratio(first: Number, second: Number) -> Number:
     return exact(quotient.numerator, quotient.denominator)
 
 
+def magnitude(number: Number) -> Number:
+    """Return |number|."""
+    return -number if number < 0 else number
+
+
 def is_whole(number: Number) -> bool:
     """Whether a number is an integer."""
     return isinstance(number, int) or number == int(number)

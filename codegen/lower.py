@@ -36,13 +36,14 @@ class Choices:
 class Defaults:
     """The numbers of a model that the generated file carries.
 
-    parameters, inputs : name -> value; x, v : (n); events : name -> Event
+    parameters, inputs : name -> value; x, v : (n); y : (n) or (); events : name -> Event
     """
 
     parameters: tuple[tuple[str, float], ...]
     inputs: tuple[tuple[str, float], ...]
     x: tuple[float, ...]
     v: tuple[float, ...]
+    y: tuple[float, ...]
     events: tuple[tuple[str, Event], ...]
 
 
@@ -68,6 +69,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
         inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
         events=tuple(EventView(name, event.direction, int(event.terminal)) for name, event in defaults.events),
+        quasi_velocities=tuple(name for name, _ in mechanics.quasi_velocities), initial_y=tuple(map(repr, defaults.y)),
         blocks=blocks, block_of=_block_of(scene), carried=_carried(scene, eigen),
         scales=tuple(map(repr, scene.scales)),
         delta_eigenfactors=bool(groups), row_groups=groups,
@@ -202,7 +204,7 @@ class _Writing:
         written = {
             "mass_matrix": self.mass_matrix(), "mass_matrix_gradient": self.gradient(), "pfaffian": self.pfaffian(),
             "position": self.position(), "bias": self.bias(), "energy": self.energy(), "outputs": self.outputs(),
-            "events": self.events(), "published": published, "settle": self.settle(eigen),
+            "events": self.events(), "quasi": self.quasi(), "published": published, "settle": self.settle(eigen),
             "triangular": self.right_hand_side(False) if self.bounded() else Body((), (), Cost()),
         }  # fmt: skip
         prepare = self.prepare()
@@ -325,7 +327,9 @@ class _Writing:
         M = [[self.terms.M[i][j] for j in block.coordinates] for i in block.coordinates]
         entries, determinant = inverse(self.terms.graph, M)
         given = [(f"W{block.number}[{i}][{j}]", entry) for i, row in enumerate(entries) for j, entry in enumerate(row)]
-        return [(f"const double det{block.number}", determinant), *given]
+        diagonal = self.terms.graph.mul(*(M[i][i] for i in range(block.size)))
+        named = [(f"const double det{block.number}", determinant), (f"const double diagonal{block.number}", diagonal)]
+        return [*named, *given]
 
     def in_velocities(self, masses: list[tuple[str, Node]]) -> Body:
         """The equations in x, v: what is needed of M, then force - Mdot v, A and gamma."""
@@ -378,6 +382,10 @@ class _Writing:
     def events(self) -> Body:
         given = self.column("crossing", (self.terms.node(expression) for _, expression in self.mechanics.events))
         return self.write([given], self.naming("x", "v"), ("t", "x", "v", "c", "u", "crossing"))
+
+    def quasi(self) -> Body:
+        given = self.column("y", (self.terms.node(row) for _, row in self.mechanics.quasi_velocities))
+        return self.write([given], self.naming("x", "v"), ("t", "x", "v", "c", "y"))
 
     def prepare(self) -> Body:
         """M of the fixed blocks, then the constants that the other functions asked for."""

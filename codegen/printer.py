@@ -8,14 +8,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from .graph import Graph, Kind, Node, Number
+from .graph import Graph, Kind, Node, Number, magnitude
 from .reserved import is_reserved
 from .schedule import Constants, Cost, Operation, Schedule, operands_of, schedule
 
 SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""
 WIDTH = 110
-CALLS: Mapping[str, str] = {"sin": "em_sin", "cos": "em_cos", "abs": "fabs", "min": "fmin", "max": "fmax", "sign": "em_sign", "step": "em_heaviside"}
+CALLS: Mapping[str, str] = {
+    "sin": "em_sin", "cos": "em_cos", "abs": "fabs", "min": "fmin", "max": "fmax", "sign": "em_sign",
+    "step": "em_heaviside",
+}  # fmt: skip
 INFIX: Mapping[str, str] = {"and": "&&", "or": "||"}
 
 
@@ -212,7 +215,7 @@ class _Writer:
     def _term(self, value: int, factor: Number) -> tuple[int, str]:
         sign = -1 if factor < 0 else 1
         text = self._bound(value, PRODUCT)
-        return sign, text if abs(factor) == 1 else f"{c_number(abs(factor))}*{text}"
+        return sign, text if abs(factor) == 1 else f"{c_number(magnitude(factor))}*{text}"
 
     def _product(self, values: Sequence[int]) -> str:
         above = [value for value in values if not self._is_inverse(value)]

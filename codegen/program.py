@@ -96,6 +96,7 @@ class Bodies:
     energy: Body
     outputs: Body
     events: Body
+    quasi: Body
     published: Body
     triangular: Body
     settle: Body
@@ -113,6 +114,7 @@ class Program:
     needs_mass : whether velocities follow from the state only with M(x)
     settles : whether there is anything to do after an accepted step
     layout : the parts of the state vector
+    quasi_velocities, initial_y : their names; their values at the start where the model starts from them
     costs : operations of the model-specific part and of the whole right-hand side, for readers
     """
 
@@ -147,6 +149,8 @@ class Program:
     inputs: tuple[Named, ...]
     outputs: tuple[str, ...]
     events: tuple[EventView, ...]
+    quasi_velocities: tuple[str, ...]
+    initial_y: tuple[str, ...]
     blocks: tuple[BlockView, ...]
     block_of: tuple[int, ...]
     carried: tuple[int, ...]

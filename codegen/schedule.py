@@ -17,7 +17,7 @@ from heapq import heapify, heappop, heappush
 from itertools import combinations
 from typing import NamedTuple
 
-from .graph import Graph, Kind, Node, Number, ratio
+from .graph import Graph, Kind, Node, Number, magnitude, ratio
 
 BEYOND_THE_GRAPH = 1 << 40
 """Values that are no nodes are numbered from here."""
@@ -224,7 +224,7 @@ def _joined_factor(table: _Table, node: Node, factor: Number) -> tuple[int, Numb
     if abs(factor) != 1 and table.hoist and graph.varies(node):
         constant, varying = graph.split(node)
         if constant != graph.one:
-            joined = graph.scale(constant, abs(factor))
+            joined = graph.scale(constant, magnitude(factor))
             parts = [_value(table, joined), *_powers(table, varying)]
             return table.new(Operation("mul", tuple(sorted(parts)))), 1 if factor > 0 else -1
     _value(table, node)

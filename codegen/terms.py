@@ -146,7 +146,5 @@ class Terms:
         return Motion(tuple(tuple(map(self.along, row)) for row in self.M), self._force(gradient_of_L))
 
 
-
-
 def _rows(nodes: Sequence[Node], width: int) -> Rows:
     return tuple(tuple(nodes[start : start + width]) for start in range(0, len(nodes), width))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .graph import Graph, Kind, Node, Number
+from .graph import Graph, Kind, Node, Number, magnitude
 from .rewrite import Rewriter
 
 SINE_AND_COSINE = 20
@@ -39,7 +39,7 @@ def _angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
 def _parts(graph: Graph, angle: Node) -> Parts:
     """Return an angle as ((part, sign), ...), numeric factors within the parts."""
     terms = _terms(graph, angle, 1)
-    return tuple((graph.scale(node, abs(factor)), 1 if factor > 0 else -1) for node, factor in terms)
+    return tuple((graph.scale(node, magnitude(factor)), 1 if factor > 0 else -1) for node, factor in terms)
 
 
 def _terms(graph: Graph, node: Node, factor: Number) -> list[tuple[Node, Number]]:

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:e68298f8ab11ac7c882678939c9abb45ead88753dabb2fd56fea188f796b23eb */
+/* body sha256:fc9a49529a93dca1f4c9fb31b0bb382137c8add4e531398c319acce3b2c35b48 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -438,6 +438,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* theta1, theta2 */
+        static const int coordinate[N1] = { 0, 1 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 4, y + 8);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -632,4 +654,5 @@ const em_model double_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:089bb0ca9e01e022975876212257784a2b66439762b59f04dca0fe805fa3cfc1 */
+/* body sha256:ccc8cfd60c6ee2b82a7dbaeac4885cdda826cbb8d58302987c2baffbfbaddc90 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -77,11 +77,13 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[17] = l*l;
     c[18] = z_2;
     /* block 1 (x): C, s, L, 1 / diag L */
-    if (em_prepare_block(N1, M1[0], c + 5, c + 6, c + 7, c + 8) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    static const int coordinate1[N1] = { 0 };
+    const int singular1 = em_prepare_block(N1, M1[0], c + 5, c + 6, c + 7, c + 8);
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     /* block 2 (y): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    static const int coordinate2[N2] = { 1 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -547,4 +549,5 @@ const em_model driven_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:2c122f49a232dff2de8c0529a5df0ae32de8c2a31de7cfe72a1c5158fa6e20a0 */
+/* body sha256:f76bb23bc10ed1a4a09fff9971a798f9ee3eba83f31e1464f0d50dabd4893fc3 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -79,8 +79,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[17] = m2*(l2*l2);
     c[18] = m3*(l3*l3);
     /* block 2 (theta4): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 3, 3, 0.0);
+    static const int coordinate2[N2] = { 3 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -745,6 +746,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* theta1, theta2, theta3 */
+        static const int coordinate[N1] = { 0, 1, 2 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 8, y + 17);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -968,4 +991,5 @@ const em_model dual_link_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:6b205c1e273f645be99b8ea9c8e5dcb07e69a6cd225f7cccd6e40bc9f1336f11 */
+/* body sha256:75a05d4be63942d32dff40ef44ae7395d6ed597c08cff6b1ce2ea99ca1c660c7 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -69,8 +69,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[9] = z_2;
     c[10] = 2.0*z_2;
     /* block 2 (r): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 4, c + 5, c + 6, c + 7) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    static const int coordinate2[N2] = { 1 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 4, c + 5, c + 6, c + 7);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -421,4 +422,5 @@ const em_model elastic_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

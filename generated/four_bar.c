@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:b852141bd2c9af5830a93446b805ff5f155df642447611b053fbae5a430d8485 */
+/* body sha256:708dd7d6057c5dcbfc01b66bc045ac5405786214cfcee8dd73084e93218a4907 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -93,8 +93,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[22] = z_2;
     c[23] = 0.5*z_9;
     /* block 2 (q3): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 2, 2, 0.0);
+    static const int coordinate2[N2] = { 2 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -768,6 +769,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* q1, q2 */
+        static const int coordinate[N1] = { 0, 1 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 6, y + 10);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -975,4 +998,5 @@ const em_model four_bar_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:cc403e773ce79329989928aca0397e954ffb0fdf211c18e37e29c900becdff37 */
+/* body sha256:90da84e95975affa01691a9c9bf05f7cc56b39a64483d742b49b7836794b491d */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -74,8 +74,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[10] = z_2;
     c[11] = g*l*m;
     /* block 2 (theta): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 5, c + 6, c + 7, c + 8) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    static const int coordinate2[N2] = { 1 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 5, c + 6, c + 7, c + 8);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -462,6 +463,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* phi, psi */
+        static const int coordinate[N1] = { 0, 2 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 6, y + 10);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -669,4 +692,5 @@ const em_model heavy_top_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

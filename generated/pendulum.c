@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:893f5efff3fbc69069c52c98ab688c1e1149b19d72a894a519a0f82d3679d0cb */
+/* body sha256:0e1424b6f94eeb28dfee0fbbf2e2ee9e6be93d591f887a7a95ee5b14a9fb3244 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -66,8 +66,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[8] = z_2;
     c[9] = 0.5*z_2;
     /* block 1 (theta): C, s, L, 1 / diag L */
-    if (em_prepare_block(N1, M1[0], c + 3, c + 4, c + 5, c + 6) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    static const int coordinate1[N1] = { 0 };
+    const int singular1 = em_prepare_block(N1, M1[0], c + 3, c + 4, c + 5, c + 6);
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     return 0;
 }
 
@@ -349,4 +350,5 @@ const em_model pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:c357ed17678c2929ba6ae8cdf604397c618e39ca7cc07ab6fd72c312aa31c58e */
+/* body sha256:4e44eb6d34b73a280e66899c3f07822a850394c57599ccb2e5261db82c727b4c */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -67,8 +67,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[6] = 2.0*m;
     c[7] = m*mu;
     /* block 1 (r): C, s, L, 1 / diag L */
-    if (em_prepare_block(N1, M1[0], c + 2, c + 3, c + 4, c + 5) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    static const int coordinate1[N1] = { 0 };
+    const int singular1 = em_prepare_block(N1, M1[0], c + 2, c + 3, c + 4, c + 5);
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     return 0;
 }
 
@@ -405,4 +406,5 @@ const em_model polar_particle_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:41022d4d665870b5af0fba310d597da854becffda6edb1d12116a1dc24bdff28 */
+/* body sha256:063c43cc3f2c50443286fa422269813f9737fe3c109ba8c326993bc6317512aa */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -214,6 +214,25 @@ static void model_events(double t, const double *restrict x, const double *restr
                          const double *restrict u, double *restrict crossing)
 {
 (void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
+static void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict y)
+{
+(void)t, (void)c;
+    const double psi_dot = v[0];
+    const double theta_dot = v[1];
+    const double phi_dot = v[2];
+    const double theta = x[1];
+    const double phi_ = x[2];
+    const double cos_phi_ = em_cos(phi_);
+    const double sin_phi_ = em_sin(phi_);
+    const double sin_theta = em_sin(theta);
+    const double z_7 = psi_dot*sin_theta;
+    const double cos_theta = em_cos(theta);
+    y[0] = theta_dot*cos_phi_ + sin_phi_*z_7;
+    y[1] = -(theta_dot*sin_phi_ - cos_phi_*z_7);
+    y[2] = phi_dot + psi_dot*cos_theta;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -516,6 +535,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* psi, theta, phi */
+        static const int coordinate[N1] = { 0, 1, 2 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 6, y + 15);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -658,6 +699,8 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 1.2, 1.4 };
 static const double initial_v[N] = { 1.971111170334329, 0.15611102464058085, -0.47267558118845315 };
 static const int carried[N] = { 1, 1, 1 };
+static const char *const quasi_velocity_names[] = { "omega_1", "omega_2", "omega_3", NULL };
+static const double initial_y[N] = { 1.8369553312101887, 0.15841602051320158, 0.24157183631778242 };
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -727,4 +770,9 @@ const em_model rigid_body_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .n_quasi = N,
+    .quasi_velocities = quasi_velocity_names,
+    .quasi = quasi,
+    .initial_y = initial_y,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:6ea3d9295f728d01fa07142397b363ca61000df089232975d9df86a44f098e32 */
+/* body sha256:491435066cf8998deba8810968de9852432a73fec110c62c7d0c94ed2f7c2133 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -774,6 +774,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* x, y, phi, theta, psi */
+        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 10, y + 35);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -1026,4 +1048,5 @@ const em_model rolling_disk_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:dd19bad7874790f185e9792b4e097fa8b8e307d1952d5bd58ea052acfae7cb1b */
+/* body sha256:e51c7a4f2b0ef3096d5358b3ced245599581ea716b875b2ca0c8a1d0e3435164 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -69,8 +69,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[11] = 0.5*z_2;
     c[12] = 0.5*z_5;
     /* block 1 (theta): C, s, L, 1 / diag L */
-    if (em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    static const int coordinate1[N1] = { 0 };
+    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     return 0;
 }
 
@@ -357,4 +358,5 @@ const em_model rotating_hoop_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

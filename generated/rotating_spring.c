@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:393bca8b383bac5ba01ff4bfa59a90506fe2b4c41dbdfd005e95baab5e36857f */
+/* body sha256:1405fe399d4fc7e1c26d6c19140f966f9b01fb8ed2ec885112b229525439a8fb */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -74,11 +74,13 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[15] = z_3;
     c[16] = 0.5*m;
     /* block 1 (x): C, s, L, 1 / diag L */
-    if (em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    static const int coordinate1[N1] = { 0 };
+    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     /* block 2 (y): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    static const int coordinate2[N2] = { 1 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -412,4 +414,5 @@ const em_model rotating_spring_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:8d0cf20c0584240b8541078eb793ab2ad2c79318a557da50829f06abec99956c */
+/* body sha256:aa6fb88b9dc9a8e9fa538aca88d6d822ae14dfd18649b2c66453914738b22357 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -87,8 +87,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[19] = z_7;
     c[20] = 0.5*g;
     /* block 2 (x): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 2, 2, 0.0);
+    static const int coordinate2[N2] = { 2 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -722,6 +723,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* theta, phi */
+        static const int coordinate[N1] = { 0, 1 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 6, y + 10);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -929,4 +952,5 @@ const em_model slider_crank_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:001e5b74de3efb622d40c725b4dc6b4bede3c523db4e088b467935000cd03a9d */
+/* body sha256:af7e1092134e1625897f6c2c5874949dd132e7c566aefd2a965e14dfcf288955 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -84,11 +84,13 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[18] = 4.0*z_2;
     c[19] = 5.0*m;
     /* block 1 (x): C, s, L, 1 / diag L */
-    if (em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, 0, 0.0);
+    static const int coordinate1[N1] = { 0 };
+    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     /* block 2 (y): C, s, L, 1 / diag L */
-    if (em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11) >= 0)
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, 1, 0.0);
+    static const int coordinate2[N2] = { 1 };
+    const int singular2 = em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11);
+    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
     return 0;
 }
 
@@ -317,6 +319,26 @@ static void model_events(double t, const double *restrict x, const double *restr
                          const double *restrict u, double *restrict crossing)
 {
 (void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
+static void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict y)
+{
+(void)t, (void)c;
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double p_1_dot = v[2];
+    const double p_2_dot = v[3];
+    const double p_3_dot = v[4];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_8 = 1.0/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
+    y[0] = x_dot;
+    y[1] = y_dot;
+    y[2] = 2.0*((p_1_dot + p_3_dot*p_2 - p_2_dot*p_3)*z_8);
+    y[3] = 2.0*((p_2_dot + p_1_dot*p_3 - p_3_dot*p_1)*z_8);
+    y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_8);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -978,6 +1000,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* p_1, p_2, p_3 */
+        static const int coordinate[N3] = { 2, 3, 4 };
+        double Mb[N3][N3];
+        for (int i = 0; i < N3; ++i)
+            for (int j = 0; j < N3; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N3, Mb[0], y + 10, y + 19);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -1140,6 +1184,8 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 0.1, -0.2, 0.3 };
 static const double initial_v[N] = { 0.3, 0.5, -0.375, 0.48, 0.255 };
 static const int carried[N] = { 0, 0, 1, 1, 1 };
+static const char *const quasi_velocity_names[] = { "vx", "vy", "omega_x", "omega_y", "omega_z", NULL };
+static const double initial_y[N] = { 0.3, 0.5, -1.0, 0.6, 0.4 };
 static const em_slice layout[] = {
     {"x", 0, 5},
     {"eta", 5, 5},
@@ -1211,4 +1257,9 @@ const em_model sphere_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .n_quasi = N,
+    .quasi_velocities = quasi_velocity_names,
+    .quasi = quasi,
+    .initial_y = initial_y,
+    .event = model_events,
 };

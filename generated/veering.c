@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:3af3f4cf733570018041d3ad2fd445cbfff3f21fafc60f759f8832e9f27e234b */
+/* body sha256:966aea199dea3a9742fc59c09beae717c19d343648514bd30ff5aace120bc255 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -368,6 +368,28 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    mass_matrix(t, y, c, M[0]);
+    { /* x, z */
+        static const int coordinate[N1] = { 0, 1 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 4, y + 8);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
                      int flags, double *dy, em_fault *fault)
@@ -563,4 +585,5 @@ const em_model veering_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .event = model_events,
 };

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import pytest
+
 from eigenmotion import System
 
 from . import generation

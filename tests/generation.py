@@ -7,18 +7,19 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-from eigenmotion import Model, System, load_model
-from eigenmotion.cache import entry, key
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.compiler import FORMULATIONS
 from eigenmotion.codegen.emit import Sources
 from eigenmotion.codegen.specialise import ALL_SAVINGS, Saving
+
+from eigenmotion import Model, System, load_model
+from eigenmotion.cache import entry, key
 from eigenmotion.toolchain import INCLUDE, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
 NAMES = tuple(sorted(path.stem for path in MODELS.glob("*.py") if path.stem != "__init__"))
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
-FLAGS = (*STRICT, "-O1", "-ffp-contract=fast", "-fPIC", "-shared")
+FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC", "-shared")
 KEPT: list[object] = []
 
 __all__ = ["FORMULATIONS", "NAMES", "STRICT", "model_of", "relative", "states", "system_for", "system_of"]
@@ -32,20 +33,20 @@ def model_of(name: str) -> Model:
 
 @cache
 def system_of(name: str, formulation: str = "eigenfactor", **options: str) -> System:
-    """Return the System of models/NAME.py."""
-    return system_for(model_of(name), formulation, **options)
+    """Return the System of models/NAME.py, optimised: only then the compiler sees all it can warn of."""
+    return loaded(compiler.generate(model_of(name), formulation=formulation, **options), "-O1")
 
 
 def system_for(
     model: Model, formulation: str = "eigenfactor", savings: frozenset[Saving] = ALL_SAVINGS, **options: str
 ) -> System:
-    """Return the System of any model."""
-    return loaded(compiler.generate(model, formulation=formulation, savings=savings, **options))
+    """Return the System of any model, compiled in a hurry."""
+    return loaded(compiler.generate(model, formulation=formulation, savings=savings, **options), "-O0")
 
 
-def loaded(sources: Sources) -> System:
+def loaded(sources: Sources, *flags: str) -> System:
     """Compile and load sources; warnings are errors, of which pytest shows the text."""
-    library = ctypes.CDLL(str(_library(sources)))
+    library = ctypes.CDLL(str(_library(sources, flags)))
     name = ctypes.create_string_buffer(b"eigenmotion.em_model")
     KEPT.extend((library, name))  # a capsule owns neither
     new = ctypes.pythonapi.PyCapsule_New
@@ -53,13 +54,14 @@ def loaded(sources: Sources) -> System:
     return System(new(ctypes.addressof(ctypes.c_int.in_dll(library, f"{sources.name}_model")), name, None))
 
 
-def _library(sources: Sources) -> Path:
+def _library(sources: Sources, flags: tuple[str, ...]) -> Path:
     texts = [file.text for file in sources.files] + [path.read_text() for path in sorted(INCLUDE.glob("*.h"))]
-    folder = entry("tests", key(*FLAGS, *toolchain().command, *texts), lambda folder: compile_into(folder, sources))
+    name = key(*FLAGS, *flags, *toolchain().command, *texts)
+    folder = entry("tests", name, lambda folder: compile_into(folder, sources, flags))
     return folder / f"{sources.name}.so"
 
 
-def compile_into(folder: Path, sources: Sources, *flags: str) -> None:
+def compile_into(folder: Path, sources: Sources, flags: tuple[str, ...]) -> None:
     """Write NAME.c, NAME.h and compile NAME.so in a folder."""
     for file in sources.files:
         (folder / file.name).write_text(file.text)

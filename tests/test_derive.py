@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 import sympy
-from eigenmotion import Model, ModelError, t
 from eigenmotion.codegen.derive import derive
 from sympy import Heaviside, Max, Rational, cos, diff, exp, sin, symbols, tanh
 from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model, ModelError, t
 
 from .generation import NAMES, model_of, relative
 
@@ -36,7 +37,8 @@ class Direct:
             "M": [T.diff(i, j) for i in held for j in held],
             "G": [T.diff(i).subs(still) for i in held],
             "T0": [T.subs(still)],
-            "A": [phi.diff(c) for phi in model.holonomic_constraints for c in x] + [r.diff(i) for r in rows for i in held],
+            "A": [phi.diff(c) for phi in model.holonomic_constraints for c in x]
+            + [r.diff(i) for r in rows for i in held],
             "b": [self.explicit(phi) for phi in model.holonomic_constraints] + [r.subs(still) for r in rows],
         }
         self.arguments = [*x, *(symbol for symbol, _ in model.parameters), t, *held]
@@ -87,20 +89,20 @@ def test_polar_coordinates_of_a_particle_in_cartesian_velocities():
     r, theta = q1, q2
     x, y = r * cos(theta), r * sin(theta)
     mechanics = derive(model(kinetic_energy=half * m * (x.diff(t) ** 2 + y.diff(t) ** 2)))
-    assert mechanics.M == sympy.Matrix([[m, 0], [0, m * mechanics.x[0] ** 2]])
+    assert sympy.Matrix([[m, 0], [0, m * mechanics.x[0] ** 2]]) == mechanics.M
 
 
 def test_a_rotation_of_axes_leaves_a_constant_mass():
     x, y = cos(3) * q1 - sin(3) * q2, sin(3) * q1 + cos(3) * q2
     mechanics = derive(model(kinetic_energy=half * m * (x.diff(t) ** 2 + y.diff(t) ** 2)))
-    assert mechanics.M == m * sympy.eye(2)
+    assert m * sympy.eye(2) == mechanics.M
 
 
 def test_a_turning_frame_has_T1_and_T0_but_a_constant_mass():
     x, y = q1 * cos(a * t) - q2 * sin(a * t), q1 * sin(a * t) + q2 * cos(a * t)
     mechanics = derive(model(kinetic_energy=half * m * (x.diff(t) ** 2 + y.diff(t) ** 2)))
     x_1, x_2 = mechanics.x
-    assert mechanics.M == m * sympy.eye(2)
+    assert m * sympy.eye(2) == mechanics.M
     assert [sympy.simplify(g) for g in mechanics.G] == [-a * m * x_2, a * m * x_1]
     assert sympy.simplify(mechanics.T0 - half * m * a**2 * (x_1**2 + x_2**2)) == 0
 

@@ -9,16 +9,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
-from eigenmotion import Event, Model, multiplier
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen import program as codegen_program
 from eigenmotion.codegen.emit import TEMPLATES, environment, undeclared
 from eigenmotion.codegen.printer import Body, Section, c_identifier, c_identifiers
 from eigenmotion.codegen.program import BlockView, Bodies, EventView, Place, Program, Slice
-from eigenmotion.toolchain import INCLUDE, toolchain
 from jinja2 import nodes
 from sympy import Rational, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Event, Model, multiplier
+from eigenmotion.toolchain import INCLUDE, toolchain
 
 from .generation import FORMULATIONS, NAMES, STRICT, model_of, relative, states, system_for
 
@@ -114,12 +115,11 @@ def test_templates_compute_nothing():
 
 WORDS = re.compile(r"[A-Za-z_]\w*")
 HARD = (
-    "double int inline restrict static register yield class None nogil sin cos tan exp log pow sqrt fabs gamma y0 jn "
-    "i j k r row sum column product stretch turn isnan NAN INFINITY NULL I errno linux main memset size_t em_model em_fault c_0 c_1 c_2 z_0 z_1 z_2 sin_0 C1 s1 L1 M1 "
-    "Mdot1 r1 w1 v1 f1 a1 q1 B1 A1 N1 Omega1 C1_dot singular1 state rhs M N L C s f y dy c eta_dot gap_dot row_ M1_"
+    "double int inline restrict static register yield class None nogil sin cos tan exp log pow sqrt fabs gamma y0 "
+    "jn i j k r row sum column product stretch turn isnan NAN INFINITY NULL I errno linux main memset size_t "
+    "em_model em_fault c_0 c_1 c_2 z_0 z_1 z_2 sin_0 C1 s1 L1 M1 Mdot1 r1 w1 v1 f1 a1 q1 B1 A1 N1 Omega1 C1_dot "
+    "singular1 state rhs M N L C s f y dy c eta_dot gap_dot row_ M1_"
 ).split()
-
-
 INNER = set("i j k L r sum row column product stretch turn".split())
 """Declared in inner scopes only, where no symbol of the user's stands; those in HARD hide them and are hidden."""
 
@@ -143,7 +143,9 @@ def named(names, symbols):
     w = dynamicsymbols(names[3])
     p = [sympy.Symbol(name) for name in symbols]
     v = [c.diff() for c in x]
-    part = folded([(entry * x[k % 3] + after) ** 2 for k, (entry, after) in enumerate(zip(p, p[1:] + p[:1], strict=True))])
+    part = folded(
+        [(entry * x[k % 3] + after) ** 2 for k, (entry, after) in enumerate(zip(p, p[1:] + p[:1], strict=True))]
+    )
     T = (v[0] ** 2 + v[1] ** 2 + v[2] ** 2) * (2 + part) / 2 + part * v[0] * v[1] / 3 + part * v[2] / 5
     return Model(
         name="named",
@@ -225,7 +227,9 @@ def test_names_are_told_as_they_were_given():
     assert any(r"{\theta}" in line for line in system.left_out)
 
 
-@pytest.mark.parametrize("name", ["int", "main", "state", "rhs", "N", "sin", "math", "stdio", "model", "prepare", "NULL"])
+@pytest.mark.parametrize(
+    "name", ["int", "main", "state", "rhs", "N", "sin", "math", "stdio", "model", "prepare", "NULL"]
+)
 def test_models_may_be_called_like_what_is_in_c(name):
     x, m = dynamicsymbols("x"), sympy.Symbol("m")
     T = m * x.diff() ** 2 * (2 + x**2)

@@ -149,7 +149,9 @@ def test_sines_and_cosines_of_unequal_weight_stay(bench, coefficient):
     assert same(value(bench.back(kept)), value(sin(x) ** 2 + coefficient * cos(x) ** 2))
 
 
-@pytest.mark.parametrize("expression", [sqrt(x**2 - 2 * x * y + y**2), sqrt((y - x) ** 2), ((x - y) ** 2) ** Rational(3, 2)])
+@pytest.mark.parametrize(
+    "expression", [sqrt(x**2 - 2 * x * y + y**2), sqrt((y - x) ** 2), ((x - y) ** 2) ** Rational(3, 2)]
+)
 def test_roots_of_squares_keep_their_sign(bench, expression):
     """(a^2)^(1/2) is |a|, not a."""
     real = {symbol: sympy.Symbol(symbol.name, real=True) for symbol in SYMBOLS}
@@ -233,7 +235,9 @@ def test_a_lone_difference_stays(bench):
 
 
 def test_sums_of_three_with_factors_and_constants(bench):
-    wanted = [f(a) for f in (sin, cos) for a in (x, 2 * y, z, x + 2 * y, x + 2 * y - z, x - z, 2 * y - z, x + 2 * y + z)]
+    wanted = [
+        f(a) for f in (sin, cos) for a in (x, 2 * y, z, x + 2 * y, x + 2 * y - z, x - z, 2 * y - z, x + 2 * y + z)
+    ]
     roots = list(map(bench.node, wanted))
     expand = expansion(bench.graph, roots)
     assert all(same(value(bench.back(expand(root))), value(e)) for root, e in zip(roots, wanted, strict=True))

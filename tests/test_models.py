@@ -5,13 +5,19 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy
+
 from eigenmotion import Solution, System, t
+from eigenmotion.runtime import EvaluationError
 
 from .generation import FORMULATIONS, relative, system_of
+from .kinematics import acceleration, carried
 from .models_table import BY_NAME, SCENARIOS, Scenario
 
 EVERY = pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
 FORMS = pytest.mark.parametrize("formulation", FORMULATIONS)
+PUBLISHED = pytest.mark.parametrize(  # where eigenvalues of a block are equal for ever, (32) does not exist
+    "scenario", [scenario for scenario in SCENARIOS if scenario.file != "sphere"], ids=lambda scenario: scenario.name
+)
 SOME_ROWS = ("four_bar", "slider_crank", "rolling_disk")
 
 
@@ -43,23 +49,39 @@ def test_accelerations_and_multipliers(scenario, formulation):
 def test_right_hand_sides_hold_the_acceleration(scenario, formulation):
     """xddot is the derivative of v(t, y) along dy, whatever y carries."""
     system = system_of(scenario.file, formulation)
+    if (scenario.file, formulation) == ("sphere", "eigenfactor"):
+        pytest.skip("eigenvalues of one block are equal for ever")
     for x, v, time, parameters in points(scenario):
         y = system.state(x, v, time, parameters)
         dy = system.rhs(time, y, parameters)
         assert relative(dy[: system.n], v, 1e-3) < 1e-12
         right, _ = scenario.lagrange()(x, v, time, parameters)
         assert relative(along(system, time, y, dy, parameters), right, 1.0) < 2e-10
+        assert relative(acceleration(system, time, y, dy, parameters), right, 1.0) < 1e-11
 
 
 def along(system: System, time: float, y: np.ndarray, dy: np.ndarray, parameters: dict[str, float]) -> np.ndarray:
-    """d/dt v(t, y) along dy by central differences of order 8."""
-    h = 2e-2 / (1 + np.abs(dy).max())
-    steps, weights = h * np.arange(1, 5), np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
+    """d/dt v(t, y) along dy by differences of the map y -> v."""
     prepared = system.prepare(parameters)
-    times = np.concatenate([time + steps, time - steps])
-    rows = np.ascontiguousarray(np.concatenate([y + steps[:, None] * dy, y - steps[:, None] * dy]))
-    v = system.compiled.velocity_rows(times, rows, prepared)
-    return weights @ (v[:4] - v[4:])
+
+    def velocity(h: float) -> np.ndarray:
+        return system.compiled.velocity_rows(np.array([time + h]), np.ascontiguousarray([y + h * dy]), prepared)[0]
+
+    return slope(velocity, np.abs(dy).max())
+
+
+def test_equal_eigenvalues_are_named():
+    system = system_of("sphere")
+    with pytest.raises(EvaluationError, match=r"coincide.*'p_\d' and 'p_\d'"):
+        system.rhs(0.0, system.state())
+
+
+@FORMS
+def test_a_singular_mass_matrix_is_named(formulation):
+    """A particle at the origin of polar coordinates: no infinity comes back."""
+    system = system_of("polar_particle", formulation)
+    with pytest.raises(EvaluationError, match="theta"):
+        system.rhs(0.0, [0.0, 0.0, 1.0, 1.0])
 
 
 @EVERY
@@ -71,50 +93,35 @@ def test_quasi_velocities_make_the_mass_matrix_the_identity(scenario, formulatio
         assert eta @ eta == pytest.approx(v @ system.mass_matrix(x, time, parameters) @ v, rel=1e-13)
 
 
-@EVERY
+@PUBLISHED
 def test_rates_of_the_eigenfactors_are_those_of_the_mass_matrix(scenario):
     """d/dt (C C^T) = 0 and d/dt (C^T S^2 C) = Mdot, block by block, with Mdot by differences of order 8."""
     system = system_of(scenario.file)
     for x, v, time, parameters in points(scenario):
         y = system.state(x, v, time, parameters)
         dy = system.rhs(time, y, parameters)
-        for block, C, s, C_dot, s_dot in turning(system, y, dy):
+        M_dot = mass_slope(system, (x, time), (v, 1.0), parameters)
+        for block, C, s, C_dot, s_dot in carried(system, y, dy):
             assert np.abs(C @ C.T - np.eye(len(s))).max() < 1e-14
             assert relative(C.T * s**2 @ C, system.mass_matrix(x, time, parameters)[np.ix_(block, block)]) < 1e-14
             size = np.abs(C_dot).max()
             assert np.abs(C_dot @ C.T + C @ C_dot.T).max() < 1e-14 * (1 + size)
             rate = C_dot.T * s**2 @ C + 2 * (C.T * (s * s_dot)) @ C + C.T * s**2 @ C_dot
-            right = mass_rate(system, x, v, time, parameters)[np.ix_(block, block)]
+            right = M_dot[np.ix_(block, block)]
             assert np.abs(rate - right).max() < 2e-11 * (1 + np.abs(right).max()) + 1e-14 * size * s.max() ** 2
 
 
-def turning(system: System, y: np.ndarray, dy: np.ndarray):
-    """Give block, C, s, Cdot, sdot of each block whose eigenfactors the state carries."""
-    if "C" not in system.layout:
-        return
-    C, s = system.layout["C"].start, system.layout["s"].start
-    for block in (block for block in system.blocks if carried(system)[block[0]]):
-        n = len(block)
-        yield block, y[C : C + n * n].reshape(n, n), y[s : s + n], dy[C : C + n * n].reshape(n, n), dy[s : s + n]
-        C, s = C + n * n, s + n
-
-
-def carried(system: System) -> list[bool]:
-    """Whether the state holds C and s of a coordinate's block: those of varying blocks of two or more."""
-    probes = [system.mass_matrix(system.initial[0] + 0.1 * k, 0.1 * k) for k in range(4)]
-    varies = np.ptp(probes, axis=0) > 0
-    flags = [False] * system.n
-    for block in system.blocks:
-        for k in block:
-            flags[k] = len(block) > 1 and bool(varies[np.ix_(block, block)].any())
-    return flags
-
-
-def mass_rate(system, x, v, time, parameters):
-    h = 1e-2 / (1 + np.abs(v).max())
+def slope(function, size: float = 1.0):
+    """d/dh of a function of h at 0, by central differences of order 8."""
+    h = 1e-2 / (1 + size)
     weights = np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
-    M = [[system.mass_matrix(x + s * k * h * v, time + s * k * h, parameters) for k in range(1, 5)] for s in (1, -1)]
-    return np.tensordot(weights, np.array(M[0]) - np.array(M[1]), axes=1)
+    return sum(w * (function(k * h) - function(-k * h)) for k, w in enumerate(weights, 1))
+
+
+def mass_slope(system, at, direction, parameters):
+    """Derivative of M(x, t) along a direction (v, dt)."""
+    (x, time), (v, rate) = at, direction
+    return slope(lambda h: system.mass_matrix(x + h * v, time + h * rate, parameters), np.abs(v).max())
 
 
 @EVERY
@@ -123,8 +130,8 @@ def test_gradient_of_the_mass_matrix(scenario):
     for x, _, time, parameters in points(scenario, 2):
         found = system.mass_matrix_gradient(x, time, parameters)
         for k, unit in enumerate(np.eye(system.n)):
-            frozen = mass_rate(system, x, unit, time, parameters) - mass_rate(system, x, 0 * unit, time, parameters)
-            assert np.abs(found[k] - frozen).max() < 2e-11 * (1 + np.abs(found).max())
+            right = mass_slope(system, (x, time), (unit, 0.0), parameters)
+            assert np.abs(found[k] - right).max() < 2e-11 * (1 + np.abs(found).max())
 
 
 @EVERY
@@ -132,7 +139,10 @@ def test_energies(scenario):
     """T + V and T2 - T0 + V of the energies as they are given."""
     system, model = system_of(scenario.file), scenario.model()
     rates = dict(zip(model.rates, sympy.symbols(f"rate_:{model.n}"), strict=True))
-    energies = [e.subs(dict(model.quasi_velocities)).doit().xreplace(rates) for e in (model.kinetic_energy, model.potential_energy)]
+    energies = [
+        e.subs(dict(model.quasi_velocities)).doit().xreplace(rates)
+        for e in (model.kinetic_energy, model.potential_energy)
+    ]
     still = dict.fromkeys(rates.values(), 0)
     turned = {rate: -rate for rate in rates.values()}
     T, V = energies

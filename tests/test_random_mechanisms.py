@@ -6,17 +6,23 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy
-from eigenmotion import Model, System, t
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy.physics.mechanics import dynamicsymbols
 
+from eigenmotion import Model, System, t
+
 from .generation import FORMULATIONS, relative, system_for
 from .kinematics import acceleration
 
-SHAPES = ((1, 0), (2, 1), (3, 1), (3, 2), (4, 2), (5, 3))
-"""Coordinates and constraint rows."""
-TERMS = 4
+SHAPES = ((1, 0, "band"), (2, 1, "band"), (3, 1, "diagonal"), (3, 2, "band"), (4, 2, "mixed"), (5, 2, "band"))
+"""Coordinates, constraint rows, and where R of M = R^T R + D is not zero."""
+PATTERNS = {
+    "band": lambda i, j, n: i <= j <= i + 2,
+    "diagonal": lambda i, j, n: i == j < n - 1,  # blocks of one coordinate, the last of them constant
+    "mixed": lambda i, j, n: i <= j < 2 or i == j == 2,  # two coordinates coupled, one alone, one constant
+}
+TERMS = 2
 
 
 @dataclass(frozen=True)
@@ -54,7 +60,9 @@ class Ridge:
 def ridge(random: np.random.Generator, n: int, size: float) -> Ridge:
     direction = random.uniform(-1, 1, (TERMS, n)) * (random.random((TERMS, n)) < 0.7)
     rate = random.uniform(-0.5, 0.5, TERMS) * (random.random(TERMS) < 0.5)
-    return Ridge(size * random.uniform(-1, 1, TERMS), direction, rate, random.uniform(-1, 1, TERMS), random.random(TERMS) < 0.6)
+    return Ridge(
+        size * random.uniform(-1, 1, TERMS), direction, rate, random.uniform(-1, 1, TERMS), random.random(TERMS) < 0.6
+    )
 
 
 class Mechanism:
@@ -64,11 +72,11 @@ class Mechanism:
     """
 
     def __init__(self, number: int) -> None:
-        self.n, self.m = SHAPES[number]
+        self.n, self.m, pattern = SHAPES[number]
         random = np.random.default_rng(100 + number)
         n, m = self.n, self.m
         self.D = np.diag(np.round(random.uniform(0.8, 2.5, n), 3))
-        self.R = [[ridge(random, n, 0.5) for _ in range(n)] for _ in range(n)]
+        self.R = [[ridge(random, n, 0.5 * PATTERNS[pattern](i, j, n)) for j in range(n)] for i in range(n)]
         self.G = [ridge(random, n, 0.4) for _ in range(n)]
         self.T0, self.V = ridge(random, n, 0.7), ridge(random, n, 2.0)
         self.A = [[ridge(random, n, 0.6) for _ in range(n)] for _ in range(m)]
@@ -85,11 +93,14 @@ class Mechanism:
         return Model(
             name=f"random_{self.n}_{self.m}",
             coordinates=x,
-            kinetic_energy=T2 + sum(g.expression(x) * w for g, w in zip(self.G, v, strict=True)) + self.T0.expression(x),
+            kinetic_energy=T2
+            + sum(g.expression(x) * w for g, w in zip(self.G, v, strict=True))
+            + self.T0.expression(x),
             potential_energy=self.V.expression(x),
             forces=[-float(d) * w for d, w in zip(self.friction, v, strict=True)],
             nonholonomic_constraints=[
-                sum(a * w for a, w in zip(row, v, strict=True)) + b.expression(x) for row, b in zip(A, self.b, strict=True)
+                sum(a * w for a, w in zip(row, v, strict=True)) + b.expression(x)
+                for row, b in zip(A, self.b, strict=True)
             ],
         )
 
@@ -136,12 +147,12 @@ POINTS = st.tuples(st.integers(0, 2**32 - 1), st.floats(0, 3))
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
-@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}".format(*SHAPES[number]))
+@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}_{}".format(*SHAPES[number]))
 def test_every_formulation_agrees_with_numpy(number, formulation):
     compiled, right = system(number, formulation), mechanism(number)
 
     @given(POINTS)
-    @settings(max_examples=25, deadline=None, derandomize=True, database=None)
+    @settings(max_examples=20, deadline=None, derandomize=True, database=None)
     def agree(point):
         seed, time = point
         random = np.random.default_rng(seed)
@@ -166,7 +177,7 @@ def closest(compiled: System, x: np.ndarray, time: float) -> float:
     return min(1.0, float(np.diff(eigenvalues).min(initial=1.0)))
 
 
-@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}".format(*SHAPES[number]))
+@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}_{}".format(*SHAPES[number]))
 def test_every_formulation_moves_alike(number):
     ends = []
     for formulation in FORMULATIONS:

@@ -5,15 +5,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy
-from eigenmotion import Model, System, t
 from eigenmotion.codegen.compiler import FORMULATIONS
 from eigenmotion.codegen.specialise import ALL_SAVINGS, Saving
+
+from eigenmotion import Model, System, t
 
 from .generation import model_of, relative, states, system_for, system_of
 from .kinematics import acceleration
 
 MODELS = ("dual_link", "polar_particle", "chaplygin_sleigh", "slider_crank", "rotating_hoop")
-SETS = {saving.name.lower(): ALL_SAVINGS - {saving} for saving in Saving} | {"everything": frozenset(Saving) - ALL_SAVINGS}
+SETS = {saving.name.lower(): ALL_SAVINGS - {saving} for saving in Saving} | {
+    "everything": frozenset(Saving) - ALL_SAVINGS
+}
 LIMIT = 1e-12
 
 

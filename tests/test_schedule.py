@@ -5,7 +5,6 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 import pytest
-from eigenmotion import load_model
 from eigenmotion.codegen.convert import FromSympy
 from eigenmotion.codegen.derive import derive
 from eigenmotion.codegen.graph import Graph, Kind
@@ -15,6 +14,8 @@ from eigenmotion.codegen.terms import Terms
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Integer, Max, Piecewise, Rational, cos, exp, sin, sqrt, symbols
+
+from eigenmotion import load_model
 
 from .generation import MODELS, NAMES, model_of
 
@@ -172,7 +173,9 @@ def node_by_node(graph, roots, values):
             number = float(operands[0]) if kind is Kind.NUMBER else values[operands[0]]
             known[node] = number, abs(number)
         elif kind is Kind.SUM:
-            terms = [(float(factor) * known[child][0], float(abs(factor)) * known[child][1]) for child, factor in operands]
+            terms = [
+                (float(factor) * known[child][0], float(abs(factor)) * known[child][1]) for child, factor in operands
+            ]
             known[node] = math.fsum(a for a, _ in terms), math.fsum(b for _, b in terms)
         elif kind is Kind.PRODUCT:
             powers = [(known[child], float(power)) for child, power in operands]

@@ -22,6 +22,7 @@ def aligned(M, C):
 
 def block_differences(system, x, block, C, step=1e-5):
     """Return dC, ds of one block by fourth-order central differences."""
+
     def at(z):
         return aligned(system.mass_matrix(z)[np.ix_(block, block)], C)
 
@@ -50,7 +51,9 @@ def test_gradient_is_that_of_eigh(system):
         for block in map(list, system.blocks):
             C = found.C[np.ix_(block, block)]
             dC, ds = block_differences(system, x, block, C)
-            np.testing.assert_allclose(found.dC[np.ix_(range(system.n), block, block)], dC, atol=2e-7 * (1 + abs(dC).max()))
+            np.testing.assert_allclose(
+                found.dC[np.ix_(range(system.n), block, block)], dC, atol=2e-7 * (1 + abs(dC).max())
+            )
             np.testing.assert_allclose(found.ds[:, block], ds, atol=2e-7 * (1 + abs(ds).max()))
 
 

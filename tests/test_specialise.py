@@ -1,13 +1,14 @@
 """What a scene needs, and what it does not."""
 
 import pytest
-from eigenmotion import Model, load_model, t
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.derive import derive
 from eigenmotion.codegen.lower import Choices
 from eigenmotion.codegen.specialise import ALL_SAVINGS, Kind, Saving, specialise
 from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model, load_model, t
 
 from .generation import MODELS, NAMES, model_of
 

@@ -89,7 +89,7 @@ def compiled(sources: Sources, tools: Toolchain) -> Path:
     """Return the path of the extension module made of `sources`."""
     bodies = [body_hash(file.text) for file in sources.files]
     name = key(sources.name, *bodies, _abi(), tools.identity, _python())
-    folder = entry("binaries", name, lambda folder: _compile(sources, tools, folder))
+    folder = entry("binaries", name, lambda folder: compile_in(sources, tools, folder))
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
@@ -119,7 +119,7 @@ def _generate(wanted: Order, folder: Path) -> None:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 
 
-def _compile(sources: Sources, tools: Toolchain, folder: Path) -> None:
+def compile_in(sources: Sources, tools: Toolchain, folder: Path) -> None:
     """Compile in a folder of its own, for compilers leave files about, and keep the module only."""
     _log.info("compiling %s", sources.name)
     with TemporaryDirectory(prefix="eigenmotion-") as place:

@@ -1,8 +1,10 @@
 """How large the error of a run is: the difference to a second, more accurate one.
 
-With errors e and e' of the two runs the difference lies within |e| - |e'| and |e| + |e'|. The second run asks for a
+With errors e and e' of the two runs the difference lies between |e| - |e'| and |e| + |e'|. The second run asks for a
 hundredth of the tolerances, where that is above rounding, and so its error is a few hundredths of the first one's: the
-steps are controlled so that the global error is about proportional to the tolerance.
+steps are controlled so that the global error is about proportional to the tolerance. From one method to another the
+factor of that proportion differs, by 35 between dop853 and rk34 on a pendulum at 1e-4; across methods a ten thousandth
+is asked for, which the higher order makes cheap.
 """
 
 import time
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 
 Run = Callable[[Task, str], Solution]
 
-TIGHTER = 1e-2
+TIGHTER, TIGHTER_ACROSS = 1e-2, 1e-4
 FINEST = 3e-14  # rtol: below, the stepper's own error estimate is rounding
 COMPILED_CHECK, STIFF_CHECK = "dop853", "radau"
 
@@ -83,7 +85,10 @@ def with_error_estimate(task: Task, method: str, checker: "System | None", is_co
     checking = COMPILED_CHECK if is_compiled else STIFF_CHECK
     if not len(solution.t) or solution.t[-1] == task.t_start:
         return _blank(solution, task)
-    tighter = _tighter(task, solution, checker)
+    across = is_compiled and method != checking
+    tighter = _tighter(task, solution, TIGHTER_ACROSS if across else TIGHTER)
+    if checker is not None:
+        tighter = _on(checker, tighter)
     second, seconds = _clocked(run, tighter, checking)
     solution["error_estimate"] = _compared(task, solution, second, tighter.rtol)
     solution["error_cost"] = ErrorCost(
@@ -98,14 +103,13 @@ def _clocked(run: Run, task: Task, method: str) -> tuple[Solution, float]:
     return solution, time.perf_counter() - start
 
 
-def _tighter(task: Task, solution: Solution, checker: "System | None") -> Task:
+def _tighter(task: Task, solution: Solution, wanted: float) -> Task:
     """Return the second run: over the rows of the first, up to where that got."""
-    factor = TIGHTER if task.rtol == 0 else min(1.0, max(TIGHTER, FINEST / task.rtol))
-    narrowed = replace(
+    factor = wanted if task.rtol == 0 else min(1.0, max(wanted, FINEST / task.rtol))
+    return replace(
         task, rtol=task.rtol * factor, atol=task.atol * factor, dense=False, first_step=0.0,
         t_eval=np.asarray(solution.t), t_end=float(solution.t[-1]), max_steps=10 * task.max_steps,
     )  # fmt: skip
-    return narrowed if checker is None else _on(checker, narrowed)
 
 
 def _on(checker: "System", task: Task) -> Task:

@@ -106,17 +106,18 @@ def tolerances(
     relative = _number(rtol, "rtol")
     if not (0 <= relative < 1):
         raise ModelError(f"rtol is {relative}, but must be at least 0 and less than 1")
-    least = float(absolute.min())
-    name = model.coordinates[int(absolute.argmin())]
+    least = min(absolute.tolist())
     if least < 0:
+        name = model.coordinates[int(absolute.argmin())]
         raise ModelError(f"atol of {name!r} is {least}, but must not be negative")
     if relative == least == 0:
+        name = model.coordinates[int(absolute.argmin())]
         raise ModelError(f"rtol and the atol of {name!r} are both 0: no step can be that accurate")
     return relative, absolute
 
 
 def _absolute(model: CompiledModel, atol: float | Mapping[Any, float] | ArrayLike) -> Vector:
-    if isinstance(atol, Mapping) or np.ndim(atol):
+    if not isinstance(atol, int | float) and (isinstance(atol, Mapping) or np.ndim(atol)):
         return overlay(atol, model.coordinates, np.full(model.n, DEFAULT_ATOL), "coordinate of atol")
     value = _number(atol, "atol")
     if not isfinite(value):

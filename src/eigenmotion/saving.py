@@ -26,6 +26,7 @@ def _npz(system: System, solution: Solution) -> bytes:
     buffer = io.BytesIO()
     arrays = {name: solution[name] for name in _ARRAYS}
     arrays |= {f"output_{name}": values for name, values in solution.outputs.items()}
+    arrays |= {f"quasi_velocity_{name}": values for name, values in solution.quasi_velocities.items()}
     np.savez_compressed(buffer, coordinates=np.array(system.coordinates), **arrays)
     return buffer.getvalue()
 

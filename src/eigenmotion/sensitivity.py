@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .names import Vector
 from .runtime import EvaluationError, StopReason
@@ -49,7 +50,7 @@ def eigenfactor_gradient(
     return EigenfactorGradient(C, s, -Omega @ C, np.einsum("kii->ki", mu) / (2.0 * s))
 
 
-def _refuse_coincident(gap: Vector, mu: Vector, turning: Vector) -> None:
+def _refuse_coincident(gap: Vector, mu: Vector, turning: NDArray[np.bool_]) -> None:
     lost = turning & (gap == 0.0) & (mu != 0.0).any(axis=0)
     if lost.any():
         first, second = np.argwhere(lost)[0]

@@ -54,17 +54,16 @@ def simulate(
     Parameters
     ----------
     x0, v0
-        (n,), or mapping coordinate -> value over the model's `initial`. They must satisfy the constraints (to ten
-        times rtol); `System.project_initial_state` gives the nearest that do.
+        (n,), or mapping coordinate -> value over the model's `initial`; v0 also quasi-velocity -> value. They must
+        satisfy the constraints (to ten times rtol); `System.project_initial_state` gives the nearest that do.
     parameters
         Mapping name -> value over the defaults, array, or what `System.prepare` returned.
     inputs
         Mapping name -> number, (times, values) (linear interpolation), or Signal.
     method
-        "rk34", "dopri5", "dop853": compiled. "Radau", "BDF", "LSODA": SciPy's, for stiff scenes, on the published
-        equations: nothing is projected there whatever `stabilisation` says, so that errors in constraints and
-        eigenfactors are those of rtol and add up; the residuals of the solution show them. Events of the model
-        are not located by them. Upper or lower case.
+        "rk34", "dopri5", "dop853": compiled. "Radau", "BDF", "LSODA" (SciPy), "CVODE" (SUNDIALS): implicit, for stiff
+        scenes, on the motion (x, v); what they integrate is not projected, so that drift adds up, but every row and
+        event is ("project"). Upper or lower case.
     rtol, atol
         A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
         (carried over to the velocity; 1e-9 where missing).
@@ -82,9 +81,9 @@ def simulate(
     dependent_constraints
         "refuse", or "least_norm": dependent but consistent rows share the multipliers of least norm.
     estimate_error
-        True: run again at a hundredth of the tolerances; the solution's `error_estimate` is the difference and
-        `error_cost` what that took, about twice the time of the run. A System, the same model in another formulation:
-        let that one do the second run, so that what a formulation got wrong shows too.
+        True: run again at a hundredth of the tolerances or less; the solution's `error_estimate` is the difference and
+        `error_cost` what that took, about twice the time of a run of dop853. A System, the same model in another
+        formulation: let that one do the second run, so that what a formulation got wrong shows too.
 
     Returns
     -------
@@ -109,7 +108,7 @@ def simulate(
         inputs=_inputs(system, inputs, start, end),
         t_start=start,
         t_end=end,
-        y=Start(system.compiled, prepared, start, *system.start(x0, v0)).state(relative),
+        y=Start(system.compiled, prepared, start, *system.start(x0, v0, start, prepared)).state(relative),
         rtol=relative,
         atol=absolute,
         t_eval=rows_at(t_eval, start, end),
@@ -134,14 +133,7 @@ def _checker(given: Any) -> "System":
 
 
 def _run(task: Task, method: str) -> Solution:
-    if method in _COMPILED:
-        return _simulate_compiled(task, _COMPILED[method])
-    if task.model.events:
-        raise ModelError(
-            f"{task.model.name}: {method} does not locate events ({', '.join(task.model.events)}); "
-            f"use one of {', '.join(_COMPILED)}, or a model without events"
-        )
-    return simulate_stiff(task, method)
+    return _simulate_compiled(task, _COMPILED[method]) if method in _COMPILED else simulate_stiff(task, method)
 
 
 def _prepared(system: "System", parameters: Any) -> Any:
@@ -152,7 +144,7 @@ def _prepared(system: "System", parameters: Any) -> Any:
 
 
 def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
-    bound = bind(given, tuple(system.inputs), system.compiled.input_defaults)
+    bound = bind(given, system.compiled.inputs, system.compiled.input_defaults)
     if (gap := bound.uncovered(start, end)) is not None:
         name = tuple(system.inputs)[gap[0]]
         raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")

@@ -26,6 +26,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
     "position_residual": lambda rows: rows.position_residual.T,
     "factor_residual": lambda rows: rows.factor_residual,
     "outputs": lambda rows: rows.outputs,
+    "quasi_velocities": lambda rows: rows.quasi_velocities,
 }
 
 
@@ -83,7 +84,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     constraint_residual : (m, k), A v + b
     position_residual : (h, k), phi
     factor_residual : (k,), max|M - C^T S^2 C| / max|M|
-    outputs : name -> (k,)
+    outputs, quasi_velocities : name -> (k,)
 
     Where a row has no such value (singular M, dependent constraint rows) it is NaN.
     """

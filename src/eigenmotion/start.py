@@ -7,6 +7,7 @@ from operator import mul
 import numpy as np
 
 from .codegen.model import ModelError
+from .consistent import Projection
 from .names import Vector
 from .runtime import CompiledModel, EvaluationError, Prepared
 
@@ -48,14 +49,15 @@ class Start:
 
     def _check_mass_matrix(self) -> None:
         names, M = self.model.coordinates, self.model.mass_matrix(self.t, self.x, self.prepared)
+        if (k := _first_bad_pivot(M)) is None:
+            return
         if not np.isfinite(M).all():
             i, j = (names[k] for k in np.argwhere(~np.isfinite(M))[0])
             raise ModelError(f"{self.model.name}: the mass matrix at x0 is not finite in row {i!r}, column {j!r}")
-        if (k := _first_bad_pivot(M)) is not None:
-            raise ModelError(
-                f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}. "
-                "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
-            )
+        raise ModelError(
+            f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}. "
+            "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
+        )
 
     def _check_position(self, tolerance: float) -> None:
         if self.model.h == 0:
@@ -73,15 +75,16 @@ class Start:
         self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, tolerance * terms)
 
     def _refuse(self, what: str, residual: Vector, allowed: Vector) -> None:
-        wrong = ~(np.abs(residual) <= allowed + 1e-12)  # NaN is wrong too
-        if wrong.any():
-            rows = ", ".join(f"row {k} by {residual[k]:.6g}" for k in np.flatnonzero(wrong))
+        pairs = enumerate(zip(residual.tolist(), (allowed + 1e-12).tolist(), strict=True))
+        wrong = [(k, r) for k, (r, limit) in pairs if not abs(r) <= limit]  # NaN is wrong too
+        if wrong:
+            rows = ", ".join(f"row {k} by {r:.6g}" for k, r in wrong)
             raise ModelError(f"{self.model.name}: {what} {rows}. {self._offer()}")
 
     def _offer(self) -> str:
         remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
         try:
-            x, v = self.model.project(self.t, self.x, self.v, self.prepared, True)
+            x, v = Projection(self.model, self.prepared, self.t, least_norm=True)(self.x, self.v)
         except EvaluationError:
             return f"Start closer to a consistent state; {remedy} where it can be reached."
         return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."

@@ -5,33 +5,61 @@ add a fast variable wherever axes turn, for nothing that x does not know (docs/t
 """
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import cache
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from scipy.integrate import BDF, LSODA, OdeSolution, Radau
 
+from .drift import Drift
 from .names import Vector
 from .options import Task
 from .runtime import EvaluationError, StopReason, explain
 from .solution import Solution
 from .sundials import Cvode
 from .trajectory import Trajectory
+from .watch import Function, Watch
 
 METHODS: dict[str, Callable[..., Any]] = {"radau": Radau, "bdf": BDF, "lsoda": LSODA, "cvode": Cvode}
 
 
 @dataclass(slots=True)
 class _Progress:
-    """Accepted steps so far: times, z = (x, v) (2 n,) and the interpolants between them."""
+    """Accepted steps so far: times, z = (x, v) (2 n,) and the interpolants between them.
+
+    obstacle : why the rate had no value last, since the last accepted step
+    """
 
     t: list[float]
     z: list[Vector]
+    watch: Watch
+    drift: Drift
     pieces: list[Any] = field(default_factory=list)
     nfev: int = 0
     njev: int = 0
     nlu: int = 0
+    obstacle: EvaluationError | None = None
+
+    def accept(self, solver: Any, u: Function, keep: bool) -> bool:
+        """Take over a step; return whether a terminal event cut it short."""
+        start, between = self.t[-1], cache(solver.dense_output)
+        self.drift.check(float(solver.t), solver.y)
+        self.obstacle = None
+        self.t.append(float(solver.t))
+        self.z.append(solver.y.copy())
+        if keep:
+            self.pieces.append(between())
+        if not self.watch.t:
+            return False
+        stop = self.watch.step(start, self.t[-1], self.z[-1], between, u)
+        if stop == start:
+            del self.t[-1], self.z[-1], self.pieces[len(self.t) - 1 :]
+        elif stop is not None and stop != self.t[-1]:
+            self.t[-1], self.z[-1] = stop, between()(stop)
+        return stop is not None
 
     def count(self, solver: Any) -> None:
         self.nfev, self.njev, self.nlu = self.nfev + solver.nfev, self.njev + solver.njev, self.nlu + solver.nlu
@@ -56,7 +84,7 @@ def simulate_stiff(task: Task, method: str) -> Solution:
     model = task.model
     rows = np.ascontiguousarray(task.y[None, :])
     v = model.velocity_rows(np.array([task.t_start]), rows, task.prepared)[0]
-    progress = _Progress([task.t_start], [np.concatenate((task.y[: model.n], v))])
+    progress = _Progress([task.t_start], [np.concatenate((task.y[: model.n], v))], Watch(task), Drift(task))
     try:
         stop, said = _advance(task, METHODS[method], progress)
     except EvaluationError as error:
@@ -64,7 +92,7 @@ def simulate_stiff(task: Task, method: str) -> Solution:
     except KeyboardInterrupt:
         stop, said = StopReason.INTERRUPTED, ""
     words = said or explain(stop, model.coordinates)
-    message = words if stop.success else f"At t = {progress.t[-1]:.9g}: {words}"
+    message = words if stop is StopReason.FINISHED else f"At t = {progress.t[-1]:.9g}: {words}"
     return _solution(task, progress, stop, message)
 
 
@@ -73,10 +101,12 @@ def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple
     kinks = task.inputs.kinks(task.t_start, task.t_end)
     forward = task.t_end > task.t_start
     ends = [task.t_start, *(kinks if forward else kinks[::-1]), task.t_end]
+    progress.watch.start(ends[0], progress.z[0], _inputs(task, *ends[:2])(ends[0]))
     for start, end in pairwise(ends):
-        solver = _solver(task, kind, start, end, progress.z[-1])
+        u = _inputs(task, start, end)
+        solver = _solver(task, kind, u, (start, end), progress)
         try:
-            stop = _leg(task, solver, progress)
+            stop = _leg(task, solver, u, progress)
         finally:
             progress.count(solver)
         if stop is not StopReason.FINISHED:
@@ -84,35 +114,53 @@ def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple
     return StopReason.FINISHED, ""
 
 
-def _leg(task: Task, solver: Any, progress: _Progress) -> StopReason:
+def _leg(task: Task, solver: Any, u: Function, progress: _Progress) -> StopReason:
     while solver.status == "running":
         if len(progress.t) > task.max_steps:
             return StopReason.TOO_MANY_STEPS
-        solver.step()
-        if solver.status == "failed":
+        if not _stepped(solver):
+            if progress.obstacle is not None:
+                raise progress.obstacle
             return StopReason.STEP_SIZE_UNDERFLOW
-        if not np.isfinite(solver.y).all():
-            return StopReason.NON_FINITE_STATE
-        progress.t.append(float(solver.t))
-        progress.z.append(solver.y.copy())
-        if task.dense or task.t_eval is not None:
-            progress.pieces.append(solver.dense_output())
+        if progress.accept(solver, u, keep=task.dense or task.t_eval is not None):
+            return StopReason.TERMINAL_EVENT
     return StopReason.FINISHED
 
 
-def _solver(task: Task, kind: Callable[..., Any], start: float, end: float, z: Vector) -> Any:
-    """Return a solver between two kinks; at the ends, held inputs have the values they have between them."""
+def _inputs(task: Task, start: float, end: float) -> Function:
+    """Return u(t) between two kinks; at the ends, held inputs have the values they have between them."""
     low, high = sorted((np.nextafter(start, end), np.nextafter(end, start)))
     held = task.inputs.at(0.0) if task.inputs.constant else None
+    return lambda t: task.inputs.at(min(max(t, low), high)) if held is None else held
 
-    def inputs(t: float) -> Vector:
-        return task.inputs.at(min(max(t, low), high)) if held is None else held
+
+def _stepped(solver: Any) -> bool:
+    """Take a step; a Jacobian of infinities, which no solver can factor, is a failure like others."""
+    try:
+        solver.step()
+    except (ValueError, np.linalg.LinAlgError) as error:
+        if isinstance(error, EvaluationError):
+            raise
+        return False
+    return solver.status != "failed" and bool(np.isfinite(solver.y).all())
+
+
+def _solver(task: Task, kind: Callable[..., Any], u: Function, span: tuple[float, float], progress: _Progress) -> Any:
+    """Return a solver between two kinks. It sees NaN where the rate has no value, and tries a shorter step."""
+    (start, end), z = span, progress.z[-1]
 
     def rate(t: float, z: Vector) -> Vector:
-        return task.model.motion_rate(t, z, task.prepared, inputs(t), task.least_norm)
+        try:
+            found = task.model.motion_rate(t, z, task.prepared, u(t), task.least_norm)
+        except EvaluationError as error:
+            progress.obstacle = error
+            return np.full_like(z, np.nan)
+        if np.isfinite(z).all() and not np.isfinite(found).all():
+            progress.obstacle = _not_finite(task, found)
+        return found
 
     def jacobian(t: float, z: Vector) -> Vector:
-        return task.model.motion_jacobian(t, z, task.prepared, inputs(t), task.least_norm)
+        return task.model.motion_jacobian(t, z, task.prepared, u(t), task.least_norm)
 
     first = min(task.first_step, abs(end - start)) or None
     return kind(
@@ -121,13 +169,20 @@ def _solver(task: Task, kind: Callable[..., Any], start: float, end: float, z: V
     )  # fmt: skip
 
 
+def _not_finite(task: Task, z: Vector) -> EvaluationError:
+    worst = int(np.flatnonzero(~np.isfinite(z))[0]) % task.model.n
+    stop = StopReason.NON_FINITE_STATE
+    return EvaluationError(explain(stop, task.model.coordinates, worst), stop)
+
+
 def _published(task: Task, t: Vector, z: Vector) -> Vector:
     """Return y (k, n_state) at z (k, 2 n): projected where asked, eigenfactors continuous from row to row."""
     n, model = task.model.n, task.model
     x, v = np.ascontiguousarray(z[:, :n]), np.ascontiguousarray(z[:, n:])
     if task.project and model.m:
         for k, time in enumerate(t):
-            x[k], v[k] = model.project(time, x[k], v[k], task.prepared, task.least_norm)
+            with suppress(EvaluationError):  # the run has ended there, and says why
+                x[k], v[k] = model.project(time, x[k], v[k], task.prepared, task.least_norm)
     return model.state_rows(t, x, v, task.prepared)
 
 
@@ -137,14 +192,26 @@ def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -
     if task.t_eval is not None:
         reached = np.abs(task.t_eval - task.t_start) <= abs(t[-1] - task.t_start)
         t_eval = task.t_eval[reached]
-        z = np.ascontiguousarray(dense(t_eval).T) if dense else np.repeat(z[:1], len(t_eval), axis=0)
+        if dense is not None and t_eval.size:  # SciPy's interpolants take no empty array
+            z = np.ascontiguousarray(dense(t_eval).T)
+        else:
+            z = np.repeat(z[:1], len(t_eval), axis=0)
         t = t_eval
     rows = _published(task, t, z)
     trajectory = Trajectory(task.model, task.prepared, task.inputs, task.least_norm, t, rows)
+    t_events, y_events = _events(task, progress.watch)
     return Solution(
         trajectory,
-        t=t, y=rows.T, sol=Motion(task, dense) if task.dense and dense else None, t_events=None, y_events=None,
+        t=t, y=rows.T, sol=Motion(task, dense) if task.dense and dense else None, t_events=t_events, y_events=y_events,
         nfev=progress.nfev, njev=progress.njev, nlu=progress.nlu,
-        status=0 if stop.success else -1, message=message, success=stop.success,
-        nsteps=len(progress.t) - 1, nrejected=0, n_bounded=0, stop=stop,
+        status={StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), message=message,
+        success=stop.success, nsteps=len(progress.t) - 1, nrejected=0, n_bounded=0, stop=stop,
     )  # fmt: skip
+
+
+def _events(task: Task, watch: Watch) -> tuple[list[Vector], list[Vector]] | tuple[None, None]:
+    """Return t_events and y_events; None where the model has no events."""
+    if not task.model.events:
+        return None, None
+    times, n = [np.array(t) for t in watch.t], task.model.n
+    return times, [_published(task, t, np.array(z).reshape(-1, 2 * n)) for t, z in zip(times, watch.z, strict=True)]

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .codegen.model import ModelError
+from .consistent import ConsistentState, Projection
 from .names import Vector, overlay
 from .options import least_norm_of
 from .runtime import CompiledModel, Prepared
@@ -14,6 +15,7 @@ from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitiv
 from .signals import Signal, bind
 from .simulate import simulate
 from .solution import Solution
+from .velocities import initial_rates
 
 Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
 Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
@@ -22,7 +24,8 @@ Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
 class System:
     """The functions of one compiled model. Immutable; threads may share it.
 
-    Everywhere: x0, v0 are arrays (n,) or mappings coordinate -> value over the model's `initial`; `parameters` is a
+    Everywhere: x0, v0 are arrays (n,) or mappings coordinate -> value over the model's `initial`, v0 also of
+    quasi-velocities -> value; `parameters` is a
     mapping name -> value over the defaults, an array in the order of `System.parameters`, or what `prepare` returned;
     `inputs` a mapping name -> number, (times, values) or Signal. A mapping with an unknown name raises ModelError.
 
@@ -109,6 +112,11 @@ class System:
         return self._compiled.events
 
     @property
+    def quasi_velocities(self) -> tuple[str, ...]:
+        """Names of the quasi-velocities y = P(x, t) xdot (3), where the model states any."""
+        return self._compiled.quasi_velocities
+
+    @property
     def initial(self) -> tuple[Vector, Vector]:
         """The model's x (n,), v (n,) at the start. Copies."""
         return self._compiled.initial_x.copy(), self._compiled.initial_v.copy()
@@ -171,13 +179,19 @@ class System:
         EvaluationError
             M is not positive definite at x0; names the coordinate.
         """
-        return self._compiled.state(t, *self.start(x0, v0), self.prepare(parameters))
+        c = self.prepare(parameters)
+        return self._compiled.state(t, *self.start(x0, v0, t, c), c)
 
-    def start(self, x0: Coordinates = None, v0: Coordinates = None) -> tuple[Vector, Vector]:
-        """Return x (n,), v (n,): what is given, over the model's `initial`."""
+    def start(
+        self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
+    ) -> tuple[Vector, Vector]:
+        """Return x (n,), v (n,): what is given, over the model's `initial`.
+
+        v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0.
+        """
         c = self._compiled
         x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
-        return x, overlay(v0, c.coordinates, c.initial_v, "coordinate of v0")
+        return x, initial_rates(c, self.prepare(parameters), t, x, v0)
 
     def rhs(
         self,
@@ -237,11 +251,11 @@ class System:
         EvaluationError
             As `rhs`.
         """
-        return self._compiled.jacobian(t, np.asarray(y, dtype=float), self.prepare(parameters), self._signals(inputs, t))
+        return self._compiled.jacobian(
+            t, np.asarray(y, dtype=float), self.prepare(parameters), self._signals(inputs, t)
+        )
 
-    def eigenfactor_gradient(
-        self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None
-    ) -> EigenfactorGradient:
+    def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
         """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
 
         Raises
@@ -281,9 +295,10 @@ class System:
         EvaluationError
             M is singular, or constraint rows depend on each other and "least_norm" was not asked for.
         """
-        x, v = self.start(x, v)
+        c = self.prepare(parameters)
+        x, v = self.start(x, v, t, c)
         least_norm = least_norm_of(dependent_constraints)
-        return self._compiled.acceleration(t, x, v, self.prepare(parameters), self._signals(inputs, t), least_norm)
+        return self._compiled.acceleration(t, x, v, c, self._signals(inputs, t), least_norm)
 
     def project_initial_state(
         self,
@@ -293,16 +308,19 @@ class System:
         parameters: Parameters = None,
         *,
         dependent_constraints: str = "refuse",
-    ) -> tuple[Vector, Vector]:
+    ) -> ConsistentState:
         """Return x (n,), v (n,): the nearest state, in the mass metric, with phi(x, t) = 0 and A v + b = 0.
+
+        The pair carries how far it moved: `dx`, `dv` (n,), and `distance`, `velocity_distance` in the mass metric.
 
         Raises
         ------
         EvaluationError
             Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
         """
-        x, v = self.start(x0, v0)
-        return self._compiled.project(t, x, v, self.prepare(parameters), least_norm_of(dependent_constraints))
+        c = self.prepare(parameters)
+        nearest = Projection(self._compiled, c, t, least_norm_of(dependent_constraints))
+        return nearest(*self.start(x0, v0, t, c))
 
     def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
         """Return T + V [J]."""
@@ -313,8 +331,9 @@ class System:
         return float(self._energies(x, v, t, parameters) @ (1.0, 0.0, -1.0, 1.0))
 
     def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> Vector:
-        x, v = self.start(x, v)
-        rows = self._compiled.energy_rows(np.array([t], dtype=float), x[None], v[None], self.prepare(parameters))
+        c = self.prepare(parameters)
+        x, v = self.start(x, v, t, c)
+        rows = self._compiled.energy_rows(np.array([t], dtype=float), x[None], v[None], c)
         return np.asarray(rows[0])
 
     def _x(self, x: ArrayLike) -> Vector:

@@ -90,6 +90,12 @@ class Trajectory:
         return self.model.position_rows(self.t, self.x, self.prepared)
 
     @cached_property
+    def quasi_velocities(self) -> dict[str, Vector]:
+        """Name -> (k,): y = P(x, t) xdot (3)."""
+        columns = self.model.quasi_rows(self.t, self.x, self.v, self.prepared)
+        return {name: columns[:, k] for k, name in enumerate(self.model.quasi_velocities)}
+
+    @cached_property
     def outputs(self) -> dict[str, Vector]:
         """Name -> (k,)."""
         arguments = self.t, self.x, self.v, self.u, self.prepared, self.least_norm

@@ -208,4 +208,4 @@ const em_model bead_model = {
     .position = position, .acceleration = acceleration, .project = project_state, .energy = energy,
     .eigenfactors = eigenfactors, .output = output, .simulate = em_simulate, .interpolate = em_interpolate,
     .jacobian = jacobian,
-    .motion_jacobian = motion_jacobian, .release = em_release};
+    .motion_jacobian = motion_jacobian, .release = em_release, .event = model_events};

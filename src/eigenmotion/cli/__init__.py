@@ -17,6 +17,7 @@ COMMANDS = {
     "explain": "Say what the generated code carries, and what it leaves out and why.",
     "run": "Simulate a model; print a summary, draw it, save it.",
     "report": "Measure error against run time, and recommend.",
+    "stability": "Drive every formulation and method to its limits.",
 }
 DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
 

@@ -27,7 +27,7 @@ from .options import Shape, assignments, model, shaping
 @click.option("--atol", type=float, default=1e-9, show_default=True, help="Absolute tolerance.")
 @click.option("--method", default="dop853", show_default=True, help="rk34, dopri5, dop853.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
-              help="A parameter, or an initial value: theta=0.5, and theta'=1 for a rate.")  # fmt: skip
+              help="A parameter or initial value: theta=0.5, theta'=1 for a rate; a quasi-velocity.")  # fmt: skip
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), help="Draw the coordinates over time.")
 @click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), help="Save to FILE.npz or FILE.csv.")
 @shaping
@@ -84,7 +84,8 @@ def _simulated(system: System, t_end: float, settings: tuple[str, ...], **option
 def _sorted_out(system: System, settings: tuple[str, ...]) -> dict[str, Any]:
     """NAME=VALUE ... -> the arguments parameters, x0 and v0 of `simulate`."""
     given = {name: _number(name, text) for name, text in assignments(settings, "--set").items()}
-    positions, rates = set(system.coordinates), {f"{name}'" for name in system.coordinates}
+    positions = set(system.coordinates)
+    rates = {f"{name}'" for name in system.coordinates} | set(system.quasi_velocities)
     unknown = sorted(given.keys() - positions - rates - system.parameters.keys())
     if unknown:
         known = ", ".join([*system.parameters, *system.coordinates, *sorted(rates)])

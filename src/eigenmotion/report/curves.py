@@ -50,17 +50,26 @@ def pictures(found: Findings) -> tuple[Picture, ...]:
 
 
 def _against_peers(found: Findings) -> Picture:
-    figure, (axes,) = _figure(1, 8.4, 5.2)
-    chosen = [c for c in found.curves if c.family != OURS or c.method == _BEST]
-    for curve in chosen:
-        _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors, spread=True)
-    _finish(axes, found, "run time of one call [ms]", _ERROR)
-    _legend(figure, axes)
-    axes.set_title(f"{found.name}, {found.ask.t_end:g} s of motion")
+    """Everyone on the left; on the right those that our curves can be told from only at a larger scale."""
+    figure, panels = _figure(2, 11.0, 5.2)
+    chosen = [c for c in found.curves if c.points and (c.family != OURS or c.method == _BEST)]
+    for axes, lines in zip(panels, (chosen, _near(chosen)), strict=True):
+        for curve in lines:
+            _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors, spread=True)
+        _finish(axes, found, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
+    panels[0].set_title(f"{found.name}, {found.ask.t_end:g} s of motion")
+    panels[1].set_title("the quick ones, enlarged")
+    _legend(figure, panels[0])
     return _picture(
         figure, found, "time", f"{found.name}: error against run time",
         f"Our formulations with {_BEST}, and what else there is. Bars: quartiles of the repeats. Lower left is better.",
     )  # fmt: skip
+
+
+def _near(curves: Sequence[Curve]) -> list[Curve]:
+    """Return ours, and those that never take more than a few times as long as we ever do."""
+    longest = max((max(c.seconds) for c in curves if c.family == OURS), default=0.0)
+    return [c for c in curves if c.family == OURS or max(c.seconds) < 3 * longest]
 
 
 def _by_method(found: Findings) -> Picture:

@@ -53,7 +53,7 @@ def _rounded(number: sympy.Expr) -> np.longdouble:
     return np.longdouble(str(number.evalf(40)))
 
 
-def trajectory(rhs: Rhs, y: Vector, times: Vector, tolerance: float, columns: int = 8) -> Extended:
+def trajectory(rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float, columns: int = 8) -> Extended:
     """Return y (k, 2n) at increasing times (k,), the first of which is the start; scaled error a step <= tolerance.
 
     The order is 2 columns.
@@ -113,7 +113,9 @@ def _step(rhs: Rhs, time: Any, y: Extended, h: Any, substeps: tuple[int, ...]) -
 
 def _midpoint(rhs: Rhs, time: Any, y: Extended, slope: Extended, h: Any, count: int) -> Extended:
     small = h / count
-    before, here = y, y + small * slope
+    before: Extended = y
+    here: Extended = y + small * slope
     for k in range(1, count):
-        before, here = here, before + 2 * small * rhs(time + k * small, here)
+        after: Extended = before + 2 * small * rhs(time + k * small, here)
+        before, here = here, after
     return here

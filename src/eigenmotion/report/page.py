@@ -63,8 +63,8 @@ def _section(found: Findings, drawn: Sequence[Picture]) -> Section:
     system, reference = found.subject.systems[0], found.reference
     return Section(
         name=found.name,
-        about=f"{system.n} coordinates, {system.m} constraint rows ({system.h} holonomic), "
-        f"t = 0 ... {found.ask.t_end:g}, errors at {len(reference.t)} equidistant times",
+        about=f"Coordinates: {system.n}. Constraint rows: {system.m}, {system.h} of them holonomic. "
+        f"Motion: t = 0 ... {found.ask.t_end:g}, errors at {len(reference.t)} equidistant times.",
         advice=recommendation(found),
         pictures=tuple((p.title, p.text, Markup(p.svg)) for p in drawn),
         reaching=_reaching(found),
@@ -106,7 +106,9 @@ def _costs(found: Findings) -> Table:
 def _cost(curve: Curve, floor: float) -> Row:
     order, cost = curve.order(floor), curve.cost()
     seen = "-" if order is None else f"{order:.1f}"
-    return (seen, "-", "-") if cost is None else (seen, seconds(max(cost[0], 0.0)), seconds(cost[1]))
+    if cost is None:
+        return seen, "-", "-"
+    return seen, seconds(cost[0]) if cost[0] > 0 else "too little to see", seconds(cost[1])
 
 
 def _builds(found: Findings) -> Table:

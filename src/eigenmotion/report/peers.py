@@ -21,7 +21,10 @@ _FUNCTIONS = (
     *("sinh", "cosh", "tanh", "sqrt", "exp", "log"),
 )
 _LARGEST = 8  # coordinates up to which the accelerations are written out for peers that compile expressions
-_CVODES = {"Adams": {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional"}, "BDF": {}}
+_CVODES: dict[str, dict[str, Any]] = {
+    "Adams": {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional"},
+    "BDF": {},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +130,7 @@ def _casadi(equations: Classical, start: Start) -> list[Solver]:
     problem = {"x": y, "t": t, "ode": casadi.vertcat(y[n:], *a)}
 
     def attempt(method: str, tolerance: float) -> Attempt:
-        options = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": 10**7, **_CVODES[method]}
+        options: dict[str, Any] = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": 10**7, **_CVODES[method]}
         to_end = casadi.integrator("to_end", "cvodes", problem, 0.0, [start.t_end], options)
 
         def motion(times: Vector) -> Motion:

@@ -61,7 +61,7 @@ class Curve:
         used = [p for p in self.points if p.nsteps and p.error_max and floor < p.error_max < 1e-2]
         if len(used) < 4 or (used[-1].nsteps or 0) < 2 * (used[0].nsteps or 0):
             return None
-        steps, errors = np.log([[p.nsteps, p.error_max] for p in used]).T
+        steps, errors = np.log(np.array([[p.nsteps, p.error_max] for p in used], dtype=np.float64)).T
         return -float(np.polyfit(steps, errors, 1)[0])
 
     def cost(self) -> tuple[float, float] | None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..build import _compile, load
+from ..build import compile_in, load
 from ..codegen.derive import derive
 from ..codegen.lower import FORMULATIONS
 from ..codegen.model import Model, ModelError
@@ -67,7 +67,7 @@ def _built(model: Model, formulation: str) -> Built:
         sources = order(model, formulation=formulation).sources()
         generated = time.perf_counter()
         with tempfile.TemporaryDirectory(prefix="eigenmotion-report-") as place:
-            _compile(sources, toolchain(), Path(place))
+            compile_in(sources, toolchain(), Path(place))
             compiled = time.perf_counter()
             system = load(Path(place) / f"{sources.name}{EXTENSION_SUFFIX}")
     except CompilerNotFoundError:

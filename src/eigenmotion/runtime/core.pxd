@@ -129,3 +129,8 @@ cdef extern from "eigenmotion.h" nogil:
         int (*simulate)(em_run *) noexcept nogil
         int (*interpolate)(const em_run *, size_t, double, double *) noexcept nogil
         void (*release)(em_run *) noexcept nogil
+        int n_quasi
+        const char *const *quasi_velocities
+        const double *initial_y
+        void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
+        void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil

@@ -84,7 +84,8 @@ cdef class CompiledModel:
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
-    cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, scales
+    cdef readonly tuple quasi_velocities
+    cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
 
     def __cinit__(self, capsule):
@@ -106,6 +107,7 @@ cdef class CompiledModel:
         self.coordinates, self.parameters = texts(c.coordinates, c.n), texts(c.parameters, c.n_parameters)
         self.inputs, self.outputs = texts(c.inputs, c.n_inputs), texts(c.outputs, c.n_outputs)
         self.events, self.left_out = texts(c.events, c.n_events), texts(c.left_out, c.n_left_out)
+        self.quasi_velocities = texts(c.quasi_velocities, c.n_quasi)
         self.layout = tuple([(c.layout[k].name.decode("utf-8"), c.layout[k].start, c.layout[k].length)
                              for k in range(c.n_layout)])
         self.block = tuple([c.block[k] for k in range(c.n)])
@@ -116,6 +118,7 @@ cdef class CompiledModel:
         self.parameter_defaults = numbers(c.parameter_defaults, c.n_parameters)
         self.input_defaults = numbers(c.input_defaults, c.n_inputs)
         self.initial_x, self.initial_v = numbers(c.initial_x, c.n), numbers(c.initial_v, c.n)
+        self.initial_y = numbers(c.initial_y, c.n) if c.initial_y != NULL else None
         self.scales = numbers(c.scales, c.n)
 
     cdef failure(self, em_fault *fault):
@@ -354,6 +357,37 @@ cdef class CompiledModel:
                 for i in range(count):
                     self.model.position(T[i], &q[i, 0], c.c, &phi[i, 0])
         return out
+
+    def quasi_rows(self, t, x, v, Prepared c not None):
+        """y = P(x, t) v as (k, n_quasi)."""
+        cdef const double[::1] T = t
+        cdef const double[:, ::1] q = x, w = v
+        cdef Py_ssize_t i, count = T.shape[0]
+        out = np.zeros((count, self.model.n_quasi))
+        cdef double[:, ::1] y = out
+        if self.model.n_quasi > 0:
+            with nogil:
+                for i in range(count):
+                    self.model.quasi(T[i], &q[i, 0], &w[i, 0], c.c, &y[i, 0])
+        return out
+
+    def event_rows(self, t, x, v, u, Prepared c not None):
+        """What passes through zero where an event happens, as (k, n_events)."""
+        cdef const double[::1] T = t
+        cdef const double[:, ::1] q = x, w = v, s = u
+        cdef Py_ssize_t i, count = T.shape[0]
+        out = np.zeros((count, self.n_events))
+        cdef double[:, ::1] g = out
+        if self.n_events > 0:
+            with nogil:
+                for i in range(count):
+                    self.model.event(T[i], &q[i, 0], &w[i, 0], c.c, &s[i, 0], &g[i, 0])
+        return out
+
+    @property
+    def event_kinds(self):
+        """(direction, terminal) of each event."""
+        return tuple([(self.model.event_direction[k], self.model.event_terminal[k] != 0) for k in range(self.n_events)])
 
     def eigenfactor_rows(self, t, x, Prepared c not None):
         """C (k, n, n), s (k, n) of M(x); each row continues the signs and the order of the last good one."""

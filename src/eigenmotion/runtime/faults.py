@@ -19,6 +19,7 @@ class StopReason(StrEnum):
     POSITION_NOT_REACHED = "position not reached"
     INTERRUPTED = "interrupted"
     OUT_OF_MEMORY = "out of memory"
+    FACTORS_DRIFTED = "eigenfactors drifted"
 
     @property
     def success(self) -> bool:
@@ -47,12 +48,12 @@ _REMEDY = {
     StopReason.FINISHED: "The end of t_span was reached.",
     StopReason.TERMINAL_EVENT: "A terminal event ended the run.",
     StopReason.STEP_SIZE_UNDERFLOW: (
-        "The step size fell below the spacing of numbers. Look for a singularity or a jump near this time; "
+        "The step size fell below the spacing of numbers{at}. Look for a singularity or a jump near this time; "
         "if there is none, loosen rtol and atol, or use a stiff method (Radau, BDF)."
     ),
     StopReason.TOO_MANY_STEPS: "The step limit was reached. Raise max_steps, or loosen rtol and atol.",
     StopReason.NON_FINITE_STATE: (
-        "The state or its rate is not finite. Look for a division by zero or a domain error in the energies, "
+        "The state or its rate is not finite{at}. Look for a division by zero or a domain error in the energies, "
         "forces or inputs near this time, or lower max_step."
     ),
     StopReason.SINGULAR_MASS_MATRIX: (
@@ -61,20 +62,32 @@ _REMEDY = {
         "that are regular there (Euler angles are not everywhere)."
     ),
     StopReason.DEPENDENT_CONSTRAINTS: (
-        "Constraint row {row} depends on those before it. Remove it, or, where the rows are consistent, "
-        'pass dependent_constraints="least_norm".'
+        "Constraint {row} depends on those before it, or vanishes. Where it always does, remove it, or, if the rows "
+        'are consistent, pass dependent_constraints="least_norm". Where it does so here only, the mechanism is in or '
+        "near a singular position (as a dead centre), beyond which its motion is not determined; without stabilisation "
+        "the constraints may have drifted there: tighten rtol."
     ),
     StopReason.COINCIDENT_EIGENVALUES: (
         "Two eigenvalues of the mass matrix coincide, in the block of {first} and {second}: the published right-hand "
         'side does not exist there. Use simulate(), or build with formulation="cholesky" or "lagrange".'
     ),
     StopReason.POSITION_NOT_REACHED: (
-        "Newton's method did not bring holonomic constraint row {row} to zero. "
+        "Newton's method did not bring holonomic constraint {row} to zero. "
         "Start closer to a consistent position, or check that the constraints can be met together."
     ),
     StopReason.INTERRUPTED: "The run was interrupted; the result holds what was computed up to there.",
     StopReason.OUT_OF_MEMORY: "Memory ran out. Use t_eval to keep fewer rows, or dense_output=False.",
+    StopReason.FACTORS_DRIFTED: (
+        "Without stabilisation, C and s have drifted off the eigenfactors of the mass matrix, in the block of {first}: "
+        'what is computed from them is no longer the motion. Pass stabilisation="project", tighten rtol, or build with '
+        'formulation="cholesky".'
+    ),
 }
+
+
+_CONTRADICTION = (
+    "Constraint {row} contradicts those it depends on: no motion satisfies them all. Correct or remove one of them."
+)
 
 
 def explain(
@@ -95,5 +108,8 @@ def explain(
     def name(k: int) -> str:
         return f"'{coordinates[k]}'" if 0 <= k < len(coordinates) else "(unknown)"
 
-    text = _REMEDY[stop].format(first=name(first), second=name(second), row=f"{first} (counted from 0)")
+    words = _CONTRADICTION if stop is StopReason.DEPENDENT_CONSTRAINTS and second >= 0 else _REMEDY[stop]
+    at = f" at coordinate {name(first)}" if first >= 0 else ""
+    row = f"row {first} (counted from 0)" if first >= 0 else "(row unknown)"
+    text = words.format(first=name(first), second=name(second), row=row, at=at)
     return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from importlib.util import find_spec
 from types import MappingProxyType
 
 import numpy as np
@@ -12,7 +13,7 @@ from .outcome import UNCONSTRAINED, Variant
 from .truth import Truth
 
 EXPLICIT = {"rk34": 1e-7, "dopri5": 1e-8, "dop853": 1e-8}
-STIFF = {"radau": 1e-6, "bdf": 1e-6, "lsoda": 1e-7}
+STIFF = {"radau": 1e-6, "bdf": 1e-6, "lsoda": 1e-7} | ({"cvode": 1e-7} if find_spec("sksundae") else {})
 TOLERANCES: Mapping[str, float] = MappingProxyType(EXPLICIT | STIFF)
 
 

@@ -39,7 +39,7 @@ def collocated(rhs: Rhs, y: Vector, times: Vector, per_decade: int) -> Extended:
     """Return rows (k, n) at increasing times (k,), the first of which is the start.
 
     The mesh grows geometrically from a trillionth of the span, `per_decade` steps to a factor of ten, and holds the
-    times; no step is longer than a part in 4 per_decade of the span.
+    times; no step is longer than a part in 8 per_decade of the span.
 
     Raises
     ------
@@ -58,7 +58,7 @@ def collocated(rhs: Rhs, y: Vector, times: Vector, per_decade: int) -> Extended:
 def _mesh(times: Vector, per_decade: int) -> list[float]:
     span = float(times[-1])
     graded = span * np.logspace(-12, 0, 12 * per_decade + 1)
-    even = np.linspace(0.0, span, 4 * per_decade + 1)
+    even = np.linspace(0.0, span, 8 * per_decade + 1)
     return sorted({0.0, *graded[:-1].tolist(), *even[:-1].tolist(), *times.tolist()})
 
 

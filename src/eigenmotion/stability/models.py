@@ -6,6 +6,7 @@ from sympy import Expr, Integer, Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from ..codegen.model import Model, t
+from ..models import slider_crank
 
 _HALF = Rational(1, 2)
 
@@ -124,6 +125,20 @@ def blade_and_slave(rows: int = 2) -> Model:
         nonholonomic_constraints=[blade, slave][:rows],
         parameters={m: 2.0, J: 1.0, m_z: 1.0, b: 0.3, a: 0.2, part: 1.0},
         initial={z: 0.5, x.diff(): 1.0, theta.diff(): 1.5, z.diff(): 0.3},
+    )
+
+
+@cache
+def folding_crank() -> Model:
+    """Return the slider-crank whose rod is as long as its crank, phi = theta: it has one coordinate."""
+    full, (theta, phi, x) = slider_crank.model, slider_crank.model.coordinates
+    folded = {phi: theta, x: 2 * slider_crank.r * cos(theta), slider_crank.l: slider_crank.r}
+    return Model(
+        name="folding_crank",
+        coordinates=[theta],
+        kinetic_energy=full.kinetic_energy.subs(folded).doit(),
+        potential_energy=full.potential_energy.subs(folded),
+        parameters={symbol: value for symbol, value in full.parameters if symbol != slider_crank.l},
     )
 
 

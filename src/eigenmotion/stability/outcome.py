@@ -60,15 +60,11 @@ class Variant:
         """Return the options of `eigenmotion.simulate`."""
         return {"stabilisation": self.stabilisation, "dependent_constraints": self.dependent_constraints}
 
-    @property
-    def plain(self) -> bool:
-        """Whether it is a formulation without options: what methods that know none of them are run with."""
-        return self == Variant(self.formulation)
-
 
 PLAIN = tuple(Variant(formulation) for formulation in FORMULATIONS)
 EXTRAPOLATE = Variant("eigenfactor", close_eigenvalues="extrapolate")
 UNSTABILISED = Variant("eigenfactor", stabilisation="none")
+IMPLICIT = (Variant("eigenfactor"), Variant("lagrange"))  # these methods integrate x and v in every formulation
 UNCONSTRAINED = (*PLAIN, EXTRAPOLATE, UNSTABILISED)
 CONSTRAINED = (*UNCONSTRAINED, Variant("lagrange", stabilisation="none"))
 SEVERAL_ROWS = (*CONSTRAINED, Variant("eigenfactor", schur="eigenfactor"))

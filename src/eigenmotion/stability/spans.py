@@ -8,9 +8,9 @@ from scipy.special import ellipj, ellipk, ellipkinc
 from ..models import chain as chain_model
 from ..models import slider_crank
 from ..names import Vector
-from .case import EXPLICIT, Case, Point, power, rows
+from .case import Case, Point, power, rows
 from .models import bent_oscillators, cartesian_pendulum, elastic_link
-from .outcome import CONSTRAINED, SEVERAL_ROWS
+from .outcome import SEVERAL_ROWS, UNSTABILISED, Variant
 from .places import closed_loop
 from .scenes import scale_of, start_of
 from .truth import ClosedForm, Integrated, chain, lagrange
@@ -131,20 +131,23 @@ def links(n: float) -> Point:
 
 _UNITS = tuple(10.0**e for e in range(-12, 13, 3))
 _PERIODS = (1e2, 1e3, 1e4, 1e5)
+_LONG = {"rk34": 1e-6, "dopri5": 1e-7, "dop853": 1e-8}
+_LONG_VARIANTS = (Variant("eigenfactor"), Variant("cholesky"), Variant("lagrange"), UNSTABILISED)
 
 CASES = (
     Case(
         "long_free", "Many periods, no constraint",
         "Two linear oscillators in curved coordinates, in which M is coupled and varies. SciPy's methods are left "
         "out: their steps are made in Python.",
-        "periods", _PERIODS, lambda _: bent_oscillators(), oscillators, reduced=(1e2,), tolerances=EXPLICIT,
-        max_steps=100_000_000, weight=20.0,
+        "periods", _PERIODS, lambda _: bent_oscillators(), oscillators, reduced=(1e2,),
+        variants=_LONG_VARIANTS, tolerances=_LONG, max_steps=100_000_000, weight=20.0,
     ),
     Case(
         "long_constrained", "Many periods, holonomic constraint",
         "A pendulum in x and y. SciPy's methods are left out: their steps are made in Python.",
-        "periods", _PERIODS, lambda _: cartesian_pendulum(), pendulum, variants=CONSTRAINED, tolerances=EXPLICIT,
-        max_steps=100_000_000, weight=15.0,
+        "periods", _PERIODS, lambda _: cartesian_pendulum(), pendulum, 
+        variants=(Variant("eigenfactor"), Variant("lagrange"), Variant("lagrange", stabilisation="none")),
+        tolerances=_LONG, max_steps=100_000_000, weight=15.0,
     ),
     Case(
         "lengths", "Unit of length, mixed coordinates",

@@ -9,21 +9,24 @@
 
 #include <stddef.h>
 
-#define EM_ABI 1 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 2 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
     EM_FINISHED = 0,
     EM_TERMINAL_EVENT,
-    EM_STEP_SIZE_UNDERFLOW,
+    EM_STEP_SIZE_UNDERFLOW,       /* fault.first: the coordinate with the largest error */
     EM_TOO_MANY_STEPS,
-    EM_NON_FINITE_STATE,
+    EM_NON_FINITE_STATE,          /* fault.first: the coordinate, -1: unknown */
     EM_SINGULAR_MASS_MATRIX,      /* fault.first: the coordinate whose pivot vanished */
-    EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it */
+    EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it, fault.second: the same row
+                                     where it contradicts them */
     EM_COINCIDENT_EIGENVALUES,    /* fault.first, fault.second: coordinates of the block */
     EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
     EM_INTERRUPTED,
-    EM_OUT_OF_MEMORY
+    EM_OUT_OF_MEMORY,
+    EM_FACTORS_DRIFTED            /* C and s, carried and not settled, are no longer those of M; fault.first: a coordinate
+                                     of the block, fault.size: by how much, relative to an eigenvalue */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
@@ -151,6 +154,12 @@ typedef struct em_model {
     int (*simulate)(em_run *run);                                             /* the status */
     int (*interpolate)(const em_run *run, size_t step, double t, double *y);  /* y published, projected */
     void (*release)(em_run *run);
+
+    int n_quasi;                          /* n where the model states quasi-velocities y = P(x, t) v (3), else 0 */
+    const char *const *quasi_velocities;  /* (n_quasi) */
+    const double *initial_y;              /* (n) where the model starts from given quasi-velocities, else NULL */
+    void (*quasi)(double t, const double *x, const double *v, const double *c, double *y); /* (n_quasi), or NULL */
+    void (*event)(double t, const double *x, const double *v, const double *c, const double *u, double *g);
 } em_model;
 
 #endif

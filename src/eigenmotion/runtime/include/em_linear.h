@@ -14,6 +14,8 @@ enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8 };
 
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
+#define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
+
 #define EM_INLINE static inline __attribute__((always_inline, unused))
 #define EM_COLD static __attribute__((noinline, unused))
 
@@ -152,17 +154,37 @@ EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C, dou
     }
 }
 
+/* Index of the first pivot of M (n, n) that leaves fewer than three right digits, -1 where all are sound; least and
+ * largest: its eigenvalues. None is above M_ii, nor below the least: pivots are only looked at where that is small. */
+EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, double largest) {
+    if (least > 10.0 * EM_SINGULAR_PIVOT * largest) return -1;
+    double L[n * n], r[n];
+    return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
+}
+
 /* C, s <- eigenfactors of M (n, n), near the C given; eta turns with C. Returns -1, or an index where M is singular. */
 EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
     double Lambda[n * n];
     em_orthonormalise(n, C);
     em_congruence(n, C, M, Lambda);
     em_jacobi(n, Lambda, C, eta);
+    double least = Lambda[0], largest = Lambda[0];
     for (int i = 0; i < n; ++i) {
         if (!(Lambda[i * n + i] > 0.0)) return i;
         s[i] = sqrt(Lambda[i * n + i]);
+        least = fmin(least, Lambda[i * n + i]);
+        largest = fmax(largest, Lambda[i * n + i]);
     }
-    return -1;
+    return em_unsound_pivot(n, M, least, largest);
+}
+
+/* The largest |S^-1 C M C^T S^-1 - 1|: how far C, s are from the eigenfactors of M, relative to each eigenvalue. */
+EM_COLD double em_factor_error(int n, const double *M, const double *C, const double *s) {
+    double Lambda[n * n], worst = 0.0;
+    em_congruence(n, C, M, Lambda);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) worst = fmax(worst, fabs(Lambda[i * n + j] / (s[i] * s[j]) - (i == j)));
+    return worst;
 }
 
 /* The smallest distance of two eigenvalues, relative to the larger. */
@@ -245,49 +267,112 @@ EM_COLD int em_prepare_block(int n, const double *M, double *C, double *s, doubl
     return singular >= 0 ? singular : em_eigenfactors(n, M, C, s);
 }
 
+/* Units (m) in which the rows of B are of length one; rows that vanish beside the others keep theirs. */
+EM_COLD void em_row_units(int m, const double *Delta, double *unit) {
+    double largest = 0.0;
+    for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
+    for (int i = 0; i < m; ++i) {
+        const double square = fmax(Delta[i * m + i], EM_VANISHED * largest);
+        unit[i] = square > 0.0 ? 1.0 / sqrt(square) : 1.0;
+    }
+}
+
+/* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
+EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
+    for (int k = 0; k < count; ++k) {
+        double *const row = null + k * m;
+        double square = 0.0, part = 0.0;
+        for (int other = 0; other < k; ++other) {
+            double along = 0.0;
+            for (int j = 0; j < m; ++j) along += row[j] * null[other * m + j];
+            for (int j = 0; j < m; ++j) row[j] -= along * null[other * m + j];
+        }
+        for (int j = 0; j < m; ++j) square += row[j] * row[j], part += row[j] * x[j];
+        for (int j = 0; j < m; ++j) x[j] -= part / square * row[j], row[j] /= sqrt(square);
+    }
+}
+
 /* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is
- * given. Returns -1, or a row if the rows contradict each other. */
+ * given. Which combinations of rows vanish is judged with all rows at length one. Returns -1, or 0 where the rows
+ * contradict each other: rhs has a part along such a combination. */
 EM_COLD int em_least_norm(int m, const double *Delta, double *rhs) {
-    double Lambda[m * m], C[m * m], part[m], largest = 0.0, total = 0.0, missed = 0.0;
+    double Lambda[m * m], C[m * m], null[m * m], unit[m], x[m], total = 0.0, missed = 0.0;
+    int n_null = 0;
+    em_row_units(m, Delta, unit);
+    memset(x, 0, sizeof x);
     for (int i = 0; i < m; ++i)
         for (int j = 0; j <= i; ++j) {
-            Lambda[i * m + j] = Lambda[j * m + i] = Delta[i * m + j];
-            C[i * m + j] = i == j;
-            C[j * m + i] = i == j;
+            Lambda[i * m + j] = Lambda[j * m + i] = Delta[i * m + j] * unit[i] * unit[j];
+            C[i * m + j] = C[j * m + i] = i == j;
         }
     em_jacobi(m, Lambda, C, NULL);
-    for (int i = 0; i < m; ++i) largest = fmax(largest, Lambda[i * m + i]);
     for (int i = 0; i < m; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < m; ++j) sum += C[i * m + j] * rhs[j];
-        const int kept = Lambda[i * m + i] > 1e-11 * largest;
-        total += sum * sum;
-        missed += kept ? 0.0 : sum * sum;
-        part[i] = kept ? sum / Lambda[i * m + i] : 0.0;
+        double along = 0.0;
+        for (int j = 0; j < m; ++j) along += C[i * m + j] * unit[j] * rhs[j];
+        const int kept = Lambda[i * m + i] > 1e-11;
+        total += along * along;
+        missed += kept ? 0.0 : along * along;
+        for (int j = 0; j < m; ++j) {
+            if (kept) x[j] += C[i * m + j] * unit[j] * along / Lambda[i * m + i];
+            else null[n_null * m + j] = C[i * m + j] * unit[j];
+        }
+        n_null += !kept;
     }
+    em_remove_parts(m, n_null, null, x);
+    memcpy(rhs, x, sizeof x);
+    return missed <= 1e-8 * total || missed < 1e-24 ? -1 : 0;
+}
+
+/* The row of a positive semi-definite Delta (m, m), of which the lower triangle is given, that adds least to those
+ * before it. */
+EM_COLD int em_smallest_pivot(int m, const double *Delta) {
+    double L[m * m], least = INFINITY;
+    int row = 0;
     for (int j = 0; j < m; ++j) {
-        rhs[j] = 0.0;
-        for (int i = 0; i < m; ++i) rhs[j] += C[i * m + j] * part[i];
+        double pivot = Delta[j * m + j];
+        for (int k = 0; k < j; ++k) pivot -= L[j * m + k] * L[j * m + k];
+        if (!(pivot >= least)) least = pivot, row = j;
+        const double root = pivot > 0.0 ? sqrt(pivot) : INFINITY;
+        for (int i = j; i < m; ++i) {
+            double sum = Delta[i * m + j];
+            for (int k = 0; k < j; ++k) sum -= L[i * m + k] * L[j * m + k];
+            L[i * m + j] = sum / root;
+        }
     }
-    return missed <= 1e-12 * total || missed < 1e-24 ? -1 : 0;
+    return row;
+}
+
+/* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */
+EM_INLINE int em_vanished_row(int m, const double *restrict Delta) {
+    double largest = 0.0;
+    for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
+    for (int i = 0; i < m; ++i)
+        if (!(Delta[i * m + i] > EM_VANISHED * largest)) return i;
+    return -1;
+}
+
+/* rhs (m) <- some solution of Delta x = rhs where row `row` depends on those before it, if that is asked for. */
+EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, int row, int flags, em_fault *fault) {
+    for (int i = 0; i < m; ++i)
+        if (!isfinite(Delta[i * m + i]) || !isfinite(rhs[i])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    if (!(flags & EM_LEAST_NORM)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
+    return em_least_norm(m, Delta, rhs) < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, row, NAN);
 }
 
 /* rhs (m) <- Delta^-1 rhs; Delta (m, m) by its lower triangle. */
 EM_INLINE int em_solve_delta(int m, double *restrict Delta, double *restrict rhs, int flags, em_fault *fault) {
     if (m == 1) {
-        if (!(Delta[0] > 0.0)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, 0, -1, Delta[0]);
+        if (!(Delta[0] > 0.0)) return em_solve_dependent(m, Delta, rhs, 0, flags, fault);
         rhs[0] /= Delta[0];
         return 0;
     }
     double L[m * m], r[m];
-    const int row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
-    if (row < 0) {
-        em_forward(m, L, r, rhs);
-        em_backward(m, L, r, rhs);
-        return 0;
-    }
-    if ((flags & EM_LEAST_NORM) && em_least_norm(m, Delta, rhs) < 0) return 0;
-    return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, 0.0);
+    int row = em_vanished_row(m, Delta);
+    if (row < 0) row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
+    if (row >= 0) return em_solve_dependent(m, Delta, rhs, row, flags, fault);
+    em_forward(m, L, r, rhs);
+    em_backward(m, L, r, rhs);
+    return 0;
 }
 
 /* eta = S C v <-> eta = L^T v: the same velocities under another root of M. */

@@ -86,23 +86,32 @@ EM_COLD double em_position_rounding(const double *x, const double *A) {
     return DBL_EPSILON * size;
 }
 
+/* residual (m) <- phi, 0 in the rows of velocities. Returns the row with the largest. */
+EM_COLD int em_position_residual(double t, const double *x, const double *c, double *residual) {
+    double phi[EM_SOME_POSITIONS];
+    int worst = 0;
+    memset(residual, 0, EM_SOME_ROWS * sizeof *residual);
+    position(t, x, c, phi);
+    for (int row = 0; row < N_POSITIONS; ++row) {
+        residual[row] = phi[row];
+        if (!(fabs(phi[row]) <= fabs(phi[worst]))) worst = row;
+    }
+    return worst;
+}
+
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most.
  * Returns whether x changed, or -1. */
 EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
-    double phi[EM_SOME_POSITIONS], residual[EM_SOME_ROWS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], before = INFINITY;
+    double residual[EM_SOME_ROWS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
     for (int step = 0;; ++step) {
-        double size = 0.0;
-        int worst = 0;
-        memset(residual, 0, sizeof residual);
-        position(t, x, c, phi);
-        for (int row = 0; row < N_POSITIONS; ++row) {
-            residual[row] = phi[row];
-            if (!(fabs(phi[row]) <= size)) size = fabs(phi[row]), worst = row;
-        }
+        const int worst = em_position_residual(t, x, c, residual);
+        const double size = fabs(residual[worst]);
         pfaffian(t, x, c, A, b);
-        if (size <= em_position_rounding(x, A)) return step > 0;
-        if (step == steps) return size <= 1e-12 || size < before ? 1 : em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, size);
-        before = size;
+        const double rounding = em_position_rounding(x, A);
+        if (size <= rounding) return step > 0;
+        if (!isfinite(size) || (step == steps && !(size <= 1e3 * rounding)))
+            return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, size);
+        if (step == steps) return 1;
         em_root root;
         if (em_root_at(t, x, c, &root, fault) || em_correct(&root, x, residual, least_norm, fault)) return -1;
     }

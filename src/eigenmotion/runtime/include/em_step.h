@@ -50,6 +50,7 @@ typedef struct em_walk {
     double h_next;                             /* size the controller proposes, positive */
     double signals_end;                        /* where the first piece ends: no step goes beyond */
     double error_norm;
+    double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
     em_fault reason;                           /* why the last attempt at a step failed */
     int mode, mode_new, moved, has_interpolant, crossings;
     size_t next_t_eval;

@@ -15,6 +15,7 @@
 
 #include "em_dense.h"
 #include "em_events.h"
+#include "em_guard.h"
 
 _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
 
@@ -169,6 +170,19 @@ static int em_needs_interpolant(const em_walk *w) {
     return run->t_eval != NULL && em_row_is_due(w, w->t_new) && run->t_eval[w->next_t_eval] != w->t_new;
 }
 
+/* Where nothing settles them, errors of C and s add up. In a motion they count by what they are of an eigenvalue of M,
+ * which may become small later. 0, or -1 and w->reason. */
+static int em_check_factors(em_walk *w) {
+#ifdef EM_CARRIES_FACTORS
+    enum { DRIFTED = 1000 }; /* tolerances */
+    if (w->run->stabilise) return 0;
+    int first = -1;
+    const double error = model_factor_error(w->t_new, w->y_new, w->run->prepared, &first);
+    if (!(error <= DRIFTED * w->rtol)) return em_fail(&w->reason, EM_FACTORS_DRIFTED, first, -1, error);
+#endif
+    return (void)w, 0;
+}
+
 /* What follows a step whose error is small enough. 0, or -1 and w->reason. */
 static int em_land(em_walk *w) {
     const em_tableau *rk = w->scheme->tableau;
@@ -182,8 +196,8 @@ static int em_land(em_walk *w) {
     if (w->mode_new != w->mode) w->moved = 1;
     if (last_is_first && !w->moved) memcpy(w->f_new, w->K[rk->solution], sizeof w->f_new);
     else if (em_rhs(w, w->mode_new, w->t_new, w->y_new, w->memory_new, w->f_new)) return -1;
-    if (!em_all_finite(w->y_new) || !em_all_finite(w->f_new))
-        return em_fail(&w->reason, EM_NON_FINITE_STATE, -1, -1, w->error_norm);
+    if (!em_all_finite(w->y_new) || !em_all_finite(w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
+    if (em_check_step(w) || em_check_factors(w)) return -1;
     if (N_EVENTS > 0) em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new);
     return em_needs_interpolant(w) ? em_build_interpolant(w) : 0;
 }
@@ -192,8 +206,7 @@ static int em_land(em_walk *w) {
 static int em_attempt(em_walk *w) {
     w->error_norm = INFINITY;
     if (w->scheme->step(w)) return -1;
-    if (!isfinite(w->error_norm) || !em_all_finite(w->y_new))
-        return em_fail(&w->reason, EM_NON_FINITE_STATE, -1, -1, w->error_norm);
+    if (!isfinite(w->error_norm) || !em_all_finite(w->y_new)) return em_not_finite(w, w->y_new, w->error);
     return w->error_norm < 1.0 ? em_land(w) : 0;
 }
 
@@ -208,7 +221,7 @@ static double em_size_factor(const em_walk *w, int failed) {
 /* No step is short enough: the fault that stood in the way, if it was not the error alone. */
 static int em_underflow(em_walk *w, double size, em_fault obstacle) {
     if (obstacle.status != EM_FINISHED) return em_end_with(w, obstacle);
-    return em_end_with(w, (em_fault){EM_STEP_SIZE_UNDERFLOW, -1, -1, size});
+    return em_end_with(w, (em_fault){EM_STEP_SIZE_UNDERFLOW, em_worst_coordinate(w), -1, size});
 }
 
 /* Attempts until one succeeds; proposes the size of the next step. */
@@ -312,10 +325,11 @@ static int em_enter(em_walk *w) {
     em_run *run = w->run;
     run->t_reached = w->t = run->t_start;
     memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
-    if (!em_all_finite(w->y)) return em_end(w, EM_NON_FINITE_STATE);
-    if (em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason) < 0)
-        return em_end_with(w, w->reason);
-    return em_append_first_rows(w);
+    if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
+    const int settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
+    if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
+    if (em_append_first_rows(w)) return EM_END;
+    return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
 }
 
 /* The first right-hand side, event values and step size. */
@@ -325,7 +339,7 @@ static int em_begin(em_walk *w) {
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
     const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
-    if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_end(w, EM_NON_FINITE_STATE);
+    if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
     if (N_EVENTS > 0) em_events_at(w, w->t, w->y, w->K[0], w->g);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w, d0, d1);
     return EM_GO_ON;

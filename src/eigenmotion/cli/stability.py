@@ -1,0 +1,47 @@
+"""`eigenmotion stability`."""
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import click
+
+from eigenmotion.plot import require_matplotlib
+from eigenmotion.stability import CASES, Matrix, Outcome, summary, survey, write_matrix
+
+_STEPS = 1000
+_WORKERS = min(2, os.cpu_count() or 1)
+
+
+@click.command("stability")
+@click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path("stability"),
+              show_default=True, help="Folder of the page, pictures and numbers.")  # fmt: skip
+@click.option("--case", "names", multiple=True, type=click.Choice(list(CASES)), metavar="CASE",
+              help=f"Only this case; may be given several times. Cases: {', '.join(CASES)}.")  # fmt: skip
+@click.option("--workers", type=click.IntRange(min=1), default=_WORKERS, show_default=True,
+              help="Processes that work at the same time.")  # fmt: skip
+def command(output: Path, names: tuple[str, ...], workers: int) -> int:
+    """Drive every formulation, option and method to its limits, and say what becomes of each run.
+
+    Writes stability.html, stability.json and the pictures. Exits with 3 where a run that says it succeeded is wrong.
+    """
+    require_matplotlib()
+    with _bar() as progress:
+        matrix: Matrix = survey(names or tuple(CASES), workers, progress)
+    page, *others = write_matrix(matrix, output)
+    for line in summary(matrix):
+        click.echo(line)
+    click.echo(f"wrote {page} and {len(others)} files beside it")
+    return 3 if matrix.count(Outcome.WRONG) else 0
+
+
+@contextmanager
+def _bar() -> Iterator[Callable[[float, str], None]]:
+    """Show how far it is, where somebody is watching."""
+    if not sys.stderr.isatty():
+        yield lambda done, what: None
+        return
+    with click.progressbar(length=_STEPS, label="stability", file=sys.stderr, item_show_func=str) as bar:
+        yield lambda done, what: bar.update(max(0, round(_STEPS * done) - bar.pos), what)

@@ -1,0 +1,154 @@
+"""Pictures of the matrix. Colours are Okabe and Ito's, and each outcome has a pattern or mark of its own as well."""
+
+import io
+from collections.abc import Sequence
+from typing import Any
+
+from ..plot import require_matplotlib
+from ..report.curves import Picture
+from .case import Case
+from .examine import Examined
+from .matrix import Matrix
+from .outcome import Cell, Outcome
+from .words import LETTERS, mark
+
+_FACE = {
+    Outcome.RIGHT: "#9BD3C0", Outcome.REFUSED: "#E4E4E4", Outcome.DEGRADED: "#F0C35E", Outcome.WRONG: "#D55E00",
+}  # fmt: skip
+_INK = {Outcome.RIGHT: "#0B3B2E", Outcome.REFUSED: "#444444", Outcome.DEGRADED: "#3A2A00", Outcome.WRONG: "#FFFFFF"}
+_HATCH = {Outcome.RIGHT: "", Outcome.REFUSED: "////", Outcome.DEGRADED: "....", Outcome.WRONG: "xx"}
+_ORDER = list(Outcome)
+_DRIFT_LOOKS = {
+    "eigenfactor": ("#0072B2", "-"), "cholesky": ("#D55E00", "--"), "lagrange": ("#009E73", "-."),
+    "inverse": ("#CC79A7", ":"), "eigenfactor, not stabilised": ("#000000", "-"),
+    "lagrange, not stabilised": ("#E69F00", "--"),
+}  # fmt: skip
+
+
+def overview(matrix: Matrix) -> Picture:
+    """Draw each case against each variant: the worst outcome, and how many runs of all were right."""
+    require_matplotlib()
+    cases = matrix.cases
+    columns = list(dict.fromkeys(cell.variant for cell in matrix.cells))
+    figure, axes = _figure(3.4 + 1.15 * len(columns), 1.9 + 0.36 * len(cases))
+    for row, case in enumerate(cases):
+        for column, variant in enumerate(columns):
+            cells = [c for point in matrix.of(case) for c in point.cells if c.variant == variant]
+            if cells:
+                right = sum(c.outcome is Outcome.RIGHT for c in cells)
+                _tile(axes, column, row, _worst(cells), f"{right}/{len(cells)}")
+    _frame(axes, [c.replace(", ", ",\n").replace("schur ", "schur\n") for c in columns], [c.title for c in cases])
+    axes.set_title("worst outcome of all methods and values; number: runs that are right, of all", fontsize=10)
+    _legend(figure)
+    return _picture(figure, "stability", "All cases", "Rows: cases. Columns: formulations and options.")
+
+
+def detail(matrix: Matrix, case: Case) -> Picture:
+    """Draw each run of a case: columns are values, rows are methods and variants."""
+    require_matplotlib()
+    points = matrix.of(case)
+    rows = list(dict.fromkeys((c.method, c.variant) for point in points for c in point.cells))
+    figure, axes = _figure(4.6 + 0.62 * max(len(points), 6), 2.0 + 0.24 * len(rows))
+    for column, point in enumerate(points):
+        for cell in point.cells:
+            _tile(axes, column, rows.index((cell.method, cell.variant)), cell.outcome, mark(cell))
+    _frame(axes, [point.point for point in points], [f"{variant}, {method}" for method, variant in rows])
+    for k in range(1, len(rows)):
+        if rows[k][0] != rows[k - 1][0]:
+            axes.axhline(k - 0.5, color="0.2", linewidth=1.2)
+    axes.set_xlabel(case.axis)
+    axes.set_title(case.title, fontsize=11)
+    _legend(figure)
+    return _picture(figure, f"stability_{case.name}", case.title, f"{case.about} {_key(points)}")
+
+
+def drift(matrix: Matrix, case: Case) -> Picture:
+    """Draw the drift of a case with many periods against their number."""
+    require_matplotlib()
+    methods = list(case.tolerances)
+    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
+
+    figure = Figure(figsize=(3.6 * len(methods), 4.6), layout="constrained")
+    panels = figure.subplots(1, len(methods), sharey=True, squeeze=False)[0]
+    for axes, method in zip(panels, methods, strict=True):
+        for variant, (colour, style) in _DRIFT_LOOKS.items():
+            found = [c for point in matrix.of(case) for c in point.cells if (c.method, c.variant) == (method, variant)]
+            kept = [(float(c.point), c.energy, c.error) for c in found if c.energy and c.error]
+            if kept:
+                periods, energies, errors = zip(*kept, strict=True)
+                axes.loglog(periods, energies, style, color=colour, marker="o", markersize=4, label=variant)
+                axes.loglog(periods, errors, style, color=colour, marker="^", markersize=4, alpha=0.45)
+        axes.set(xlabel="periods", title=f"{method}, tolerance {case.tolerances[method]:g}")
+        axes.grid(color="0.9", linewidth=0.7)
+        axes.spines[["top", "right"]].set_visible(False)
+    panels[0].set_ylabel("circles: relative drift of the energy\ntriangles: error of x and v")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=3, frameon=False)
+    text = f"{case.about} Circles: largest relative drift of the energy; triangles: largest error."
+    return _picture(figure, f"stability_{case.name}_drift", f"{case.title}: drift", text)
+
+
+def _key(points: Sequence[Examined]) -> str:
+    """Explain the marks that occur."""
+    used = {cell.reason for point in points for cell in point.cells if cell.error is None}
+    letters = ", ".join(f"{letter}: {reason}" for reason, letter in LETTERS.items() if reason in used)
+    return "Numbers: power of ten of the error." + (f" Refused, {letters}." if letters else "")
+
+
+def _figure(width: float, height: float) -> tuple[Any, Any]:
+    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
+
+    figure = Figure(figsize=(width, height), layout="constrained")
+    return figure, figure.add_subplot()
+
+
+def _tile(axes: Any, column: float, row: float, outcome: Outcome, text: str) -> None:
+    from matplotlib.patches import Rectangle  # noqa: PLC0415, an optional package
+
+    corner = column - 0.47, row - 0.44
+    look = {"facecolor": _FACE[outcome], "edgecolor": "#FFFFFF", "linewidth": 0.0}
+    axes.add_patch(Rectangle(corner, 0.94, 0.88, **look))
+    if _HATCH[outcome]:
+        axes.add_patch(Rectangle(corner, 0.94, 0.88, fill=False, hatch=_HATCH[outcome], edgecolor="#FFFFFF", linewidth=0.0))
+    axes.text(column, row, text, ha="center", va="center", fontsize=8, color=_INK[outcome])
+
+
+def _frame(axes: Any, columns: Sequence[str], rows: Sequence[str]) -> None:
+    axes.set_xlim(-0.5, len(columns) - 0.5)
+    axes.set_ylim(len(rows) - 0.5, -0.5)
+    axes.set_xticks(range(len(columns)), columns, fontsize=8)
+    axes.set_yticks(range(len(rows)), rows, fontsize=8)
+    axes.tick_params(length=0)
+    axes.spines[:].set_visible(False)
+
+
+def _legend(figure: Any) -> None:
+    from matplotlib.patches import Patch  # noqa: PLC0415, an optional package
+
+    handles = [Patch(facecolor=_FACE[o], edgecolor="#FFFFFF", hatch=_HATCH[o], linewidth=0.0, label=str(o)) for o in Outcome]
+    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize=9)
+
+
+def _picture(figure: Any, stem: str, title: str, text: str) -> Picture:
+    import matplotlib as mpl  # noqa: PLC0415, an optional package
+
+    svg, png = io.StringIO(), io.BytesIO()
+    with mpl.rc_context({"svg.hashsalt": stem, "svg.fonttype": "path", "hatch.linewidth": 0.6}):
+        figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
+        figure.savefig(png, format="png", dpi=150)
+    return Picture(stem, title, text, svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())
+
+
+def pictures(matrix: Matrix) -> tuple[Picture, ...]:
+    """Draw all: the overview first, then each case, with its drift where it has many periods."""
+    drawn = [overview(matrix)]
+    for case in matrix.cases:
+        drawn.append(detail(matrix, case))
+        if case.name.startswith("long"):
+            drawn.append(drift(matrix, case))
+    return tuple(drawn)
+
+
+def _worst(cells: Sequence[Cell]) -> Outcome:
+    """Return the worst outcome of some cells."""
+    return max((cell.outcome for cell in cells), key=_ORDER.index)

@@ -1,0 +1,432 @@
+"""`eigenmotion report`: what it measures, against certified motions and by hand; what it writes and advises."""
+
+import csv
+import io
+import json
+import re
+from dataclasses import replace
+from xml.etree import ElementTree
+
+import mpmath
+import numpy as np
+import pytest
+import sympy
+from eigenmotion.codegen.lower import FORMULATIONS
+from eigenmotion.codegen.model import ModelError
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion.cli import main
+from eigenmotion.cli import report as cli
+from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, peers, recommendation, write_report
+from eigenmotion.report.classical import accelerations, classical, double, explicit
+from eigenmotion.report.extended import NotReachedError, extended, trajectory
+from eigenmotion.report.measure import Judge, measure
+from eigenmotion.report.peers import Peers
+from eigenmotion.report.recommend import Curve, curves, recommend
+from eigenmotion.report.reference import Reference, reference, scaled_error
+from eigenmotion.report.solvers import METHODS, Attempt, Motion, Solver
+
+from .generation import model_of, system_of
+from .models_table import BY_NAME, MODELS, SCENARIOS
+from .oracles import elliptic
+from .oracles.published import DUAL_LINK_X
+
+EXACT = np.array(DUAL_LINK_X, dtype=np.longdouble).astype(float)
+TOLERANCES = tuple(10.0**-k for k in range(4, 13))
+QUICK = Budget(longest=0.3, rounds=3)
+
+
+@pytest.fixture(scope="module")
+def progress() -> list[tuple[float, str]]:
+    return []
+
+
+@pytest.fixture(scope="module")
+def found(progress) -> Findings:
+    """A reduced matrix on the paper's mechanism, over its 10 s."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("EIGENMOTION_CFLAGS", "-O1")  # quick to compile; times are compared with SciPy's only
+        patch.setattr("eigenmotion.report.peers.DECADES", (1e-4, 1e-6, 1e-8, 1e-10))
+        patch.setattr("eigenmotion.report.peers._TAYLOR_TOLERANCES", (1e-8,))
+        ask = Ask(error=1e-8, t_end=10.0, tolerances=TOLERANCES, budget=QUICK)
+        return examine(model_of("dual_link"), ask, lambda done, what: progress.append((done, what)))
+
+
+# --- what errors are measured against
+
+
+def test_the_reference_is_the_certified_motion(found):
+    np.testing.assert_allclose(found.reference.x[-1], EXACT, rtol=0, atol=1e-15)
+    assert found.reference.errors.max() < 1e-14
+
+
+def test_the_reference_follows_an_ellipse_function():
+    model = model_of("pendulum")
+    start = np.array([*model.initial_x, *model.initial_v])
+    made = reference(classical(model), start, 10.0)
+    exact = np.array([elliptic.pendulum(model, t).x for t in made.t[1::40]], dtype=float)
+    assert np.abs(made.x[1::40] - exact).max() < 1e-13
+
+
+def test_the_references_estimate_bounds_its_error():
+    """A pendulum let go almost upright magnifies rounding by 1e9: the estimate grows along, and stays above."""
+    pendulum = model_of("pendulum")
+    (angle,) = pendulum.coordinates
+    upright = replace(pendulum, initial={angle: sympy.Float(3.14159265)})
+    made = reference(classical(upright), np.array([*upright.initial_x, 0.0]), 8.0)
+    with mpmath.workdps(40):
+        k, w = mpmath.sin(mpmath.mpf(upright.initial_x[0]) / 2), mpmath.sqrt(mpmath.mpf(9.81))
+        exact = [float(2 * mpmath.asin(k * mpmath.ellipfun("cd", w * float(t), k=k))) for t in made.t[::10]]
+    errors = scaled_error(made.x[::10], np.array(exact)[:, None])
+    assert errors.max() > 1e-12
+    assert (errors <= made.errors[::10] + 1e-15).all()
+    assert made.errors.max() < 1e4 * errors.max()
+
+
+def test_no_reference_across_a_singularity():
+    model = model_of("polar_particle")
+    fall = replace(model, initial={model.coordinates[0]: 1, model.coordinates[1]: 0})
+    with pytest.raises(ModelError, match="no reference"):
+        reference(classical(fall), np.array([*fall.initial_x, *fall.initial_v]), 50.0)
+
+
+def test_extrapolation_has_its_order():
+    """Steps of fixed length: the error falls with the power 2 columns."""
+
+    def rhs(time: float, y: np.ndarray) -> np.ndarray:
+        return np.array([y[1], -y[0]])
+
+    errors = [
+        float(abs(trajectory(rhs, np.array([1.0, 0.0]), np.linspace(0, 8, n + 1), 1.0, columns=3)[-1, 0] - np.cos(8.0)))
+        for n in (16, 32)
+    ]
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(6, abs=0.7)
+
+
+def test_extrapolation_stops_where_steps_vanish():
+    with np.errstate(all="ignore"), pytest.raises(NotReachedError):
+        trajectory(lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-15)
+
+
+# --- what peers integrate
+
+
+@pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
+def test_classical_equations_agree_with_plain_differentiation(scenario):
+    model, n = scenario.model(), len(scenario.model().coordinates)
+    equations = classical(model)
+    rhs, exact = double(equations), extended(equations)
+    for state in scenario.random_states(2):
+        expected, _ = scenario.lagrange()(state.x, state.v, 0.3)
+        y = np.concatenate([state.x, state.v])
+        size = 1e-10 * (1 + np.abs(expected).max())
+        np.testing.assert_allclose(rhs(0.3, y)[n:], expected, atol=size)
+        np.testing.assert_allclose(exact(np.longdouble(0.3), y.astype(np.longdouble))[n:].astype(float), expected,
+                                   atol=size)  # fmt: skip
+        np.testing.assert_array_equal(rhs(0.3, y)[:n], state.v)
+
+
+def test_written_out_accelerations_agree():
+    """The elimination that heyoka.py and CasADi get, done by SymPy's numbers."""
+    scenario = BY_NAME["dual_link"]
+    functions = {"sin": sympy.sin, "cos": sympy.cos}
+    state = scenario.random_states(1)[0]
+    a = explicit(classical(scenario.model()), functions, list(map(sympy.Float, state.x)),
+                 list(map(sympy.Float, state.v)), sympy.Float(0))  # fmt: skip
+    np.testing.assert_allclose(np.array(a, dtype=float), scenario.lagrange()(state.x, state.v)[0], rtol=1e-11)
+
+
+def test_elimination_skips_zeros():
+    """Two free particles and one held together with the second: zeros stay numbers, and nothing divides by them."""
+    a = accelerations([[2, 0, 0], [0, 1, 0], [0, 0, 3]], [[0, 1, -1]], [4, 0, 8], [0])
+    assert a == [2, 2, 2]
+
+
+def test_peers_that_are_missing_are_named(monkeypatch):
+    monkeypatch.setattr("eigenmotion.report.peers.find_spec", lambda name: None)
+    assert _peers().absent == (
+        ("heyoka.py", "not installed (pip install heyoka)"),
+        ("CasADi/CVODES", "not installed (pip install casadi)"),
+    )
+    assert {solver.family for solver in _peers().solvers} == {"SciPy"}
+
+
+def _peers() -> Peers:
+    model = model_of("pendulum")
+    return peers.peers(classical(model), peers.Start(np.array([*model.initial_x, *model.initial_v]), 1.0))
+
+
+def test_peers_that_are_installed_find_the_motion(found):
+    by_family = {m.family: m for m in found.measurements if m.tolerance == 1e-8}
+    assert {"SciPy", "eigenmotion"} <= by_family.keys()
+    for measurement in by_family.values():
+        assert measurement.message == ""
+        assert measurement.error_max < 1e-4
+
+
+# --- what is measured
+
+
+def test_every_formulation_method_and_tolerance_is_there(found):
+    ours = [m for m in found.measurements if m.family == "eigenmotion"]
+    assert {(m.formulation, m.method) for m in ours} == {(f, m) for f in FORMULATIONS for m in METHODS}
+    assert {m.tolerance for m in ours} == set(TOLERANCES)
+    for m in ours:
+        assert m.message == ""
+        assert 0 < m.error_end <= m.error_max
+        assert m.seconds_low <= m.seconds <= m.seconds_high
+        assert m.repeats >= 3
+        assert m.nfev > m.nsteps > 0
+        assert m.constraint_violation < 1e-14
+        assert m.position_violation is None
+        assert m.energy_integral < 1e3 * m.error_max
+        assert (m.factor_residual is None) == (m.formulation != "eigenfactor")
+
+
+def test_the_error_at_the_end_is_that_of_a_run(found):
+    (m,) = [m for m in found.measurements if m.label == "eigenfactor dop853" and m.tolerance == 1e-7]
+    run = system_of("dual_link").simulate((0, 10), rtol=1e-7, atol=1e-7)
+    assert m.error_end == pytest.approx(np.max(np.abs(run.x[:, -1] - EXACT) / (1 + np.abs(EXACT))), rel=1e-3)
+    assert (m.nfev, m.nsteps) == (run.nfev, run.nsteps)
+
+
+def test_curves_slope_as_the_orders_say(found):
+    orders = {c.label: c.order(found.floor) for c in found.curves if c.family == "eigenmotion"}
+    assert len(orders) == len(FORMULATIONS) * len(METHODS)
+    for label, order in orders.items():
+        expected = METHODS[label.split()[1]]
+        assert expected - 0.5 < order < expected + 1.5, label
+
+
+def test_the_judge_by_hand():
+    times = np.array([0.0, 1.0, 2.0])
+    x = np.array([[0.1], [0.2], [0.3]])
+    known = Reference(times, x, np.zeros((3, 1)), np.zeros(3), "by hand")
+    system = system_of("pendulum")
+    off = Motion(x + np.array([[0.0], [1e-3], [-1e-4]]), np.array([[0.0], [2.0], [0.0]]), nfev=1, nsteps=1)
+    m = Judge(known, system)(Measurement("f", "g", "h", "l", 1e-3), off)
+    assert m.error_max == pytest.approx(1e-3 / 1.2)
+    assert m.error_end == pytest.approx(1e-4 / 1.3)
+    assert m.velocity_error_max == 2.0
+    P = [system.energy(x, v) for x, v in zip(off.x, off.v, strict=True)]
+    assert m.energy_integral == pytest.approx(abs(P[1] - P[0]) + abs(P[2] - P[0]) / 2)
+
+
+@pytest.mark.parametrize("fault", ["short", "nan", "raises"])
+def test_a_run_that_fails_has_no_error_and_no_time(fault):
+    times = np.array([0.0, 1.0])
+    known = Reference(times, np.zeros((2, 1)), np.zeros((2, 1)), np.zeros(2), "by hand")
+
+    def motion(rows: np.ndarray) -> Motion:
+        if fault == "raises":
+            raise RuntimeError("no such function")
+        x = np.zeros((1, 1)) if fault == "short" else np.full((2, 1), np.nan)
+        return Motion(x, x, nfev=1, nsteps=1)
+
+    solver = Solver("peer", "", "method", (1e-3,), lambda tolerance: Attempt(lambda: None, motion))
+    (m,) = measure([solver], Judge(known, system_of("pendulum")), QUICK, lambda done, what: None)
+    assert m.error_end is m.seconds is None
+    assert {"short": "reach the end", "nan": "not finite", "raises": "no such function"}[fault] in m.message
+
+
+def test_a_solver_is_not_tightened_without_end():
+    times = np.array([0.0, 1.0])
+    known = Reference(times, np.zeros((2, 1)), np.zeros((2, 1)), np.zeros(2), "by hand")
+    rows = np.zeros((2, 1))
+    solver = Solver("peer", "", "slow", (1e-3, 1e-4, 1e-5), lambda tolerance: Attempt(
+        lambda: sum(range(200_000)), lambda t: Motion(rows, rows, nfev=1, nsteps=1)))  # fmt: skip
+    measured = measure([solver], Judge(known, system_of("pendulum")), Budget(longest=1e-5, rounds=1), lambda *_: None)
+    assert [m.tolerance for m in measured] == [1e-3]
+
+
+def test_progress_runs_from_start_to_end(found, progress):
+    done = [fraction for fraction, _ in progress]
+    assert done == sorted(done)
+    assert 0 <= done[0] < 0.1
+    assert 0.8 < done[-1] <= 1
+
+
+# --- what it advises
+
+
+def point(
+    error: float, seconds: float, method: str = "dop853", tolerance: float = 1e-3, nsteps: int = 1
+) -> Measurement:
+    return Measurement(
+        "eigenmotion", "cholesky", method, f"cholesky {method}", tolerance, error, error, seconds=seconds,
+        seconds_low=0.99 * seconds, seconds_high=1.01 * seconds, nsteps=nsteps, nfev=10 * nsteps,
+    )  # fmt: skip
+
+
+def test_the_recommendation_is_the_soonest_of_all(found):
+    chosen = found.recommendation.chosen
+    assert chosen.error_max <= 1e-8
+    able = [p for c in found.curves if c.family == "eigenmotion" for p in c.reaching(1e-8)]
+    assert chosen in able
+    assert chosen.seconds == min(p.seconds for p in able)
+    assert chosen.method == "dop853"
+
+
+def test_a_lucky_point_is_not_recommended():
+    quick = [point(1e-9, 1.0), point(1e-5, 2.0), point(1e-9, 5.0), point(1e-10, 6.0)]
+    slow = [point(1e-9, 4.0, "rk34"), point(1e-10, 7.0, "rk34")]
+    advice = recommend(curves([*quick, *slow]), 1e-8)
+    assert (advice.chosen.method, advice.chosen.seconds) == ("rk34", 4.0)
+    assert advice.as_fast == ()
+
+
+def test_what_is_as_fast_is_named_once_a_solver():
+    advice = recommend(curves([point(1e-9, 1.0), point(1e-9, 1.001, "rk34"), point(1e-9, 1.002, "rk34")]), 1e-8)
+    assert [p.seconds for p in advice.as_fast] == [1.001]
+
+
+def test_an_accuracy_out_of_reach_is_said_to_be():
+    advice = recommend(curves([point(1e-5, 1.0), point(1e-6, 2.0)]), 1e-8)
+    assert advice.chosen is None
+    assert advice.closest.error_max == 1e-6
+
+
+def test_times_are_interpolated_in_logarithms():
+    curve = Curve("", "", "", "", (point(1e-4, 1.0), point(1e-6, 4.0), point(1e-8, 16.0)))
+    assert curve.seconds_at(1e-5) == pytest.approx(2.0)
+    assert curve.seconds_at(1e-8) == pytest.approx(16.0)
+    assert curve.seconds_at(1e-2) == 1.0
+    assert curve.seconds_at(1e-9) is None
+
+
+def test_order_and_cost_of_a_made_up_curve():
+    points = tuple(replace(point(float(n) ** -5, 1e-4 + 2e-6 * n), nsteps=n) for n in (10, 20, 40, 80))
+    points = tuple(replace(p, nfev=10 * p.nsteps) for p in points)
+    curve = Curve("", "", "", "", points)
+    assert curve.order(1e-16) == pytest.approx(5)
+    assert curve.cost() == pytest.approx((1e-4, 2e-7))
+    assert replace(curve, points=tuple(replace(p, nsteps=70) for p in points)).order(1e-16) is None
+
+
+# --- what it writes
+
+
+@pytest.fixture(scope="module")
+def folder(found, tmp_path_factory):
+    pytest.importorskip("matplotlib")
+    folder = tmp_path_factory.mktemp("report")
+    write_report([found], folder)
+    return folder
+
+
+def test_the_files(folder):
+    names = {path.name for path in folder.iterdir()}
+    pictures = {f"dual_link_{kind}.{ending}" for kind in ("time", "methods", "order") for ending in ("png", "svg")}
+    assert names == {"report.html", "report.json", "report.csv", *pictures}
+    for name in pictures:
+        content = (folder / name).read_bytes()
+        assert content.startswith(b"\x89PNG" if name.endswith("png") else b"<svg")
+        if name.endswith("svg"):
+            ElementTree.fromstring(content.decode())
+
+
+def test_the_numbers_as_json(folder, found):
+    text = (folder / "report.json").read_text()
+    (model,) = json.loads(text, parse_constant=pytest.fail)["models"]
+    assert model["name"] == "dual_link"
+    assert model["reference"]["x_end"] == pytest.approx(EXACT, abs=1e-15)
+    assert {built["formulation"] for built in model["formulations"]} == set(FORMULATIONS)
+    assert all(built["compilation_seconds"] > 0 and built["left_out"] for built in model["formulations"])
+    assert len(model["measurements"]) == len(found.measurements)
+    needed = {"error_end", "error_max", "seconds", "seconds_low", "seconds_high", "nfev", "nsteps",
+              "constraint_violation", "energy_integral", "factor_residual", "ns_per_rhs"}  # fmt: skip
+    assert all(needed <= measurement.keys() for measurement in model["measurements"])
+    assert model["recommendation"]["chosen"]["error_max"] <= 1e-8
+    ratios = {c["label"]: c["seconds_to_reach"] for c in model["curves"]}
+    assert ratios["SciPy DOP853"]["1e-06"] > 10 * ratios["eigenfactor dop853"]["1e-06"]
+
+
+def test_the_numbers_as_csv(folder, found):
+    rows = list(csv.DictReader(io.StringIO((folder / "report.csv").read_text())))
+    assert len(rows) == len(found.measurements)
+    for row, m in zip(rows, found.measurements, strict=True):
+        assert (row["model"], row["label"]) == ("dual_link", m.label)
+        assert float(row["error_max"]) == m.error_max
+        assert float(row["seconds"]) == m.seconds
+
+
+def test_the_page_needs_nothing_else(folder):
+    page = (folder / "report.html").read_text()
+    assert page.count("<svg") == 3
+    addresses = re.findall(r'(?:src|href)\s*=\s*"([^"]*)"', page)
+    assert all(address.startswith("#") for address in addresses)
+    assert "@import" not in page
+    assert "url(http" not in page
+    assert "do not couple" in page  # what was left out
+    assert "None" not in page
+    assert "nan" not in re.sub(r"<svg.*?</svg>", "", page, flags=re.DOTALL).lower().split()
+    for sentence in recommendation_words(page):
+        assert sentence
+
+
+def recommendation_words(page: str) -> list[str]:
+    advice = re.search(r'<div class="advice">(.*?)</div>', page, flags=re.DOTALL)
+    assert advice
+    return re.findall(r"<p>(.*?)</p>", advice[1])
+
+
+def test_nothing_tells_whose_machine_it_was(folder):
+    home = str(MODELS.parent)
+    for path in folder.iterdir():
+        assert home.encode() not in path.read_bytes()
+
+
+def test_the_advice_in_words(found):
+    words = " ".join(recommendation(found))
+    chosen = found.recommendation.chosen
+    assert f"formulation {chosen.formulation}, method {chosen.method}, rtol = atol = {chosen.tolerance:.1e}" in words
+    assert "SciPy DOP853" in words
+    assert "Caution" not in words
+    vague = replace(found, reference=replace(found.reference, errors=found.reference.errors + 1e-7))
+    assert "Caution" in " ".join(recommendation(vague))
+    hopeless = replace(found, recommendation=recommend(found.curves, 1e-30))
+    assert "No run reaches" in " ".join(recommendation(hopeless))
+
+
+# --- the command
+
+
+def test_the_command_writes_and_advises(found, monkeypatch, tmp_path, capsys):
+    asked = []
+
+    def made(model: em.Model, ask: Ask, progress: object) -> Findings:
+        asked.append((model.name, ask))
+        return found
+
+    monkeypatch.setattr(cli, "examine", made)
+    arguments = ["report", str(MODELS / "dual_link.py"), "-o", str(tmp_path / "out"), "--error", "1e-6", "--t-end", "3"]
+    assert main(arguments) == 0
+    assert asked == [("dual_link", Ask(error=1e-6, t_end=3.0))]
+    output = capsys.readouterr().out
+    assert "formulation" in output
+    assert (tmp_path / "out" / "report.html").is_file()
+
+
+def test_the_command_sets_arguments_of_models(found, monkeypatch, tmp_path, capsys):
+    names = []
+    monkeypatch.setattr(cli, "examine", lambda model, ask, progress: names.append(model.name) or found)
+    monkeypatch.setattr(cli, "write_report", lambda reports, folder: (folder / "report.html",))
+    assert main(["report", str(MODELS / "chain.py"), "-D", "n=2", "-o", str(tmp_path)]) == 0
+    assert names == [em.load_model(MODELS / "chain.py", n=2).name]
+
+
+@pytest.mark.parametrize("arguments", [[], ["nowhere.py"], [str(MODELS / "pendulum.py"), "--error", "0"],
+                                       [str(MODELS / "pendulum.py"), "--t-end", "-1"]])  # fmt: skip
+def test_mistakes_in_the_call(arguments, capsys):
+    assert main(["report", *arguments]) == 2
+    assert capsys.readouterr().err
+
+
+def test_a_run_that_cannot_get_to_the_end_is_a_mistake(monkeypatch):
+    monkeypatch.setattr("eigenmotion.report.subject.FORMULATIONS", ("lagrange",))
+    theta = dynamicsymbols("theta")
+    falling = em.Model(name="falling", coordinates=[theta], kinetic_energy=theta.diff() ** 2 / 2,
+                       potential_energy=-1 / theta, initial={theta: 1})  # fmt: skip
+    with pytest.raises(ModelError, match="--t-end"):
+        examine(falling, Ask(t_end=10.0, tolerances=(1e-6,), budget=QUICK), lambda done, what: None)
