@@ -17,7 +17,7 @@ demo: $(READY)
 
 # PYTEST_ARGS="-k name" runs a part
 test: $(READY)
-	$(BIN)/pytest $(PYTEST_ARGS)
+	$(BIN)/pytest -n auto $(PYTEST_ARGS)
 
 check: lint types generated
 

@@ -1,4 +1,4 @@
-"""Where C^T C = I, M - C^T S^2 C and C^T C are first integrals of the generated system: by its right-hand side, and kept."""
+"""Where C^T C = I, M - C^T S^2 C and C^T C are first integrals of the generated system, and kept over a run."""
 
 from functools import cache
 

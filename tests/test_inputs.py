@@ -166,5 +166,3 @@ def test_drift_is_reported_where_energy_is_conserved():
     system = system_of("rotating_spring")
     assert "energy drift" in summary(system, system.simulate((0, 1)), 1.0)
     assert not system_of("driven_pendulum").conserves_energy
-
-

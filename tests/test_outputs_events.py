@@ -91,7 +91,8 @@ def test_an_acceleration_is_the_second_derivative_of_the_motion():
 def test_outputs_see_the_inputs_of_their_time():
     push = {"u": Signal([0, 1, 2], [0.0, 3.0, -2.0], "linear")}
     found = pendulum().simulate((0, 2), inputs=push, **TIGHT)
-    np.testing.assert_allclose(found.outputs["power"], np.interp(found.t, [0, 1, 2], [0, 3, -2]) * found.v[0], atol=1e-13)
+    u = np.interp(found.t, [0, 1, 2], [0, 3, -2])
+    np.testing.assert_allclose(found.outputs["power"], u * found.v[0], atol=1e-13)
 
 
 # --- events -----------------------------------------------------------------------------------------------------------
@@ -103,14 +104,15 @@ def test_events_lie_on_the_projected_trajectory_to_rounding(method, formulation)
     """Also where steps are long: the state at an event is on the constraint, and the event's expression zero there."""
     system = pendulum(formulation)
     found = system.simulate((0, 6), method=method, rtol=1e-4, atol=1e-6)
-    times, rows = dict(zip(system.events, found.t_events, strict=True)), dict(zip(system.events, found.y_events, strict=True))
+    times = dict(zip(system.events, found.t_events, strict=True))
+    rows = dict(zip(system.events, found.y_events, strict=True))
     assert len(times["lowest"]) == 5
     x = rows["lowest"][:, :2]
     np.testing.assert_allclose(np.hypot(*x.T), L, rtol=1e-15)
     assert np.abs(x[:, 0]).max() < 4e-15
-    for t, y in zip(times["turning"], rows["turning"], strict=True):
-        q, v = y[:4], system.compiled.velocity_rows(np.array([t]), y[None], system.prepare())[0]
-        assert abs(v[0] * np.cos(t) ** 2 + v[1] * q[0] / 10 + v[0] / 2) < 1e-13
+    for time, y in zip(times["turning"], rows["turning"], strict=True):
+        q, v = y[:4], system.compiled.velocity_rows(np.array([time]), y[None], system.prepare())[0]
+        assert abs(v[0] * np.cos(time) ** 2 + v[1] * q[0] / 10 + v[0] / 2) < 1e-13
         assert abs(q[:2] @ v[:2]) < 1e-14
 
 

@@ -112,7 +112,8 @@ def test_C_and_s_are_those_of_the_scaled_problem():
         M = system.mass_matrix(found.x[:, k]) * np.outer(unit, unit)
         np.testing.assert_allclose(found.C[..., k].T @ np.diag(found.s[:, k] ** 2) @ found.C[..., k], M, atol=1e-12)
         np.testing.assert_allclose(np.sort(found.s[:, k] ** 2), np.linalg.eigvalsh(M), rtol=1e-12)
-        np.testing.assert_allclose(found.eta[:, k], found.s[:, k] * (found.C[..., k] @ (found.v[:, k] / unit)), atol=1e-12)
+        eta = found.s[:, k] * (found.C[..., k] @ (found.v[:, k] / unit))
+        np.testing.assert_allclose(found.eta[:, k], eta, atol=1e-12)
     assert found.factor_residual.max() < 1e-14
 
 

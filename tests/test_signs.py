@@ -1,6 +1,5 @@
 """Signs: of T1 in (27), (36), (41), where the paper prints another one, and of multipliers by Newton's second law."""
 
-from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 
@@ -23,7 +22,7 @@ TIGHT = {"rtol": 1e-11, "atol": 1e-13}
 
 
 @pytest.fixture
-def printed_sign(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def printed_sign(monkeypatch: pytest.MonkeyPatch) -> None:
     """The generator with the sign of the paper: - dG^T/dx xdot for + dG^T/dx xdot."""
     right = Terms._force
 
@@ -35,7 +34,6 @@ def printed_sign(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         )
 
     monkeypatch.setattr(Terms, "_force", printed)
-    yield
 
 
 def error_in_rotating_frame(system: System) -> float:

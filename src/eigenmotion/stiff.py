@@ -136,13 +136,15 @@ def _inputs(task: Task, start: float, end: float) -> Function:
 
 def _stepped(solver: Any) -> bool:
     """Take a step; a Jacobian of infinities, which no solver can factor, is a failure like others."""
+    before = solver.t
     try:
         solver.step()
     except (ValueError, np.linalg.LinAlgError) as error:
         if isinstance(error, EvaluationError):
             raise
         return False
-    return solver.status != "failed" and bool(np.isfinite(solver.y).all())
+    on = solver.status == "finished" or abs(solver.t - before) > 4 * np.spacing(abs(before))  # LSODA runs on the spot
+    return solver.status != "failed" and on and bool(np.isfinite(solver.y).all())
 
 
 def _solver(task: Task, kind: Callable[..., Any], u: Function, span: tuple[float, float], progress: _Progress) -> Any:

@@ -58,8 +58,7 @@ def _report(models: tuple[Path, ...], output: Path, ask: Ask, define: tuple[str,
 
 
 def _draw_paper(output: Path) -> None:
-    import_module("eigenmotion.paper").write_figures(output)
-    click.echo(f"wrote the paper's figures to {output}")
+    click.echo(str(import_module("eigenmotion.paper").write_figures(output)))
 
 
 @contextmanager

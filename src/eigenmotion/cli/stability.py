@@ -41,7 +41,11 @@ def command(output: Path, names: tuple[str, ...], workers: int) -> int:
 def _bar() -> Iterator[Callable[[float, str], None]]:
     """Show how far it is, where somebody is watching."""
     if not sys.stderr.isatty():
-        yield lambda done, what: None
+        yield _silent
         return
     with click.progressbar(length=_STEPS, label="stability", file=sys.stderr, item_show_func=str) as bar:
         yield lambda done, what: bar.update(max(0, round(_STEPS * done) - bar.pos), what)
+
+
+def _silent(done: float, what: str) -> None:
+    """Nobody is watching."""

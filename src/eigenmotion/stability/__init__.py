@@ -9,7 +9,7 @@ from .matrix import Matrix as Matrix
 from .matrix import survey as survey
 from .outcome import Cell as Cell
 from .outcome import Outcome as Outcome
-from .outcome import Variant as Variant
+from .variants import Variant as Variant
 from .words import described as described
 from .words import summary as summary
 from .writing import write_matrix as write_matrix

@@ -9,8 +9,8 @@ import numpy as np
 
 from ..codegen.model import Model
 from ..names import Vector
-from .outcome import UNCONSTRAINED, Variant
 from .truth import Truth
+from .variants import UNCONSTRAINED, Variant
 
 EXPLICIT = {"rk34": 1e-7, "dopri5": 1e-8, "dop853": 1e-8}
 STIFF = {"radau": 1e-6, "bdf": 1e-6, "lsoda": 1e-7} | ({"cvode": 1e-7} if find_spec("sksundae") else {})
@@ -31,7 +31,7 @@ class Point:
     truth : what they are compared with
     conserves : whether T2 - T0 + V is constant here
     turns : (n,) after which a coordinate is the same again, 0: never; None: no coordinate is an angle that may wind
-    period : of which drifts are told [s]
+    periods : how many the span holds, 0 where they are few or have no meaning
     """
 
     label: str
@@ -44,7 +44,7 @@ class Point:
     truth: Truth
     conserves: bool = True
     turns: Vector | None = None
-    period: float = 1.0
+    periods: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -73,7 +73,7 @@ def drift(matrix: Matrix, case: Case) -> Picture:
     for axes, method in zip(panels, methods, strict=True):
         for variant, (colour, style) in _DRIFT_LOOKS.items():
             found = [c for point in matrix.of(case) for c in point.cells if (c.method, c.variant) == (method, variant)]
-            kept = [(float(c.point), c.energy, c.error) for c in found if c.energy and c.error]
+            kept = [(float(c.point), c.shown.energy, c.error) for c in found if c.shown.energy and c.error]
             if kept:
                 periods, energies, errors = zip(*kept, strict=True)
                 axes.loglog(periods, energies, style, color=colour, marker="o", markersize=4, label=variant)
@@ -106,10 +106,9 @@ def _tile(axes: Any, column: float, row: float, outcome: Outcome, text: str) -> 
     from matplotlib.patches import Rectangle  # noqa: PLC0415, an optional package
 
     corner = column - 0.47, row - 0.44
-    look = {"facecolor": _FACE[outcome], "edgecolor": "#FFFFFF", "linewidth": 0.0}
-    axes.add_patch(Rectangle(corner, 0.94, 0.88, **look))
-    if _HATCH[outcome]:
-        axes.add_patch(Rectangle(corner, 0.94, 0.88, fill=False, hatch=_HATCH[outcome], edgecolor="#FFFFFF", linewidth=0.0))
+    axes.add_patch(Rectangle(corner, 0.94, 0.88, facecolor=_FACE[outcome], linewidth=0.0))
+    if hatch := _HATCH[outcome]:
+        axes.add_patch(Rectangle(corner, 0.94, 0.88, fill=False, hatch=hatch, edgecolor="#FFFFFF", linewidth=0.0))
     axes.text(column, row, text, ha="center", va="center", fontsize=8, color=_INK[outcome])
 
 
@@ -125,7 +124,9 @@ def _frame(axes: Any, columns: Sequence[str], rows: Sequence[str]) -> None:
 def _legend(figure: Any) -> None:
     from matplotlib.patches import Patch  # noqa: PLC0415, an optional package
 
-    handles = [Patch(facecolor=_FACE[o], edgecolor="#FFFFFF", hatch=_HATCH[o], linewidth=0.0, label=str(o)) for o in Outcome]
+    handles = [
+        Patch(facecolor=_FACE[o], hatch=_HATCH[o], edgecolor="#FFFFFF", linewidth=0.0, label=str(o)) for o in Outcome
+    ]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize=9)
 
 

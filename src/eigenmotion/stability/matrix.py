@@ -5,12 +5,16 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
+from typing import TypeVar
 
 from .case import Case
 from .cases import CASES
 from .examine import Examined, examine, program
-from .outcome import Cell, Outcome, Variant
+from .outcome import Cell, Outcome
+from .variants import Variant
 
+Task = tuple[str, float]  # a case and a value
+Result = TypeVar("Result")
 Progress = Callable[[float, str], None]  # how much of the whole is done, 0 ... 1, and what was done last
 
 
@@ -41,16 +45,16 @@ class Matrix:
         return sum(cell.outcome is outcome for cell in self.cells)
 
 
-def survey(names: Sequence[str], workers: int, progress: Progress) -> Matrix:
-    """Build what the cases need, then examine every point."""
+def survey(names: Sequence[str], workers: int, progress: Progress, reduced: bool = False) -> Matrix:
+    """Build what the cases need, then examine every point, or the few of each case's `reduced`."""
     begin = time.perf_counter()
     chosen = [CASES[name] for name in names]
-    tasks = [(case.name, value) for case in chosen for value in case.values]
+    tasks = [(case.name, value) for case in chosen for value in (case.reduced if reduced else case.values)]
     if workers <= 1:
         points = {task: _report(progress, k, tasks, examine(CASES[task[0]], task[1])) for k, task in enumerate(tasks)}
     else:
         with _pool(workers) as pool:
-            points = _in_parallel(pool, chosen, tasks, progress)
+            points = _in_parallel(pool, tasks, progress)
     return Matrix(tuple(points[task] for task in tasks), time.perf_counter() - begin, workers)
 
 
@@ -64,15 +68,13 @@ def _pool(workers: int) -> ProcessPoolExecutor:
     return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
 
 
-def _in_parallel(
-    pool: ProcessPoolExecutor, cases: Sequence[Case], tasks: list[tuple[str, float]], progress: Progress
-) -> dict[tuple[str, float], Examined]:
+def _in_parallel(pool: ProcessPoolExecutor, tasks: list[Task], progress: Progress) -> dict[Task, Examined]:
     """Programs first, each built once, the longest to build first; then points, likewise."""
-    orders = list(_orders(cases))
+    by_cost = sorted(tasks, key=lambda task: -CASES[task[0]].weight * (1 + task[1] * (task[0] == "chain")))
+    orders = list(_orders(by_cost))
     builds = [pool.submit(_build, *order) for order in orders]
     for k, done in enumerate(_finished(builds)):
         progress(0.5 * (k + 1) / len(builds), done.result())
-    by_cost = sorted(tasks, key=lambda task: -CASES[task[0]].weight * (1 + task[1] * (task[0] == "chain")))
     futures = {pool.submit(_examine, *task): task for task in by_cost}
     found = {}
     for k, future in enumerate(_finished(list(futures))):
@@ -81,7 +83,7 @@ def _in_parallel(
     return found
 
 
-def _finished(futures: Sequence["Future[object]"]) -> Iterator["Future[object]"]:
+def _finished(futures: Sequence["Future[Result]"]) -> Iterator["Future[Result]"]:
     """Yield them as they end; the first failure ends the rest."""
     for future in as_completed(futures):
         if future.exception() is not None:
@@ -90,17 +92,16 @@ def _finished(futures: Sequence["Future[object]"]) -> Iterator["Future[object]"]
         yield future
 
 
-def _orders(cases: Iterable[Case]) -> Iterator[tuple[str, float, Variant]]:
+def _orders(tasks: Iterable[Task]) -> Iterator[tuple[str, float, Variant]]:
     """Yield what to build: cases that share a model share its programs."""
     seen = set()
-    largest_first = [(case, value) for case in cases for value in reversed(case.values)]
-    for case, value in sorted(largest_first, key=lambda pair: -pair[0].weight):
-        model = case.model(value)
+    for name, value in tasks:
+        case = CASES[name]
         for variant in case.variants:
-            wanted = (model.name, *variant.build.values(), case.flags)
+            wanted = (case.model(value).name, *variant.build.values(), case.flags)
             if wanted not in seen:
                 seen.add(wanted)
-                yield case.name, value, variant
+                yield name, value, variant
 
 
 def _build(name: str, value: float, variant: Variant) -> str:

@@ -54,20 +54,21 @@ def _square(position: Matrix, Omega: Expr) -> Expr:
 @cache
 def triple_veering() -> Model:
     """Return three coupled masses: at x = 0 all eigenvalues of M meet but for `gap`."""
-    x, y, z = coordinates = dynamicsymbols("x y z")
+    coordinates = dynamicsymbols("x y z")
     gap = symbols("gap", real=True)
     stiffness = symbols("k_1:4", positive=True)
     apart = Matrix([[1, _HALF, Rational(1, 4)], [_HALF, -1, Rational(1, 4)], [Rational(1, 4), Rational(1, 4), -_HALF]])
-    M = 2 * Matrix.eye(3) + x / 2 * apart + gap * Matrix([[0, 2, 1], [2, 0, -1], [1, -1, 0]]) / 2
+    M = 2 * Matrix.eye(3) + coordinates[0] / 2 * apart + gap * Matrix([[0, 2, 1], [2, 0, -1], [1, -1, 0]]) / 2
     return _springs("triple_veering", coordinates, M, stiffness, {gap: 0.1}, (4.0, 1.0, 2.0))
 
 
 @cache
 def parallel_eigenvalues() -> Model:
     """Return two masses whose eigenvalues 2 + x/2 +- gap vary together and never part."""
-    x, y = coordinates = dynamicsymbols("x y")
+    coordinates = dynamicsymbols("x y")
     gap = symbols("gap", real=True)
-    M = Matrix([[2 + x / 2, gap], [gap, 2 + x / 2]])
+    both = 2 + coordinates[0] / 2
+    M = Matrix([[both, gap], [gap, both]])
     return _springs("parallel_eigenvalues", coordinates, M, symbols("k_1:3", positive=True), {gap: 0.1}, (4.0, 1.0))
 
 

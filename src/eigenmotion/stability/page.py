@@ -11,9 +11,9 @@ from ..report.curves import Picture
 from ..report.machine import machine
 from ..report.words import number
 from .case import Case
-from .examine import DIRECTIONS
 from .matrix import Matrix
 from .outcome import RULES, Cell
+from .reference import DIRECTIONS
 from .words import reasons, summary
 
 Row = tuple[str, ...]
@@ -56,7 +56,7 @@ def _section(matrix: Matrix, case: Case, drawn: Sequence[Picture]) -> Section:
 
 
 def _shown(drawn: Iterable[Picture]) -> tuple[tuple[str, Markup], ...]:
-    return tuple((p.text, Markup(p.svg)) for p in drawn)  # noqa: S704, our own drawing
+    return tuple((p.text, Markup(p.svg)) for p in drawn)
 
 
 def _references(matrix: Matrix, case: Case) -> Table:
@@ -70,16 +70,23 @@ def _reasons(matrix: Matrix, case: Case) -> Table:
 
 def _cells(matrix: Matrix, case: Case) -> Table:
     head = (
-        "formulation", case.axis or "start", "method", "tolerance", "outcome", "error", "bound", "energy drift", "a period",
-        "|A v + b|", "|phi|", "a period", "factor residual", "steps", "seconds", "message",
+        "formulation", case.axis or "start", "method", "tolerance", "outcome", "error", "bound", "energy drift",
+        f"a {_per(matrix, case)}", "|A v + b|", "|phi|", f"a {_per(matrix, case)}", "factor residual", "steps",
+        "seconds", "message",
     )  # fmt: skip
     cells = [cell for point in matrix.of(case) for cell in point.cells]
     return Table(f"{len(cells)} runs", head, tuple(map(_cell, cells)))
 
 
+def _per(matrix: Matrix, case: Case) -> str:
+    """What slopes are told by: a period where there are many, else the whole span."""
+    return "period" if any(point.periods for point in matrix.of(case)) else "span"
+
+
 def _cell(c: Cell) -> Row:
+    i = c.shown
     return (
-        c.variant, c.point, c.method, f"{c.tolerance:g}", str(c.outcome), number(c.error), number(c.bound), number(c.energy),
-        number(c.energy_slope), number(c.constraint), number(c.position), number(c.position_slope), number(c.factor),
+        c.variant, c.point, c.method, f"{c.tolerance:g}", str(c.outcome), number(c.error), number(c.bound),
+        *map(number, (i.energy, i.energy_slope, i.constraint, i.position, i.position_slope, i.factor)),
         "-" if c.nsteps is None else str(c.nsteps), f"{c.seconds:.2f}", c.message[:160],
     )  # fmt: skip

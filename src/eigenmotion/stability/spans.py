@@ -10,10 +10,10 @@ from ..models import slider_crank
 from ..names import Vector
 from .case import Case, Point, power, rows
 from .models import bent_oscillators, cartesian_pendulum, elastic_link
-from .outcome import SEVERAL_ROWS, UNSTABILISED, Variant
 from .places import closed_loop
 from .scenes import scale_of, start_of
 from .truth import ClosedForm, Integrated, chain, lagrange
+from .variants import SEVERAL_ROWS, UNSTABILISED, Variant
 
 ROWS = 400
 
@@ -23,7 +23,7 @@ def oscillators(periods: float) -> Point:
     x0, v0 = start_of(bent_oscillators())
     truth = ClosedForm(_bent, "linear oscillators", own=1e-9)
     times = rows(0.0, 2 * pi * periods, ROWS)
-    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, period=2 * pi)
+    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, periods=periods)
 
 
 def _bent(start: Vector, elapsed: Vector) -> Vector:
@@ -45,7 +45,7 @@ def pendulum(periods: float) -> Point:
     period = float(4 * ellipk(sin(0.5) ** 2))
     truth = ClosedForm(_swing, "Jacobi's elliptic functions", own=1e-9)
     times = rows(0.0, period * periods, ROWS)
-    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, period=period)
+    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, periods=periods)
 
 
 def _swing(start: Vector, elapsed: Vector) -> Vector:
@@ -117,8 +117,9 @@ def starts_of_crank(which: float) -> Point:
 
 
 _STARTS = (
-    ("forwards", 0.0, 2.0), ("at rest", 0.0, 2.0), ("at an\nequilibrium", 0.0, 2.0), ("unstable\nequilibrium", 0.0, 2.0),
-    ("zero length", 1.0, 1.0), ("backwards", 2.0, 0.0), ("not from 0", 1e6, 1e6 + 2.0),
+    ("forwards", 0.0, 2.0), ("at rest", 0.0, 2.0), ("stable\nequilibrium", 0.0, 2.0),
+    ("unstable\nequilibrium", 0.0, 2.0), ("zero length", 1.0, 1.0), ("backwards", 2.0, 0.0),
+    ("not from 0", 1e6, 1e6 + 2.0),
 )  # fmt: skip
 
 
@@ -139,20 +140,21 @@ CASES = (
         "long_free", "Many periods, no constraint",
         "Two linear oscillators in curved coordinates, in which M is coupled and varies. SciPy's methods are left "
         "out: their steps are made in Python.",
-        "periods", _PERIODS, lambda _: bent_oscillators(), oscillators, reduced=(1e2,),
+        "periods", _PERIODS, lambda _: bent_oscillators(), oscillators,
         variants=_LONG_VARIANTS, tolerances=_LONG, max_steps=100_000_000, weight=20.0,
     ),
     Case(
         "long_constrained", "Many periods, holonomic constraint",
         "A pendulum in x and y. SciPy's methods are left out: their steps are made in Python.",
-        "periods", _PERIODS, lambda _: cartesian_pendulum(), pendulum, 
+        "periods", _PERIODS, lambda _: cartesian_pendulum(), pendulum,
         variants=(Variant("eigenfactor"), Variant("lagrange"), Variant("lagrange", stabilisation="none")),
         tolerances=_LONG, max_steps=100_000_000, weight=15.0,
     ),
     Case(
         "lengths", "Unit of length, mixed coordinates",
         "The elastic link, two angles and a length, with lengths in ever larger units. atol goes with the unit.",
-        "unit [m]", _UNITS, lambda _: elastic_link(), lengths_of_link, reduced=(1e-12,),
+        "unit [m]", _UNITS, lambda _: elastic_link(), lengths_of_link,
+        reduced=(1e-12,),
     ),
     Case(
         "masses", "Unit of mass",
@@ -173,7 +175,6 @@ CASES = (
         "starts", "Starts and spans",
         "A double pendulum that starts at rest, at an equilibrium, for no time, backwards.",
         "", tuple(map(float, range(len(_STARTS)))), lambda _: chain_model.model(2), starts_of_pendulum,
-        reduced=(1.0, 2.0, 4.0, 5.0),
     ),
     Case(
         "starts_constrained", "Starts and spans, holonomic constraints",
@@ -184,6 +185,6 @@ CASES = (
         "chain", "Chains",
         "Chains of n links, let go at 45 degrees, for 1 s: within what can be predicted.",
         "links n", (2.0, 4.0, 8.0, 16.0, 32.0), lambda n: chain_model.model(int(n)), links,
-        weight=30.0,
+        flags="-O1", weight=30.0,
     ),
 )  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 from ..codegen.model import Model
 from ..names import Vector
 from ..report.classical import Classical, classical
-from ..report.extended import Rhs, extended, trajectory
+from ..report.extended import Extended, Rhs, extended, trajectory
 from .collocation import collocated
 
 FINE, CHECK, ROUGH = range(3)  # how well rows are wanted: to compare with; to tell the error of that; to 1e-9
@@ -49,11 +49,11 @@ class Integrated:
 
     rhs: Rhs
     scale: Vector
-    how: str = "extrapolated midpoint steps of order 16 in extended precision, on equations apart from the generator's"
+    how: str = "extrapolated midpoint steps of order 14 in extended precision, on equations apart from the generator's"
     own: float = 1e-14
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
-        columns, tolerance = ((8, 1e-15), (6, 1e-13), (5, 1e-10))[level]
+        columns, tolerance = ((7, 1e-13), (5, 1e-12), (5, 1e-9))[level]
         elapsed = np.abs(times - times[0])
         rows = trajectory(_scaled(self, times), start / self.scale, elapsed, tolerance, columns)
         return np.asarray(rows * self.scale, dtype=np.float64)
@@ -65,7 +65,10 @@ class Collocated:
 
     rhs: Rhs
     scale: Vector
-    how: str = "Radau IIA collocation of order 9 on a graded mesh, residuals in extended precision, on equations apart from the generator's"
+    how: str = (
+        "Radau IIA collocation of order 9 on a graded mesh, residuals in extended precision, on equations apart from "
+        "the generator's"
+    )
     own: float = 1e-14
 
     def rows(self, start: Vector, times: Vector, level: int) -> Vector:
@@ -105,7 +108,7 @@ def chain(masses: Vector, lengths: Vector, g: float) -> Rhs:
     shared = below[np.maximum.outer(np.arange(n), np.arange(n))] * np.outer(lengths, lengths)
     weight = below * lengths * np.longdouble(g)
 
-    def rhs(time: Any, y: Vector) -> Vector:  # noqa: ARG001, nothing depends on it
+    def rhs(time: Any, y: Extended) -> Extended:  # noqa: ARG001, nothing depends on it
         angle, rate = y[:n], y[n:]
         apart = angle[:, None] - angle[None, :]
         force = -(shared * np.sin(apart)) @ rate**2 - weight * np.sin(angle)
@@ -114,7 +117,7 @@ def chain(masses: Vector, lengths: Vector, g: float) -> Rhs:
     return rhs
 
 
-def _solved(M: Vector, force: Vector) -> Vector:
+def _solved(M: Extended, force: Extended) -> Extended:
     """Return M^-1 force for a positive definite M, in whatever precision: Gauss without pivots."""
     a, b, n = M.copy(), force.copy(), len(force)
     for k in range(n - 1):

@@ -8,8 +8,8 @@ from .matrix import Matrix
 from .outcome import Cell, Outcome
 
 LETTERS = {
-    "not offered": "F", "start refused": "X", "step size underflow": "S", "too many steps": "N", "non-finite state": "I",
-    "singular mass matrix": "M", "dependent constraints": "C", "coincident eigenvalues": "E",
+    "not offered": "F", "start refused": "X", "step size underflow": "S", "too many steps": "N",
+    "non-finite state": "I", "singular mass matrix": "M", "dependent constraints": "C", "coincident eigenvalues": "E",
     "position not reached": "P", "eigenfactors drifted": "D",
 }  # fmt: skip
 
@@ -25,7 +25,7 @@ def summary(matrix: Matrix) -> tuple[str, ...]:
 def described(cell: Cell) -> str:
     """One cell in a line."""
     point = cell.point.replace("\n", " ")
-    error = f"error {number(cell.error)}, bound {number(cell.bound)}, indicators {number(cell.indicator)}"
+    error = f"error {number(cell.error)}, bound {number(cell.bound)}, indicators {number(cell.shown.largest)}"
     what = cell.reason if cell.error is None else error
     return f"{cell.case} at {point}, {cell.variant}, {cell.method} at {cell.tolerance:g}: {cell.outcome}; {what}"
 

@@ -11,6 +11,9 @@
 
 #define EM_DRIFTED 0.3 /* and where nothing is settled, x and v are off by no more than this part of the largest */
 
+#define EM_NEARBY 100.0 /* how near to a singular position it is near, in tolerances, */
+#define EM_SHORT 0.2     /* and how short is short, beside the longest step */
+
 /* The first coordinate of which x, v or their rates are not finite, -1 where all are. */
 static int em_non_finite_coordinate(const double *y) {
     for (int k = 0; k < 2 * N; ++k)
@@ -33,16 +36,31 @@ static int em_worst_coordinate(const em_walk *w) {
     return worst % N;
 }
 
-/* The row of A that is weakest beside the others, -1 where nothing is known of the rows. */
-static int em_weakest_row(em_walk *w) {
+/* The row that adds least to the others, of those that are independent; *pivot <- the square of what it adds.
+ * -1 where nothing is known of the rows. */
+static int em_weakest_row(em_walk *w, double *pivot) {
+    *pivot = NAN;
 #ifdef EM_MECHANICS_H
     em_root root;
     em_fault fault;
+    double pivots[EM_SOME_ROWS];
+    int rows[EM_SOME_ROWS];
     if (em_root_at(w->t_new, w->y_new, w->run->prepared, &root, &fault)) return -1;
-    return em_smallest_pivot(EM_SOME_ROWS, root.Delta);
+    if (w->rank == 0) w->rank = em_rank(EM_SOME_ROWS, root.Delta);
+    if (w->rank == 0) return -1;
+    em_ranked_rows(EM_SOME_ROWS, root.Delta, pivots, rows);
+    *pivot = pivots[w->rank - 1];
+    return rows[w->rank - 1];
 #else
     return (void)w, -1;
 #endif
+}
+
+/* A fault that names the weakest row. */
+EM_COLD int em_fail_weakest(em_walk *w, double size) {
+    double pivot;
+    const int row = em_weakest_row(w, &pivot);
+    return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, size);
 }
 
 /* Whether y_raw, settled to y_new with f_new there, moved no farther than it may. 0, or -1 and w->reason. */
@@ -55,7 +73,7 @@ static int em_check_settled(em_walk *w) {
     }
     const double distance = sqrt(em_weighted_squares(2 * N, moved, w->weight) / (2.0 * N));
     if (distance <= EM_FARTHEST) return 0;
-    return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, em_weakest_row(w), -1, distance);
+    return em_fail_weakest(w, distance);
 }
 
 #ifdef EM_MECHANICS_H
@@ -82,14 +100,49 @@ static int em_check_drift(em_walk *w) {
     const double distance = em_apart(x, w->y_new, weight), change = em_apart(v, w->f_new, weight + N);
     const int lost = !(distance <= EM_DRIFTED * w->farthest + EM_FARTHEST);
     if (!lost && change <= EM_DRIFTED * w->fastest + EM_FARTHEST) return 0;
-    return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, em_weakest_row(w), -1, lost ? distance : change);
+    return em_fail_weakest(w, lost ? distance : change);
 #else
     return (void)w, 0;
 #endif
 }
 
+/* Positions on the constraints are known to rounding c of phi. Where a row becomes shorter than about sqrt(c) beside
+ * what it was, phi = 0 and phi = c are motions on different branches of a singular position: nothing tells which.
+ * 0, or -1 and w->reason. */
+static int em_check_rows(em_walk *w) {
+#ifdef EM_MECHANICS_H
+    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
+    pfaffian(w->t_new, w->y_new, w->run->prepared, A, b);
+    for (int row = 0; row < N_POSITIONS; ++row) {
+        double square = 0.0;
+        for (int k = 0; k < N; ++k) square += A[row * N + k] * A[row * N + k];
+        w->longest[row] = em_max(w->longest[row], square);
+        if (!(square > EM_SINGULAR_PIVOT * w->longest[row]))
+            return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, sqrt(square / w->longest[row]));
+    }
+#endif
+    return (void)w, 0;
+}
+
+/* A tolerance on x is one on phi, and where B is shorter than its root beside what it was, motions on phi = 0 and on
+ * phi = rtol leave a singular position on different branches: short steps follow now one, now another. Steps that are
+ * not short pass it as the smooth motion does. 0, or -1 and w->reason. */
+static int em_check_branch(em_walk *w) {
+    const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
+    double pivot;
+    w->longest_step = em_max(w->longest_step, size);
+    if (w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
+    const int row = em_weakest_row(w, &pivot);
+    if (row < 0) return 0;
+    w->strongest = em_max(w->strongest, pivot);
+    if (pivot > near * w->strongest) return 0;
+    return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, pivot / w->strongest);
+}
+
 /* What the end of a step is worth. 0, or -1 and w->reason. */
 static int em_check_step(em_walk *w) {
+    if (N_POSITIONS > 0 && !w->run->least_norm && em_check_rows(w)) return -1;
+    if (N_POSITIONS > 0 && em_check_branch(w)) return -1;
     if (N_ROWS > 0 && w->run->stabilise) return em_check_settled(w);
     return N_POSITIONS > 0 ? em_check_drift(w) : 0;
 }

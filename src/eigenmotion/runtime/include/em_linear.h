@@ -14,6 +14,7 @@ enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8 };
 
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
+#define EM_DEPENDENT 1e-11 /* the square of what a row of length one must add to others to be independent of them */
 #define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
 
 #define EM_INLINE static inline __attribute__((always_inline, unused))
@@ -309,7 +310,7 @@ EM_COLD int em_least_norm(int m, const double *Delta, double *rhs) {
     for (int i = 0; i < m; ++i) {
         double along = 0.0;
         for (int j = 0; j < m; ++j) along += C[i * m + j] * unit[j] * rhs[j];
-        const int kept = Lambda[i * m + i] > 1e-11;
+        const int kept = Lambda[i * m + i] > EM_DEPENDENT;
         total += along * along;
         missed += kept ? 0.0 : along * along;
         for (int j = 0; j < m; ++j) {
@@ -323,23 +324,37 @@ EM_COLD int em_least_norm(int m, const double *Delta, double *rhs) {
     return missed <= 1e-8 * total || missed < 1e-24 ? -1 : 0;
 }
 
-/* The row of a positive semi-definite Delta (m, m), of which the lower triangle is given, that adds least to those
- * before it. */
-EM_COLD int em_smallest_pivot(int m, const double *Delta) {
-    double L[m * m], least = INFINITY;
-    int row = 0;
-    for (int j = 0; j < m; ++j) {
-        double pivot = Delta[j * m + j];
-        for (int k = 0; k < j; ++k) pivot -= L[j * m + k] * L[j * m + k];
-        if (!(pivot >= least)) least = pivot, row = j;
-        const double root = pivot > 0.0 ? sqrt(pivot) : INFINITY;
-        for (int i = j; i < m; ++i) {
-            double sum = Delta[i * m + j];
-            for (int k = 0; k < j; ++k) sum -= L[i * m + k] * L[j * m + k];
-            L[i * m + j] = sum / root;
-        }
+/* pivot, row (m) <- the rows of a positive semi-definite Delta (m, m), of which the lower triangle is given, in the
+ * order in which they add most to those before, and the squares of what they add. */
+EM_COLD void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
+    double D[m * m];
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j <= i; ++j) D[i * m + j] = D[j * m + i] = Delta[i * m + j];
+    for (int i = 0; i < m; ++i) row[i] = i;
+    for (int k = 0; k < m; ++k) {
+        int most = k;
+        for (int i = k + 1; i < m; ++i)
+            if (D[row[i] * m + row[i]] > D[row[most] * m + row[most]]) most = i;
+        const int best = row[most];
+        row[most] = row[k], row[k] = best;
+        pivot[k] = fmax(D[best * m + best], 0.0);
+        for (int i = k + 1; i < m && pivot[k] > 0.0; ++i)
+            for (int j = k + 1; j < m; ++j)
+                D[row[i] * m + row[j]] -= D[row[i] * m + best] * D[best * m + row[j]] / pivot[k];
     }
-    return row;
+}
+
+/* How many rows are independent, judged with all rows at length one. */
+EM_COLD int em_rank(int m, const double *Delta) {
+    double unit[m], D[m * m], pivot[m];
+    int row[m], rank = 0;
+    memset(D, 0, sizeof D);
+    em_row_units(m, Delta, unit);
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j <= i; ++j) D[i * m + j] = D[j * m + i] = Delta[i * m + j] * unit[i] * unit[j];
+    em_ranked_rows(m, D, pivot, row);
+    while (rank < m && pivot[rank] > EM_DEPENDENT) ++rank;
+    return rank;
 }
 
 /* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */

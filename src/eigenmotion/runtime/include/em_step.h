@@ -50,8 +50,11 @@ typedef struct em_walk {
     double h_next;                             /* size the controller proposes, positive */
     double signals_end;                        /* where the first piece ends: no step goes beyond */
     double error_norm;
+    double longest[N_POSITIONS > 0 ? N_POSITIONS : 1]; /* squared lengths of those rows of A, the largest so far */
+    double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
     em_fault reason;                           /* why the last attempt at a step failed */
+    int rank;                                  /* of the constraint rows, at the start */
     int mode, mode_new, moved, has_interpolant, crossings;
     size_t next_t_eval;
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */

@@ -1,0 +1,146 @@
+"""The matrix of stiff and extreme cases: no cell is wrong, and planted faults are."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import sympy
+from eigenmotion.codegen.emit import SourceFile, Sources
+from eigenmotion.models import chain as chain_model
+
+from eigenmotion import Model, build
+from eigenmotion.build import compiled, load
+from eigenmotion.order import order
+from eigenmotion.report.extended import EPSILON
+from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, survey, write_matrix
+from eigenmotion.stability.case import EXPLICIT
+from eigenmotion.stability.collocation import collocated
+from eigenmotion.stability.models import elastic_link
+from eigenmotion.stability.outcome import judged
+from eigenmotion.stability.reference import reference_of
+from eigenmotion.stability.truth import FINE, chain, lagrange
+from eigenmotion.system import System
+from eigenmotion.toolchain import toolchain
+
+EIGENFACTOR = Variant("eigenfactor")
+
+
+@pytest.fixture(scope="module")
+def reduced() -> Matrix:
+    """A few points of the cases that were found hardest."""
+    names = [name for name, case in CASES.items() if case.reduced]
+    return survey(names, workers=2, progress=lambda done, what: None, reduced=True)
+
+
+def test_no_cell_is_wrong(reduced: Matrix):
+    wrong = [described(cell) for cell in reduced.cells if cell.outcome is Outcome.WRONG]
+    assert not wrong
+    assert reduced.count(Outcome.RIGHT) > 0.7 * len(reduced.cells)
+
+
+def test_what_is_refused_has_a_named_reason_and_words(reduced: Matrix):
+    refused = [cell for cell in reduced.cells if cell.outcome is Outcome.REFUSED]
+    assert refused
+    assert all(cell.reason and len(cell.message) > 40 for cell in refused)
+
+
+def test_references_are_better_than_what_is_judged_by_them(reduced: Matrix):
+    for point in reduced.points:
+        bounds = [cell.bound for cell in point.cells if cell.bound]
+        assert point.reference_error < 0.1 * min(bounds, default=1.0), point.point
+
+
+def test_heavily_damped_link_takes_a_stiff_method_few_steps(reduced: Matrix):
+    """k = 1e10 N/m, d = 1e6 N s/m."""
+    stiff = [c for c in reduced.cells if c.case == "damped_spring" and c.point == "1e10" and c.method not in EXPLICIT]
+    assert any(c.error is not None and c.error < 1e-6 and c.nsteps is not None and c.nsteps < 2000 for c in stiff)
+    explicit = [c for c in reduced.cells if c.case == "damped_spring" and c.point == "1e10" and c.method in EXPLICIT]
+    assert {c.reason for c in explicit} <= {"", "too many steps"}
+
+
+def test_page_pictures_and_numbers(reduced: Matrix, tmp_path):
+    page, *others = write_matrix(reduced, tmp_path)
+    html = page.read_text(encoding="utf-8")
+    assert "<svg" in html
+    assert not any(f'{attribute}="http' in html for attribute in ("src", "href"))
+    assert {"stability.json", "stability.png", "stability_gap.svg"} <= {path.name for path in others}
+    numbers = json.loads((tmp_path / "stability.json").read_text(encoding="utf-8"))
+    assert sum(numbers["outcomes"].values()) == len(reduced.cells)
+    assert all(rule in html.replace("&#39;", "'") for rule in numbers["rules"].values())
+
+
+def test_missing_omega_term_is_found():
+    """etadot without - S^-1 Omega S eta (41)."""
+    sources = order(elastic_link()).sources()
+    term = " - Omega1[i][j]*s1[j]*eta1[j]"
+    assert sum(file.text.count(term) for file in sources.files) == 1
+    files = tuple(SourceFile(file.name, file.text.replace(term, "")) for file in sources.files)
+    assert_found(load(compiled(Sources(sources.name, files), toolchain())))
+
+
+def test_sign_of_t1_is_found():
+    """L = T2 - T1 + T0 - V: the Coriolis force turned round, as with the sign printed in (27)."""
+    right = elastic_link()
+    T = right.kinetic_energy
+    backwards = T.xreplace({rate: -rate for rate in right.rates})
+    fields = ("name", "coordinates", "potential_energy", "parameters", "initial", "forces")
+    given = {field: getattr(right, field) for field in fields}
+    given |= {"parameters": dict(right.parameters), "initial": dict(right.initial)}
+    assert sympy.expand(T - backwards) != 0
+    assert_found(build(Model(kinetic_energy=sympy.expand(backwards), **given)))
+
+
+def assert_found(faulty: System) -> None:
+    case = replace(CASES["lengths"], variants=(EIGENFACTOR,), tolerances=EXPLICIT)
+    found = examine(case, 1.0, {EIGENFACTOR: faulty})
+    assert [cell.outcome for cell in found.cells] == [Outcome.WRONG] * len(EXPLICIT)
+
+
+def test_rules():
+    assert judged(1e-6, 1e-6, 0.0) is Outcome.RIGHT
+    assert judged(9e-5, 1e-6, 0.0) is Outcome.DEGRADED
+    assert judged(1e-3, 1e-6, 1.0) is Outcome.WRONG
+    assert judged(1e-3, 1e-6, 1e-5, periods=1e3) is Outcome.DEGRADED
+    assert judged(float("nan"), 1e-6, 1.0, periods=1e3) is Outcome.WRONG
+
+
+def test_collocation_follows_a_stiff_decay():
+    """y' = -1e6 (y - cos t) - sin t from y = 2: cos t + exp(-1e6 t)."""
+    times = np.array([0.0, 1e-6, 1e-3, 1.0])
+    rows = collocated(lambda t, y: -1e6 * (y - np.cos(t)) - np.sin(t), np.array([2.0]), times, 16)
+    exact = np.cos(times) + np.exp(-1e6 * times)
+    assert np.abs(rows[:, 0] - exact).max() < 1e-11
+
+
+def test_chain_by_hand_is_the_chain_of_the_model():
+    parameters = {"m_1": 2.0, "m_2": 0.5, "m_3": 1.5, "l_1": 0.7, "l_2": 1.2, "l_3": 0.4}
+    masses, lengths = np.array([2.0, 0.5, 1.5]), np.array([0.7, 1.2, 0.4])
+    y = np.array([0.3, -1.1, 2.0, 0.5, 1.0, -2.0], dtype=np.longdouble)
+    ours, theirs = chain(masses, lengths, 9.81)(0.0, y), lagrange(chain_model.model(3), parameters)(0.0, y)
+    assert np.abs(ours - theirs).max() < 1e4 * EPSILON
+
+
+@pytest.mark.parametrize(("name", "value"), [("polar", 1e-3), ("gimbal", 1e-2), ("long_free", 1e2)])
+def test_closed_forms_obey_the_classical_equations(name, value):
+    """A short way from the start, against integration in extended precision."""
+    case = CASES[name]
+    point = case.point(value)
+    start = np.concatenate([point.x0, point.v0])
+    times = np.linspace(0.0, 0.4, 5)
+    rows = point.truth.rows(start, times, FINE)
+    from_equations = case_rows(case.model(value), point.parameters, start, times)
+    assert np.abs(rows - from_equations).max() < 1e-11
+
+
+def case_rows(model, parameters, start, times):
+    from_zero = collocated(lagrange(model, parameters), start, times, 16)
+    return from_zero.astype(np.float64)
+
+
+def test_kappa_is_the_growth_of_an_unstable_equilibrium():
+    """Two links upright: kappa grows like exp(w t), w^2 = (2 + sqrt 2) g / l the faster."""
+    point = CASES["starts"].point(3.0)
+    fastest = np.exp(np.sqrt((2 + np.sqrt(2)) * 9.81) * 2.0)
+    kappa = reference_of(point, None).kappa
+    assert 0.05 * fastest < kappa < 20 * fastest
