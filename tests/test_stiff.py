@@ -1,6 +1,7 @@
 """Implicit methods and their Jacobians."""
 
 import importlib.util
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -26,7 +27,7 @@ def complex_like_differences(fun, y):
             e[k] = h / 2**level
             table.append((fun(y + e) - fun(y - e)) / (2 * e[k]))
         for order in (4, 16, 64):
-            table = [(order * b - a) / (order - 1) for a, b in zip(table, table[1:], strict=False)]
+            table = [(order * b - a) / (order - 1) for a, b in pairwise(table)]
         columns.append(table[0])
     return np.array(columns).T
 
