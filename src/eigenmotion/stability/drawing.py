@@ -77,7 +77,16 @@ def drift(matrix: Matrix, case: Case) -> Picture:
             if kept:
                 periods, energies, errors = zip(*kept, strict=True)
                 axes.loglog(periods, energies, style, color=colour, marker="o", markersize=4, label=variant)
-                axes.loglog(periods, errors, style, color=colour, marker="^", markersize=4, alpha=0.45)
+                axes.loglog(
+                    periods,
+                    errors,
+                    style,
+                    color=colour,
+                    marker="^",
+                    markersize=5,
+                    markerfacecolor="white",
+                    linewidth=0.8,
+                )
         axes.set(xlabel="periods", title=f"{method}, tolerance {case.tolerances[method]:g}")
         axes.grid(color="0.9", linewidth=0.7)
         axes.spines[["top", "right"]].set_visible(False)
@@ -109,7 +118,8 @@ def _tile(axes: Any, column: float, row: float, outcome: Outcome, text: str) -> 
     axes.add_patch(Rectangle(corner, 0.94, 0.88, facecolor=_FACE[outcome], linewidth=0.0))
     if hatch := _HATCH[outcome]:
         axes.add_patch(Rectangle(corner, 0.94, 0.88, fill=False, hatch=hatch, edgecolor="#FFFFFF", linewidth=0.0))
-    axes.text(column, row, text, ha="center", va="center", fontsize=8, color=_INK[outcome])
+    shown = axes.text(column, row, text, ha="center", va="center", fontsize=8, color=_INK[outcome])
+    shown.set_in_layout(False)
 
 
 def _frame(axes: Any, columns: Sequence[str], rows: Sequence[str]) -> None:

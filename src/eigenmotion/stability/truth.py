@@ -104,9 +104,9 @@ def chain(masses: Vector, lengths: Vector, g: float) -> Rhs:
     mu_ij the mass below link max(i, j).
     """
     n = len(masses)
-    below = np.cumsum(masses[::-1])[::-1].astype(np.longdouble)
-    shared = below[np.maximum.outer(np.arange(n), np.arange(n))] * np.outer(lengths, lengths)
-    weight = below * lengths * np.longdouble(g)
+    below, l = np.cumsum(masses[::-1].astype(np.longdouble))[::-1], lengths.astype(np.longdouble)
+    shared = below[np.maximum.outer(np.arange(n), np.arange(n))] * np.outer(l, l)
+    weight = below * l * np.longdouble(g)
 
     def rhs(time: Any, y: Extended) -> Extended:  # noqa: ARG001, nothing depends on it
         angle, rate = y[:n], y[n:]
