@@ -18,7 +18,7 @@ from ..system import System
 from ..toolchain import BuildError
 from .case import EXPLICIT, Case, Point
 from .indicators import indicators
-from .outcome import MARGIN, Cell, Outcome, judged
+from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
 from .reference import Reference, reference_of
 from .variants import IMPLICIT, Variant
 
@@ -118,7 +118,7 @@ def _run(case: Case, point: Point, system: System, variant: Variant, method: str
 
 
 def _compared(done: Cell, reference: Reference, system: System, solution: Solution) -> Cell:
-    point, bound = reference.point, MARGIN * done.tolerance * (1 + reference.kappa)
+    point, bound = reference.point, min(MARGIN * done.tolerance * (1 + reference.kappa), MEANINGLESS)
     if solution.stop is not StopReason.FINISHED or len(solution.t) != len(point.times):
         message = f"{len(solution.t)} of {len(point.times)} rows"
         return replace(done, outcome=Outcome.WRONG, reason="rows missing", message=message, bound=bound)

@@ -7,6 +7,7 @@ from math import pi
 from .indicators import NOTHING_SHOWN, Indicators
 
 MARGIN = 100.0  # a right error is at most this many tolerances times 1 + kappa
+MEANINGLESS = 0.1  # and never more than this part of the motion itself
 DEGRADED = 100.0  # and one that is larger by no more than this is degraded
 
 
@@ -20,7 +21,8 @@ class Outcome(StrEnum):
 
 
 RULES = {
-    Outcome.RIGHT: f"The run says it succeeded, and its error is at most {MARGIN:g} x tolerance x (1 + kappa).",
+    Outcome.RIGHT: f"The run says it succeeded, and its error is at most {MARGIN:g} x tolerance x (1 + kappa), "
+    f"and at most {MEANINGLESS:g}.",
     Outcome.REFUSED: "No program, no start or no end, and a named reason instead.",
     Outcome.DEGRADED: f"The run says it succeeded with an error above that, but at most {DEGRADED:g} times that; or, "
     "over a span of N periods, at most 2 pi N times the largest of the run's own indicators: the drift of the energy, "
