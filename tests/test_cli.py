@@ -171,7 +171,8 @@ def test_run_takes_parameters_initial_values_and_rates(scene, capsys):
 def test_run_saves_and_draws(scene, capsys):
     assert main(["run", "scene.py", "--t-end", "1", "--save", "a.npz", "--plot", "a.png"]) == 0
     assert main(["run", "scene.py", "--t-end", "1", "--save", "a.csv"]) == 0
-    saved = np.load("a.npz")
+    with np.load("a.npz") as file:
+        saved = dict(file)
     names = Path("a.csv").read_text().splitlines()[0].split(",")
     table = np.loadtxt("a.csv", delimiter=",", skiprows=1)
     assert names == ["t", "angle", "angle'", "energy"]
