@@ -48,7 +48,7 @@ clean:
 
 # The environment, remade when what it is made from changes.
 $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.pyx src/eigenmotion/runtime/*.pxd) \
-          src/eigenmotion/runtime/include/eigenmotion.h
+          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_linear em_start)
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot]'
 	touch $@

@@ -270,6 +270,8 @@ def test_stiff_methods_keep_what_was_computed():
         ({"inputs": {"push": "hard"}}, "'push'"),
         ({"t_eval": [0.5, 2]}, "outside t_span"),
         ({"t_eval": [0.5, 0.2]}, "increase"),
+        ({"t_eval": [0.5, np.nan]}, "not finite"),
+        ({"t_eval": [-np.inf, 0.5]}, "not finite"),
         ({"rtol": -1}, "rtol"),
         ({"atol": -1}, "atol of 'x'"),
         ({"atol": {"z": 1}}, "known: x, y"),
@@ -288,7 +290,7 @@ def test_mistakes_are_named_before_the_run(options, words):
         bead().simulate((0, 1), **options)
 
 
-@pytest.mark.parametrize("span", [(0, np.inf), (1, 1), (0,), "ab", 3])
+@pytest.mark.parametrize("span", [(0, np.inf), (1, 1), (1, np.nan), (0,), (0, 1, 2), "ab", 3])
 def test_bad_spans(span):
     with pytest.raises(ModelError, match="t_span"):
         bead().simulate(span)

@@ -9,7 +9,7 @@ is asked for, which the higher order makes cheap.
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -106,8 +106,8 @@ def _clocked(run: Run, task: Task, method: str) -> tuple[Solution, float]:
 def _tighter(task: Task, solution: Solution, wanted: float) -> Task:
     """Return the second run: over the rows of the first, up to where that got."""
     factor = wanted if task.rtol == 0 else min(1.0, max(wanted, FINEST / task.rtol))
-    return replace(
-        task, rtol=task.rtol * factor, atol=task.atol * factor, dense=False, first_step=0.0,
+    return task._replace(
+        rtol=task.rtol * factor, atol=task.atol * factor, dense=False, first_step=0.0,
         t_eval=np.asarray(solution.t), t_end=float(solution.t[-1]), max_steps=10 * task.max_steps,
     )  # fmt: skip
 
@@ -123,7 +123,7 @@ def _on(checker: "System", task: Task) -> Task:
     prepared = other.prepare(task.prepared.parameters)
     x = np.ascontiguousarray(task.y[: model.n])
     v = model.velocity_rows(np.array([task.t_start]), task.y[None], task.prepared)[0]
-    return replace(task, model=other, prepared=prepared, y=other.state(task.t_start, x, v, prepared))
+    return task._replace(model=other, prepared=prepared, y=other.state(task.t_start, x, v, prepared))
 
 
 def _compared(task: Task, solution: Solution, second: Solution, rtol: float) -> ErrorEstimate:

@@ -1,9 +1,8 @@
 """What a run is asked to do, checked before it starts."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from math import isfinite
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,14 +13,14 @@ from .runtime import CompiledModel, Prepared
 from .signals import Inputs
 
 DEFAULT_ATOL = 1e-9
+_DEPENDENT = {"refuse": False, "least_norm": True}
 
 
 class OptionError(ModelError, TypeError):
     """An option that `simulate` does not know: a TypeError as Python's own, and a ValueError as every other mistake."""
 
 
-@dataclass(frozen=True, slots=True)
-class Task:
+class Task(NamedTuple):
     """One run.
 
     y : (n_state,), published meaning, at t_start
@@ -63,14 +62,14 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
 
 def least_norm_of(dependent_constraints: str) -> bool:
     """Whether dependent constraint rows get multipliers of least norm."""
-    chosen: bool = choice(dependent_constraints, {"refuse": False, "least_norm": True}, "dependent_constraints")
+    chosen: bool = choice(dependent_constraints, _DEPENDENT, "dependent_constraints")
     return chosen
 
 
 def span(t_span: tuple[float, float]) -> tuple[float, float]:
     """Return start and end: two different finite numbers."""
     try:
-        start, end = (float(t) for t in t_span)
+        start, end = map(float, t_span)
     except (TypeError, ValueError) as error:
         raise ModelError(f"t_span is {t_span!r}, not a pair of numbers (start, end)") from error
     if not (isfinite(start) and isfinite(end)):
@@ -87,13 +86,14 @@ def rows_at(t_eval: ArrayLike | None, start: float, end: float) -> Vector | None
     times = np.array(t_eval, dtype=np.float64)
     if times.ndim != 1:
         raise ModelError(f"t_eval has shape {times.shape}, but must be one-dimensional")
-    if not np.isfinite(times).all():
-        raise ModelError("t_eval holds a number that is not finite")
-    outside = times[(times < min(start, end)) | (times > max(start, end))]
-    if outside.size:
-        raise ModelError(f"t_eval: {outside[0]:.9g} is outside t_span ({start:g}, {end:g})")
-    if not (np.diff(times) * np.sign(end - start) > 0).all():
-        way = "increase" if end > start else "decrease"
+    inside = (times >= min(start, end)) & (times <= max(start, end))
+    if not inside.all():
+        if not np.isfinite(times).all():
+            raise ModelError("t_eval holds a number that is not finite")
+        raise ModelError(f"t_eval: {times[~inside][0]:.9g} is outside t_span ({start:g}, {end:g})")
+    before, after = (times[1:], times[:-1]) if end < start else (times[:-1], times[1:])
+    if not (before < after).all():
+        way = "decrease" if end < start else "increase"
         raise ModelError(f"t_eval must {way} strictly, as t_span runs from {start:g} to {end:g}")
     return times
 
@@ -122,7 +122,9 @@ def _absolute(model: CompiledModel, atol: float | Mapping[Any, float] | ArrayLik
     value = _number(atol, "atol")
     if not isfinite(value):
         raise ModelError(f"atol is {value}, not a finite number")
-    return np.full(model.n, value)
+    absolute = np.empty(model.n)
+    absolute.fill(value)
+    return absolute
 
 
 def step_limits(first_step: float | None, max_step: float, max_steps: int, length: float) -> tuple[float, float, int]:

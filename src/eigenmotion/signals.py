@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -40,7 +41,9 @@ class Signal:
 
     def __post_init__(self) -> None:
         for name in ("times", "values"):
-            object.__setattr__(self, name, np.array(getattr(self, name), dtype=np.float64))
+            numbers = np.array(getattr(self, name), dtype=np.float64)
+            numbers.flags.writeable = False  # runs read them where they are
+            object.__setattr__(self, name, numbers)
         times, values = np.asarray(self.times), np.asarray(self.values)
         if self.kind not in _KINDS:
             raise ModelError(f"a signal's kind is one of {', '.join(_KINDS)}, not {self.kind!r}")
@@ -68,7 +71,7 @@ class Signal:
         """Kind, times and values as `em_signal` has them."""
         times, values = np.asarray(self.times), np.asarray(self.values)
         if self.kind == "cubic":  # (k - 1, 4), highest power first, time from the left sample on
-            values = np.ascontiguousarray(CubicSpline(times, values).c.T)
+            values = CubicSpline(times, values).c.T.ravel()
         return _KINDS[self.kind], times, values
 
     @property
@@ -77,13 +80,13 @@ class Signal:
         return np.empty(0) if self.kind == "cubic" else np.asarray(self.times)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False)
 class Inputs:
     """The inputs of one run, in the model's order."""
 
     signals: tuple[float | Signal, ...]
 
-    @property
+    @cached_property
     def compiled(self) -> tuple[Compiled, ...]:
         """One `em_signal` for each input."""
         return tuple(
@@ -117,7 +120,7 @@ class Inputs:
         return None
 
 
-def bind(given: Mapping[Any, Any] | None, names: Sequence[str], defaults: Vector) -> Inputs:
+def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:
     """Read a run's inputs: name -> number, (times, values) (linear), or Signal; the others at their defaults.
 
     Raises
@@ -125,9 +128,9 @@ def bind(given: Mapping[Any, Any] | None, names: Sequence[str], defaults: Vector
     ModelError
         An unknown name, or a value that is none of these; names it.
     """
-    if given is not None and not isinstance(given, Mapping):
+    if not isinstance(given, Mapping):
         raise ModelError(f"inputs is {type(given).__name__}, not a mapping name -> number, (times, values) or Signal")
-    named = by_name(given or {}, names, "input")
+    named = by_name(given, names, "input")
     return Inputs(tuple(_signal(named.get(name, default), name) for name, default in zip(names, defaults, strict=True)))
 
 

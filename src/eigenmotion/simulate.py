@@ -10,10 +10,9 @@ from .codegen.model import ModelError
 from .error_estimate import with_error_estimate
 from .names import unknown
 from .options import OptionError, Task, choice, least_norm_of, rows_at, span, step_limits, tolerances
-from .runtime import CompiledModel, EvaluationError, Run, StopReason
-from .signals import bind
+from .runtime import CompiledModel, EvaluationError, Run
 from .solution import DenseOutput, Solution
-from .start import Start
+from .start import start_state
 from .stiff import METHODS, simulate_stiff
 from .trajectory import Trajectory
 
@@ -22,6 +21,7 @@ if TYPE_CHECKING:
 
 _COMPILED = {"rk34": 0, "dopri5": 1, "dop853": 2}  # em_method
 _METHODS = {name: name for name in (*_COMPILED, *METHODS)}
+_STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
     *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
@@ -102,23 +102,14 @@ def simulate(
     relative, absolute = tolerances(system.compiled, rtol, atol)
     first, longest, most = step_limits(first_step, max_step, max_steps, abs(end - start))
     prepared = _prepared(system, parameters)
+    signals = _inputs(system, inputs, start, end)
+    y = start_state(system.compiled, prepared, start, *system.start(x0, v0, start, prepared), relative)
+    project = choice(stabilisation, _STABILISATIONS, "stabilisation")
     task = Task(
-        model=system.compiled,
-        prepared=prepared,
-        inputs=_inputs(system, inputs, start, end),
-        t_start=start,
-        t_end=end,
-        y=Start(system.compiled, prepared, start, *system.start(x0, v0, start, prepared)).state(relative),
-        rtol=relative,
-        atol=absolute,
-        t_eval=rows_at(t_eval, start, end),
-        dense=bool(dense_output),
-        first_step=first,
-        max_step=longest,
-        max_steps=most,
-        project=choice(stabilisation, {"project": True, "none": False}, "stabilisation"),
-        least_norm=least_norm_of(dependent_constraints),
-    )
+        system.compiled, prepared, signals, start, end, y, relative, absolute,
+        rows_at(t_eval, start, end), bool(dense_output), first, longest, most, project,
+        least_norm_of(dependent_constraints),
+    )  # fmt: skip
     if estimate_error is False:
         return _run(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
@@ -144,7 +135,7 @@ def _prepared(system: "System", parameters: Any) -> Any:
 
 
 def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
-    bound = bind(given, system.compiled.inputs, system.compiled.input_defaults)
+    bound = system.bind(given)
     if (gap := bound.uncovered(start, end)) is not None:
         name = tuple(system.inputs)[gap[0]]
         raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")
@@ -152,20 +143,14 @@ def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end
 
 
 def _simulate_compiled(task: Task, method: int) -> Solution:
-    run = Run(
-        task.model, task.prepared, t_start=task.t_start, t_end=task.t_end, y=task.y, inputs=task.inputs.compiled,
-        method=method, rtol=task.rtol, atol=task.atol, first_step=task.first_step, max_step=task.max_step,
-        max_steps=task.max_steps, project=task.project, least_norm=task.least_norm, dense=task.dense,
-        t_eval=task.t_eval,
-    )  # fmt: skip
+    run = Run(task, method)
     t, rows = run.rows
-    events = run.events
-    stop: StopReason = run.stop
+    t_events, y_events = run.events
     nfev, nsteps, nrejected, n_bounded = run.counts
-    return Solution(
-        Trajectory(task.model, task.prepared, task.inputs, task.least_norm, t, rows),
-        t=t, y=rows.T, sol=DenseOutput(run) if task.dense and len(run.step_times) else None,
-        t_events=[t for t, _ in events] or None, y_events=[y for _, y in events] or None,
-        nfev=nfev, njev=0, nlu=0, status={StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1),
-        message=run.message, success=stop.success, nsteps=nsteps, nrejected=nrejected, n_bounded=n_bounded, stop=stop,
-    )  # fmt: skip
+    fields = {
+        "t": t, "y": rows.T, "sol": DenseOutput(run.step_times, run.interpolate) if run.n_dense else None,
+        "t_events": t_events, "y_events": y_events, "nfev": nfev, "njev": 0, "nlu": 0, "status": run.status,
+        "message": run.message, "success": run.status >= 0, "nsteps": nsteps, "nrejected": nrejected,
+        "n_bounded": n_bounded, "stop": run.stop, "error_estimate": None, "error_cost": None,
+    }  # fmt: skip
+    return Solution(Trajectory(task, t, rows), fields)

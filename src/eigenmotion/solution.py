@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from scipy.optimize import OptimizeResult
 
 from .names import Vector
-from .runtime import Run, StopReason
+from .runtime import StopReason
 from .trajectory import Trajectory
 
 __all__ = ["DenseOutput", "Solution", "StopReason"]
@@ -31,7 +31,12 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
 
 
 class DenseOutput:
-    """y(t) between the accepted steps of a compiled run, each value projected like an accepted step.
+    """y(t) between the accepted steps of a run, each value projected like an accepted step.
+
+    Parameters
+    ----------
+    rows_at
+        Gives y (k, n_state) at times (k,) within the run.
 
     Attributes
     ----------
@@ -41,10 +46,9 @@ class DenseOutput:
         (k + 1,) the ends of the steps.
     """
 
-    def __init__(self, run: Run) -> None:
-        self._run = run
-        self.ts: Vector = run.step_times
-        self.t_min, self.t_max = float(self.ts.min()), float(self.ts.max())
+    def __init__(self, ts: Vector, rows_at: Callable[[Vector], Vector]) -> None:
+        self.ts, self._rows_at = ts, rows_at
+        self.t_min, self.t_max = float(ts.min()), float(ts.max())
 
     def __call__(self, t: ArrayLike) -> Vector:
         """Return y (n_state,) at a number t, (n_state, k) at t (k,).
@@ -59,7 +63,7 @@ class DenseOutput:
             raise ValueError(f"t has shape {times.shape}, but must be a number or one-dimensional")
         if times.size and not (self.t_min <= times.min() and times.max() <= self.t_max):
             raise ValueError(f"t is outside the interval of the run, [{self.t_min:.9g}, {self.t_max:.9g}]")
-        rows = self._run.interpolate(np.ascontiguousarray(np.atleast_1d(times)))
+        rows = self._rows_at(np.atleast_1d(times))
         return rows.T if times.ndim else rows[0]
 
 
@@ -89,10 +93,11 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     Where a row has no such value (singular M, dependent constraint rows) it is NaN.
     """
 
+    __slots__ = ("_rows",)
     _rows: Trajectory | None
 
-    def __init__(self, rows: Trajectory | None, /, **fields: Any) -> None:
-        super().__init__(**{"error_estimate": None, "error_cost": None, **fields})
+    def __init__(self, rows: Trajectory | None, fields: dict[str, Any]) -> None:
+        super().__init__(fields)
         object.__setattr__(self, "_rows", rows)
 
     def __missing__(self, name: str) -> Any:
@@ -149,4 +154,4 @@ class Solution(OptimizeResult):  # type: ignore[misc]
 
 
 def _restored(fields: dict[str, Any]) -> Solution:
-    return Solution(None, **fields)
+    return Solution(None, fields)

@@ -1,8 +1,6 @@
 """Whether a mechanism can start where it is told to."""
 
 from dataclasses import dataclass
-from math import sqrt
-from operator import mul
 
 import numpy as np
 
@@ -15,9 +13,24 @@ _LOOSEST = 1e-4  # a start is never further off the constraints than this, relat
 _TIGHTEST = 1e-9  # and rounding in what the user computed is forgiven up to this
 
 
+def start_state(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float) -> Vector:
+    """Return y (n_state,) at x, v (n,), having checked M > 0, phi = 0 and A v + b = 0.
+
+    Residuals up to ten times rtol of the terms that cancel in a row are left to the projection.
+
+    Raises
+    ------
+    ModelError
+        One of them does not hold; says which coordinate or row, by how much, and which start would do.
+    """
+    tolerance = min(max(10 * rtol, _TIGHTEST), _LOOSEST)
+    y = model.start(t, x, v, prepared, tolerance)
+    return _Start(model, prepared, t, x, v).examined(tolerance) if y is None else y
+
+
 @dataclass(frozen=True, slots=True)
-class Start:
-    """Where a run is to start: x (n,) and v (n,) at t."""
+class _Start:
+    """A start that the compiled checks (em_start.h) did not pass: the same ones, with what is wrong in words."""
 
     model: CompiledModel
     prepared: Prepared
@@ -25,17 +38,8 @@ class Start:
     x: Vector
     v: Vector
 
-    def state(self, rtol: float) -> Vector:
-        """Return y (n_state,), having checked M > 0, phi = 0 and A v + b = 0.
-
-        Residuals up to ten times rtol of the terms that cancel in a row are left to the projection.
-
-        Raises
-        ------
-        ModelError
-            One of them does not hold; says which coordinate or row, by how much, and which start would do.
-        """
-        tolerance = min(max(10 * rtol, _TIGHTEST), _LOOSEST)
+    def examined(self, tolerance: float) -> Vector:
+        """Return y, or raise as `start_state`."""
         self._check_mass_matrix()
         self._check_position(tolerance)
         self._check_velocity(tolerance)
@@ -92,16 +96,12 @@ class Start:
 
 def _first_bad_pivot(M: Vector) -> int | None:
     """Return the first k at which the pivot M_kk - M_k: M_::^-1 M_:k is not above rounding."""
-    rows = M.tolist()
-    L: list[list[float]] = []  # lower triangular, M = L L^T; plain numbers: quicker than arrays of this size
-    for k, row in enumerate(rows):
-        line: list[float] = []
-        for j in range(k):
-            line.append((row[j] - sum(map(mul, L[j], line))) / L[j][j])
-        pivot = row[k] - sum(map(mul, line, line))
-        if not pivot > 1e-13 * abs(row[k]):
+    rest = M.copy()
+    for k in range(len(M)):
+        if not rest[k, k] > 1e-13 * abs(M[k, k]):
             return k
-        L.append([*line, sqrt(pivot)])
+        with np.errstate(all="ignore"):  # what is not finite makes a later pivot so
+            rest -= np.outer(rest[:, k], rest[k]) / rest[k, k]
     return None
 
 

@@ -18,7 +18,7 @@ from .drift import Drift
 from .names import Vector
 from .options import Task
 from .runtime import EvaluationError, StopReason, explain
-from .solution import Solution
+from .solution import DenseOutput, Solution
 from .sundials import Cvode
 from .trajectory import Trajectory
 from .watch import Function, Watch
@@ -63,20 +63,6 @@ class _Progress:
 
     def count(self, solver: Any) -> None:
         self.nfev, self.njev, self.nlu = self.nfev + solver.nfev, self.njev + solver.njev, self.nlu + solver.nlu
-
-
-class Motion:
-    """Dense output: y (n_state, k) at times (k,), made of the interpolated x and v like any row."""
-
-    def __init__(self, task: Task, between: OdeSolution) -> None:
-        self._task, self._between = task, between
-        self.t_min, self.t_max = between.t_min, between.t_max
-
-    def __call__(self, t: Any) -> Vector:
-        """Return y at t (a number or (k,))."""
-        times = np.atleast_1d(np.asarray(t, dtype=float))
-        rows = _published(self._task, times, self._between(times).T)
-        return rows[0] if np.ndim(t) == 0 else rows.T
 
 
 def simulate_stiff(task: Task, method: str) -> Solution:
@@ -190,25 +176,26 @@ def _published(task: Task, t: Vector, z: Vector) -> Vector:
 
 def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -> Solution:
     t, z = np.array(progress.t), np.array(progress.z)
-    dense = OdeSolution(t, progress.pieces) if progress.pieces else None
+    between = OdeSolution(t, progress.pieces) if progress.pieces else None
+    sol = DenseOutput(t, lambda at: _published(task, at, between(at).T)) if task.dense and between else None
     if task.t_eval is not None:
         reached = np.abs(task.t_eval - task.t_start) <= abs(t[-1] - task.t_start)
         t_eval = task.t_eval[reached]
-        if dense is not None and t_eval.size:  # SciPy's interpolants take no empty array
-            z = np.ascontiguousarray(dense(t_eval).T)
+        if between is not None and t_eval.size:  # SciPy's interpolants take no empty array
+            z = np.ascontiguousarray(between(t_eval).T)
         else:
             z = np.repeat(z[:1], len(t_eval), axis=0)
         t = t_eval
     rows = _published(task, t, z)
-    trajectory = Trajectory(task.model, task.prepared, task.inputs, task.least_norm, t, rows)
     t_events, y_events = _events(task, progress.watch)
-    return Solution(
-        trajectory,
-        t=t, y=rows.T, sol=Motion(task, dense) if task.dense and dense else None, t_events=t_events, y_events=y_events,
-        nfev=progress.nfev, njev=progress.njev, nlu=progress.nlu,
-        status={StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), message=message,
-        success=stop.success, nsteps=len(progress.t) - 1, nrejected=0, n_bounded=0, stop=stop,
-    )  # fmt: skip
+    fields = {
+        "t": t, "y": rows.T, "sol": sol, "t_events": t_events, "y_events": y_events,
+        "nfev": progress.nfev, "njev": progress.njev, "nlu": progress.nlu,
+        "status": {StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), "message": message,
+        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": 0, "n_bounded": 0, "stop": stop,
+        "error_estimate": None, "error_cost": None,
+    }  # fmt: skip
+    return Solution(Trajectory(task, t, rows), fields)
 
 
 def _events(task: Task, watch: Watch) -> tuple[list[Vector], list[Vector]] | tuple[None, None]:

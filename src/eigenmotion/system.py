@@ -12,9 +12,8 @@ from .names import Vector, overlay
 from .options import least_norm_of
 from .runtime import CompiledModel, Prepared
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
-from .signals import Signal, bind
+from .signals import Inputs, Signal, bind
 from .simulate import simulate
-from .solution import Solution
 from .velocities import initial_rates
 
 Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
@@ -35,11 +34,12 @@ class System:
         A PyCapsule "eigenmotion.em_model", as generated modules make it.
     """
 
-    __slots__ = ("_compiled", "_defaults", "_layout")
+    __slots__ = ("_compiled", "_defaults", "_inputs", "_layout")
 
     def __init__(self, capsule: object) -> None:
         self._compiled = CompiledModel(capsule)
         self._defaults = self._compiled.prepare(self._compiled.parameter_defaults)
+        self._inputs = bind({}, self._compiled.inputs, self._compiled.input_defaults)
         self._layout = {name: slice(start, start + length) for name, start, length in self._compiled.layout}
 
     def __repr__(self) -> str:
@@ -190,8 +190,16 @@ class System:
         v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0.
         """
         c = self._compiled
+        if x0 is None and v0 is None and c.initial_y is None:
+            return self.initial
         x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
         return x, initial_rates(c, self.prepare(parameters), t, x, v0)
+
+    def bind(self, inputs: Mapping[Any, Any] | None = None) -> Inputs:
+        """Return the inputs of a run: what is given, over the defaults."""
+        if inputs is None:
+            return self._inputs
+        return bind(inputs, self._compiled.inputs, self._compiled.input_defaults)
 
     def rhs(
         self,
@@ -222,10 +230,9 @@ class System:
         return self._compiled.rhs(t, y, c, u, out)
 
     def _signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
-        names, defaults = self._compiled.inputs, self._compiled.input_defaults
         if isinstance(inputs, Mapping) and any(isinstance(u, tuple | list | Signal) for u in inputs.values()):
-            return bind(inputs, names, defaults).at(t)
-        return overlay(inputs, names, defaults, "input")
+            return self.bind(inputs).at(t)
+        return overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
 
     def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
@@ -339,6 +346,4 @@ class System:
     def _x(self, x: ArrayLike) -> Vector:
         return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
 
-    def simulate(self, t_span: tuple[float, float], **options: Any) -> Solution:
-        """Integrate the motion over t_span; the options are those of `eigenmotion.simulate`."""
-        return simulate(self, t_span, **options)
+    simulate = simulate  # the function as a method, with its options

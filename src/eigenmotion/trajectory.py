@@ -1,16 +1,14 @@
 """What follows from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
 
-from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from .names import Vector
-from .runtime import CompiledModel, Prepared
-from .signals import Inputs
+from .options import Task
+from .runtime import CompiledModel
 
 
-@dataclass(frozen=True)
 class Trajectory:
     """Rows of a run, time first, and what is derived from them (all arrays here have the time first).
 
@@ -18,15 +16,10 @@ class Trajectory:
     ----------
     t : (k,) [s]
     rows : (k, n_state), published meaning
-    least_norm : multipliers of least norm where constraint rows depend on each other
     """
 
-    model: CompiledModel
-    prepared: Prepared
-    inputs: Inputs
-    least_norm: bool
-    t: Vector
-    rows: Vector
+    def __init__(self, task: Task, t: Vector, rows: Vector) -> None:
+        self.task, self.model, self.t, self.rows = task, task.model, t, rows
 
     @cached_property
     def x(self) -> Vector:
@@ -36,12 +29,12 @@ class Trajectory:
     @cached_property
     def v(self) -> Vector:
         """(k, n)."""
-        return self.model.velocity_rows(self.t, self.rows, self.prepared)
+        return self.model.velocity_rows(self.t, self.rows, self.task.prepared)
 
     @cached_property
     def u(self) -> Vector:
         """(k, n_inputs)."""
-        return np.ascontiguousarray(self.inputs.at(self.t))
+        return np.ascontiguousarray(self.task.inputs.at(self.t))
 
     @cached_property
     def eta(self) -> Vector:
@@ -55,7 +48,7 @@ class Trajectory:
     @cached_property
     def factors(self) -> tuple[Vector, Vector]:
         """C (k, n, n), s (k, n): those the state carries, the others (and all, where it has none) those of M(x)."""
-        found = self.model.eigenfactor_rows(self.t, self.x, self.prepared)
+        found = self.model.eigenfactor_rows(self.t, self.x, self.task.prepared)
         parts = {name: self.rows[:, start : start + length] for name, start, length in self.model.layout}
         if "s" not in parts:
             return found
@@ -64,41 +57,41 @@ class Trajectory:
     @cached_property
     def factor_residual(self) -> Vector:
         """(k,): max|M - C^T S^2 C| / max|M|."""
-        return self.model.factor_rows(self.t, self.x, *self.factors, self.prepared)
+        return self.model.factor_rows(self.t, self.x, *self.factors, self.task.prepared)
 
     @cached_property
     def energies(self) -> Vector:
         """(k, 4): T2, T1, T0, V [J]."""
-        return self.model.energy_rows(self.t, self.x, self.v, self.prepared)
+        return self.model.energy_rows(self.t, self.x, self.v, self.task.prepared)
 
     @cached_property
     def multipliers(self) -> Vector:
         """(k, m)."""
         if self.model.m == 0:
             return np.empty((len(self.t), 0))
-        arguments = self.t, self.x, self.v, self.u, self.prepared, self.least_norm
+        arguments = self.t, self.x, self.v, self.u, self.task.prepared, self.task.least_norm
         return self.model.acceleration_rows(*arguments)[1]
 
     @cached_property
     def constraint_residual(self) -> Vector:
         """(k, m): A v + b."""
-        return self.model.constraint_rows(self.t, self.x, self.v, self.prepared)
+        return self.model.constraint_rows(self.t, self.x, self.v, self.task.prepared)
 
     @cached_property
     def position_residual(self) -> Vector:
         """(k, h): phi."""
-        return self.model.position_rows(self.t, self.x, self.prepared)
+        return self.model.position_rows(self.t, self.x, self.task.prepared)
 
     @cached_property
     def quasi_velocities(self) -> dict[str, Vector]:
         """Name -> (k,): y = P(x, t) xdot (3)."""
-        columns = self.model.quasi_rows(self.t, self.x, self.v, self.prepared)
+        columns = self.model.quasi_rows(self.t, self.x, self.v, self.task.prepared)
         return {name: columns[:, k] for k, name in enumerate(self.model.quasi_velocities)}
 
     @cached_property
     def outputs(self) -> dict[str, Vector]:
         """Name -> (k,)."""
-        arguments = self.t, self.x, self.v, self.u, self.prepared, self.least_norm
+        arguments = self.t, self.x, self.v, self.u, self.task.prepared, self.task.least_norm
         columns = self.model.output_rows(*arguments)
         return {name: columns[:, k] for k, name in enumerate(self.model.outputs)}
 

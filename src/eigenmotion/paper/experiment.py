@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -106,7 +107,7 @@ def brute_force() -> System:
     return build(model, formulation="inverse")
 
 
-def run(system: System, rtol: float, *, project: bool = False, **options: float) -> History:
+def run(system: System, rtol: float, *, project: bool = False, **options: Any) -> History:
     """Run 10 s from rest with the 3rd/4th order method; nothing is projected unless asked for."""
     solution = system.simulate(
         (0.0, T_END), method="rk34", rtol=rtol, atol=rtol, stabilisation="project" if project else "none", **options

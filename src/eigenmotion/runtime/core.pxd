@@ -1,4 +1,4 @@
-# The ABI of include/eigenmotion.h, as core.pyx sees it.
+# The ABI of include/eigenmotion.h, and what the runtime asks of it, as core.pyx sees them.
 
 cdef extern from "eigenmotion.h" nogil:
     const int EM_ABI
@@ -6,6 +6,7 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef enum em_status:
         EM_FINISHED
+        EM_TERMINAL_EVENT
         EM_OUT_OF_MEMORY
 
     ctypedef struct em_fault:
@@ -134,3 +135,6 @@ cdef extern from "eigenmotion.h" nogil:
         const double *initial_y
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
+
+cdef extern from "em_start.h" nogil:
+    int em_start(const em_model *, double, const double *, const double *, const double *, double, double *)

@@ -1,59 +1,94 @@
-# cython: language_level=3, boundscheck=False, wraparound=False, initializedcheck=False
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
 """The ABI of eigenmotion.h on float64 arrays. Nothing is shared between calls, so threads need no locks.
 
 Arguments of rows: t (k,), x and v (k, n), y (k, n_state), u (k, n_inputs), one row a time.
 Rows at which a function has no value are NaN; single calls raise EvaluationError.
 """
 
-from cpython.buffer cimport PyBUF_FULL_RO, PyBUF_SIMPLE, PyBUF_WRITABLE
-from cpython.buffer cimport PyBuffer_Release, PyObject_CheckBuffer, PyObject_GetBuffer
+cimport cython
+from cpython.buffer cimport PyBUF_FULL_RO, PyBUF_ND
+from cpython.buffer cimport PyBuffer_IsContiguous, PyBuffer_Release, PyObject_CheckBuffer, PyObject_GetBuffer
 from cpython.exc cimport PyErr_CheckSignals
 from cpython.pycapsule cimport PyCapsule_GetPointer
 from libc.math cimport NAN, fabs, isnan
-from libc.stdlib cimport calloc, free, malloc
-from libc.string cimport memcpy, memset
+from libc.stdlib cimport calloc, free
+from libc.string cimport memcpy
 
 import numpy as np
 
 from .faults import EvaluationError, StopReason, explain
 
 _REASONS = tuple(StopReason)
-_empty = np.empty
+_FINISHED = explain(StopReason.FINISHED, ())
+_zeros = np.zeros
+
+
+@cython.final
+@cython.freelist(16)
+cdef class Numbers:
+    """The numbers of an array as the ABI takes them, float64 and C-contiguous, for as long as this object lives."""
+
+    cdef Py_buffer view
+    cdef object array
+    cdef double *data
+    cdef Py_ssize_t width
+
+    def __dealloc__(self):
+        PyBuffer_Release(&self.view)
+
+    cdef int hold(self, object array, int flags) except -1:
+        cdef int axis
+        PyObject_GetBuffer(array, &self.view, flags)
+        self.array, self.data, self.width = array, <double *> self.view.buf, 1
+        for axis in range(1, self.view.ndim):
+            self.width *= self.view.shape[axis]
+        return 0
+
+    cdef bint borrow(self, object a, tuple shape) except -1:
+        """Hold a, if it is such an array, and of that shape."""
+        cdef int axis
+        if not PyObject_CheckBuffer(a):
+            return False
+        self.hold(a, PyBUF_FULL_RO)
+        cdef bint fits = (self.view.ndim == len(shape) and self.view.format[0] == c"d" and self.view.format[1] == 0
+                          and PyBuffer_IsContiguous(&self.view, b"C"))
+        for axis in range(self.view.ndim if fits else 0):
+            fits = fits and self.view.shape[axis] == <Py_ssize_t> shape[axis]
+        if not fits:
+            PyBuffer_Release(&self.view)
+        return fits
+
+    cdef inline double *row(self, Py_ssize_t i) noexcept nogil:
+        """Those at index i of the first axis."""
+        return self.data + i * self.width
+
+    cdef bint overlaps(self, Numbers other) noexcept:
+        cdef char *mine = <char *> self.view.buf
+        cdef char *theirs = <char *> other.view.buf
+        return mine < theirs + other.view.len and theirs < mine + self.view.len
+
+
+cdef Numbers given(object a, tuple shape, str name):
+    """The numbers of a, of any stride and type; it must have that shape."""
+    cdef Numbers made = Numbers.__new__(Numbers)
+    if not made.borrow(a, shape) and not made.borrow(np.ascontiguousarray(a, dtype=np.float64), shape):
+        raise ValueError(f"{name} has shape {np.shape(a)}, but this model needs {shape}")
+    return made
+
+
+cdef Numbers zeros(tuple shape):
+    """A new array of zeros."""
+    cdef Numbers made = Numbers.__new__(Numbers)
+    made.hold(_zeros(shape), PyBUF_ND)
+    return made
 
 
 cdef tuple texts(const char *const *names, int count):
     return tuple([names[k].decode("utf-8") for k in range(count)])
 
 
-cdef object numbers(const double *values, int count):
+cdef object constants(const double *values, int count):
     return np.array([values[k] for k in range(count)], dtype=np.float64)
-
-
-cdef object shaped(object a, tuple shape, str name):
-    """a as a C-contiguous float64 array of that shape."""
-    array = np.ascontiguousarray(a, dtype=np.float64)
-    if array.shape != shape:
-        raise ValueError(f"{name} has shape {np.shape(a)}, but this model needs {shape}")
-    return array
-
-
-cdef bint lends(object a, Py_ssize_t n, Py_buffer *view) except -1:
-    """Whether a is n float64 numbers in a row; then `view` holds them."""
-    if not PyObject_CheckBuffer(a):
-        return False
-    PyObject_GetBuffer(a, view, PyBUF_FULL_RO)
-    if (view.ndim == 1 and view.shape[0] == n and view.strides[0] == sizeof(double)
-            and view.format[0] == c"d" and view.format[1] == 0):
-        return True
-    PyBuffer_Release(view)
-    return False
-
-
-cdef const double *borrow(object a, Py_ssize_t n, Py_buffer *view, str name) except NULL:
-    """The n numbers of a (any stride, any number type), valid until PyBuffer_Release(view)."""
-    if not lends(a, n, view):
-        PyObject_GetBuffer(shaped(a, (n,), name), view, PyBUF_SIMPLE)
-    return <const double *> view.buf
 
 
 cdef inline void blank(double *a, Py_ssize_t count) noexcept nogil:
@@ -84,7 +119,7 @@ cdef class CompiledModel:
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
-    cdef readonly tuple quasi_velocities
+    cdef readonly tuple quasi_velocities, event_kinds
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
 
@@ -112,344 +147,290 @@ cdef class CompiledModel:
                              for k in range(c.n_layout)])
         self.block = tuple([c.block[k] for k in range(c.n)])
         self.carried = tuple([k for k in range(c.n) if c.carried[k]])
+        self.event_kinds = tuple([(c.event_direction[k], c.event_terminal[k] != 0) for k in range(c.n_events)])
 
     cdef read_defaults(self):
         cdef const em_model *c = self.model
-        self.parameter_defaults = numbers(c.parameter_defaults, c.n_parameters)
-        self.input_defaults = numbers(c.input_defaults, c.n_inputs)
-        self.initial_x, self.initial_v = numbers(c.initial_x, c.n), numbers(c.initial_v, c.n)
-        self.initial_y = numbers(c.initial_y, c.n) if c.initial_y != NULL else None
-        self.scales = numbers(c.scales, c.n)
+        self.parameter_defaults = constants(c.parameter_defaults, c.n_parameters)
+        self.input_defaults = constants(c.input_defaults, c.n_inputs)
+        self.initial_x, self.initial_v = constants(c.initial_x, c.n), constants(c.initial_v, c.n)
+        self.initial_y = constants(c.initial_y, c.n) if c.initial_y != NULL else None
+        self.scales = constants(c.scales, c.n)
 
     cdef failure(self, em_fault *fault):
         stop = _REASONS[<int> fault.status]
         words = explain(stop, self.coordinates, fault.first, fault.second, fault.size)
         return EvaluationError(f"{self.name}: {words}", stop)
 
+    # --- at one place; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
+
     def prepare(self, values):
         """values (n_parameters) -> Prepared."""
         cdef em_fault fault
         cdef Prepared made = Prepared.__new__(Prepared)
-        values = shaped(values, (len(self.parameters),), "parameters")
-        cdef const double[::1] p = values
+        cdef Numbers p = given(values, (self.model.n_parameters,), "parameters")
         made.model = self
-        made.parameters = tuple(values.tolist())
+        made.parameters = tuple([p.data[k] for k in range(self.model.n_parameters)])
         made.c = <double *> calloc(self.model.n_prepared + 1, sizeof(double))
         if made.c == NULL:
             raise MemoryError
-        if self.model.prepare(&p[0], made.c, &fault) != 0:
+        if self.model.prepare(p.data, made.c, &fault) != 0:
             raise self.failure(&fault)
         return made
 
     def rhs(self, double t, y, Prepared c not None, u=None, out=None):
-        """dy (n_state) at t, y (n_state), u (n_inputs; None: defaults); into `out` where given."""
-        cdef Py_buffer state, signals, rates
-        cdef const double *inputs = self.model.input_defaults
+        """dy at t, y, u (None: defaults); into `out` where given."""
         cdef em_fault fault
-        cdef int failed
-        dy = _empty(self.n_state) if out is None else out
-        borrow(y, self.n_state, &state, "y")
-        try:
-            if u is not None:
-                inputs = borrow(u, self.n_inputs, &signals, "inputs")
-            try:
-                if out is not None and (not lends(out, self.n_state, &rates) or not self.apart(&state, &rates)):
-                    dy = _empty(self.n_state)
-                PyObject_GetBuffer(dy, &rates, PyBUF_WRITABLE)
-                failed = self.model.rhs(t, <const double *> state.buf, c.c, inputs, <double *> rates.buf, &fault)
-                PyBuffer_Release(&rates)
-            finally:
-                if u is not None:
-                    PyBuffer_Release(&signals)
-        finally:
-            PyBuffer_Release(&state)
-        if failed:
+        cdef tuple shape = (self.n_state,)
+        cdef Numbers state = given(y, shape, "y"), inputs, dy = Numbers.__new__(Numbers)
+        cdef const double *signals = self.model.input_defaults
+        if u is not None:
+            inputs = given(u, (self.n_inputs,), "inputs")
+            signals = inputs.data
+        # the compiled code reads y after writing dy
+        if out is None or not dy.borrow(out, shape) or dy.view.readonly or dy.overlaps(state):
+            dy = zeros(shape)
+        if self.model.rhs(t, state.data, c.c, signals, dy.data, &fault) != 0:
             raise self.failure(&fault)
-        if dy is not out and out is not None:
-            out[...] = dy
-            return out
-        return dy
-
-    cdef bint apart(self, Py_buffer *state, Py_buffer *rates) noexcept:
-        """Whether out and y share no memory; the compiled code reads y after writing. Gives `rates` back."""
-        cdef bint distinct = (<char *> rates.buf >= <char *> state.buf + state.len
-                              or <char *> state.buf >= <char *> rates.buf + rates.len)
-        PyBuffer_Release(rates)
-        return distinct
+        if out is None or out is dy.array:
+            return dy.array
+        out[...] = dy.array
+        return out
 
     def state(self, double t, x, v, Prepared c not None):
-        """y (n_state), published meaning."""
+        """y, published meaning."""
         cdef em_fault fault
-        cdef const double[::1] q = shaped(x, (self.n,), "x"), w = shaped(v, (self.n,), "v")
-        out = np.zeros(self.n_state)
-        cdef double[::1] y = out
-        if self.model.state(t, &q[0], &w[0], c.c, &y[0], &fault) != 0:
+        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
+        if self.model.state(t, q.data, w.data, c.c, y.data, &fault) != 0:
             raise self.failure(&fault)
-        return out
+        return y.array
+
+    def start(self, double t, x, v, Prepared c not None, double tolerance):
+        """y where a run can start at x, v; None where that takes a closer look (em_start.h)."""
+        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
+        return y.array if em_start(self.model, t, q.data, w.data, c.c, tolerance, y.data) else None
 
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""
-        cdef const double[::1] q = shaped(x, (self.n,), "x")
-        out = np.zeros((self.n, self.n))
-        cdef double[:, ::1] M = out
-        self.model.mass_matrix(t, &q[0], c.c, &M[0, 0])
-        return out
+        cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))
+        self.model.mass_matrix(t, q.data, c.c, M.data)
+        return M.array
 
     def mass_matrix_gradient(self, double t, x, Prepared c not None):
         """dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
-        cdef const double[::1] q = shaped(x, (self.n,), "x")
-        out = np.zeros((self.n, self.n, self.n))
-        cdef double[:, :, ::1] dM = out
-        self.model.mass_matrix_gradient(t, &q[0], c.c, &dM[0, 0, 0])
-        return out
+        cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        self.model.mass_matrix_gradient(t, q.data, c.c, dM.data)
+        return dM.array
 
     def pfaffian(self, double t, x, Prepared c not None):
         """A (m, n), b (m) of A v + b = 0 (8)."""
-        cdef const double[::1] q = shaped(x, (self.n,), "x")
-        rows, rates = np.zeros((self.m, self.n)), np.zeros(self.m)
-        cdef double[:, ::1] A = rows
-        cdef double[::1] b = rates
+        cdef Numbers q = given(x, (self.n,), "x"), A = zeros((self.m, self.n)), b = zeros((self.m,))
         if self.m > 0:
-            self.model.pfaffian(t, &q[0], c.c, &A[0, 0], &b[0])
-        return rows, rates
+            self.model.pfaffian(t, q.data, c.c, A.data, b.data)
+        return A.array, b.array
 
     def position(self, double t, x, Prepared c not None):
         """phi (h): how far x is off the holonomic constraints."""
-        return self.position_rows(np.array([t]), shaped(x, (self.n,), "x")[None], c)[0]
+        cdef Numbers q = given(x, (self.n,), "x"), phi = zeros((self.h,))
+        if self.h > 0:
+            self.model.position(t, q.data, c.c, phi.data)
+        return phi.array
 
     def acceleration(self, double t, x, v, Prepared c not None, u, bint least_norm):
-        """a (n), lambda (m)."""
+        """a, lambda."""
         cdef em_fault fault
-        cdef const double[::1] q = shaped(x, (self.n,), "x"), w = shaped(v, (self.n,), "v")
-        cdef const double[::1] s = shaped(u, (self.n_inputs,), "inputs")
-        out, multipliers = np.zeros(self.n), np.zeros(self.m)
-        cdef double[::1] a = out, L = multipliers
-        if self.model.acceleration(t, &q[0], &w[0], c.c, &s[0], least_norm, &a[0], &L[0], &fault) != 0:
+        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers a = zeros((self.n,)), multipliers = zeros((self.m,))
+        if self.model.acceleration(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, &fault) != 0:
             raise self.failure(&fault)
-        return out, multipliers
+        return a.array, multipliers.array
 
     def project(self, double t, x, v, Prepared c not None, bint least_norm):
-        """x (n), v (n): the nearest consistent state in the mass metric."""
+        """x, v: the nearest consistent state in the mass metric."""
         cdef em_fault fault
-        position, velocity = shaped(x, (self.n,), "x").copy(), shaped(v, (self.n,), "v").copy()
-        cdef double[::1] q = position, w = velocity
-        if self.model.project(t, &q[0], &w[0], c.c, least_norm, &fault) != 0:
+        cdef Numbers q = given(np.array(x, dtype=np.float64), (self.n,), "x")
+        cdef Numbers w = given(np.array(v, dtype=np.float64), (self.n,), "v")
+        if self.model.project(t, q.data, w.data, c.c, least_norm, &fault) != 0:
             raise self.failure(&fault)
-        return position, velocity
+        return q.array, w.array
 
     def jacobian(self, double t, y, Prepared c not None, u):
         """(n_state, n_state): d rhs / d y."""
         cdef em_fault fault
-        cdef const double[::1] q = shaped(y, (self.n_state,), "y"), s = shaped(u, (self.n_inputs,), "inputs")
-        out = np.zeros((self.n_state, self.n_state))
-        cdef double[:, ::1] J = out
-        if self.model.jacobian(t, &q[0], c.c, &s[0], &J[0, 0], &fault) != 0:
+        cdef Numbers q = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers J = zeros((self.n_state, self.n_state))
+        if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
             raise self.failure(&fault)
-        return out
+        return J.array
 
     def motion_rate(self, double t, z, Prepared c not None, u, bint least_norm):
-        """(v, xddot) (2 n) at z = (x, v)."""
+        """(v, a) (2 n) at z = (x, v)."""
         cdef em_fault fault
-        cdef const double[::1] q = shaped(z, (2 * self.n,), "z"), s = shaped(u, (self.n_inputs,), "inputs")
-        out, multipliers = np.zeros(2 * self.n), np.zeros(self.m + 1)
-        cdef double[::1] rate = out, L = multipliers
-        memcpy(&rate[0], &q[self.n], self.n * sizeof(double))
-        if self.model.acceleration(t, &q[0], &q[self.n], c.c, &s[0], least_norm, &rate[self.n], &L[0], &fault) != 0:
+        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers rate = zeros((2 * self.n,)), multipliers = zeros((self.m,))
+        cdef double *v = q.data + self.n
+        memcpy(rate.data, v, self.n * sizeof(double))
+        if self.model.acceleration(t, q.data, v, c.c, s.data, least_norm, rate.data + self.n, multipliers.data,
+                                   &fault) != 0:
             raise self.failure(&fault)
-        return out
+        return rate.array
 
     def motion_jacobian(self, double t, z, Prepared c not None, u, bint least_norm):
-        """(2 n, 2 n): d (v, xddot) / d (x, v)."""
+        """(2 n, 2 n): d (v, a) / d (x, v)."""
         cdef em_fault fault
-        cdef const double[::1] q = shaped(z, (2 * self.n,), "z"), s = shaped(u, (self.n_inputs,), "inputs")
-        out = np.zeros((2 * self.n, 2 * self.n))
-        cdef double[:, ::1] J = out
-        if self.model.motion_jacobian(t, &q[0], c.c, &s[0], least_norm, &J[0, 0], &fault) != 0:
+        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers J = zeros((2 * self.n, 2 * self.n))
+        if self.model.motion_jacobian(t, q.data, c.c, s.data, least_norm, J.data, &fault) != 0:
             raise self.failure(&fault)
-        return out
+        return J.array
+
+    # --- at k places ---
 
     def state_rows(self, t, x, v, Prepared c not None):
         """y (k, n_state), published meaning, eigenfactors continuous from row to row."""
         cdef em_fault fault
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x, w = v
-        cdef Py_ssize_t i, count = T.shape[0]
-        out = np.zeros((count, self.n_state))
-        cdef double[:, ::1] y = out
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers y = zeros((k, self.n_state))
         with nogil:
-            for i in range(count):
+            for i in range(k):
                 if i > 0:
-                    memcpy(&y[i, 0], &y[i - 1, 0], self.n_state * sizeof(double))
-                if self.model.state(T[i], &q[i, 0], &w[i, 0], c.c, &y[i, 0], &fault) != 0:
-                    blank(&y[i, 0], self.n_state)
-        return out
+                    memcpy(y.row(i), y.row(i - 1), self.n_state * sizeof(double))
+                if self.model.state(T.data[i], q.row(i), w.row(i), c.c, y.row(i), &fault) != 0:
+                    blank(y.row(i), self.n_state)
+        return y.array
 
     def velocity_rows(self, t, y, Prepared c not None):
         """v (k, n)."""
         cdef em_fault fault
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] Y = y
-        cdef Py_ssize_t i, count = T.shape[0]
-        out = np.empty((count, self.n))
-        cdef double[:, ::1] v = out
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), Y = given(y, (k, self.n_state), "y"), v = zeros((k, self.n))
         with nogil:
-            for i in range(count):
-                if self.model.velocity(T[i], &Y[i, 0], c.c, &v[i, 0], &fault) != 0:
-                    blank(&v[i, 0], self.n)
-        return out
+            for i in range(k):
+                if self.model.velocity(T.data[i], Y.row(i), c.c, v.row(i), &fault) != 0:
+                    blank(v.row(i), self.n)
+        return v.array
 
     def energy_rows(self, t, x, v, Prepared c not None):
         """T2, T1, T0, V as (k, 4)."""
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x, w = v
-        cdef Py_ssize_t i, count = T.shape[0]
-        out = np.empty((count, 4))
-        cdef double[:, ::1] e = out
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers e = zeros((k, 4))
         with nogil:
-            for i in range(count):
-                self.model.energy(T[i], &q[i, 0], &w[i, 0], c.c, &e[i, 0])
-        return out
+            for i in range(k):
+                self.model.energy(T.data[i], q.row(i), w.row(i), c.c, e.row(i))
+        return e.array
 
     def acceleration_rows(self, t, x, v, u, Prepared c not None, bint least_norm):
         """a (k, n), lambda (k, m)."""
         cdef em_fault fault
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x, w = v, s = u
-        cdef Py_ssize_t i, count = T.shape[0]
-        accelerations, multipliers = np.empty((count, self.n)), np.empty((count, self.m))
-        cdef double[:, ::1] a = accelerations, L = multipliers
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), a = zeros((k, self.n)), L = zeros((k, self.m))
         with nogil:
-            for i in range(count):
-                if self.model.acceleration(T[i], &q[i, 0], &w[i, 0], c.c, &s[i, 0], least_norm,
-                                           &a[i, 0], &L[i, 0], &fault) != 0:
-                    blank(&a[i, 0], self.n)
-                    blank(&L[i, 0], self.m)
-        return accelerations, multipliers
+            for i in range(k):
+                if self.model.acceleration(T.data[i], q.row(i), w.row(i), c.c, s.row(i), least_norm, a.row(i), L.row(i),
+                                           &fault) != 0:
+                    blank(a.row(i), self.n)
+                    blank(L.row(i), self.m)
+        return a.array, L.array
 
     def constraint_rows(self, t, x, v, Prepared c not None):
         """A v + b as (k, m)."""
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x, w = v
-        cdef Py_ssize_t i, r, j, count = T.shape[0]
-        out, matrix, rates = np.empty((count, self.m)), np.zeros((self.m, self.n)), np.zeros(self.m)
-        cdef double[:, ::1] residual = out, A = matrix
-        cdef double[::1] b = rates
-        if self.m == 0:
-            return out
+        cdef Py_ssize_t i, r, j, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers A = zeros((self.m, self.n)), residual = zeros((k, self.m))
         with nogil:
-            for i in range(count):
-                self.model.pfaffian(T[i], &q[i, 0], c.c, &A[0, 0], &b[0])
+            for i in range(k if self.m > 0 else 0):
+                self.model.pfaffian(T.data[i], q.row(i), c.c, A.data, residual.row(i))
                 for r in range(self.m):
-                    residual[i, r] = b[r]
                     for j in range(self.n):
-                        residual[i, r] += A[r, j] * w[i, j]
-        return out
+                        residual.row(i)[r] += A.row(r)[j] * w.row(i)[j]
+        return residual.array
 
     def position_rows(self, t, x, Prepared c not None):
         """phi as (k, h)."""
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x
-        cdef Py_ssize_t i, count = T.shape[0]
-        out = np.zeros((count, self.h))
-        cdef double[:, ::1] phi = out
-        if self.h > 0:
-            with nogil:
-                for i in range(count):
-                    self.model.position(T[i], &q[i, 0], c.c, &phi[i, 0])
-        return out
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), phi = zeros((k, self.h))
+        with nogil:
+            for i in range(k if self.h > 0 else 0):
+                self.model.position(T.data[i], q.row(i), c.c, phi.row(i))
+        return phi.array
 
     def quasi_rows(self, t, x, v, Prepared c not None):
         """y = P(x, t) v as (k, n_quasi)."""
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x, w = v
-        cdef Py_ssize_t i, count = T.shape[0]
-        out = np.zeros((count, self.model.n_quasi))
-        cdef double[:, ::1] y = out
-        if self.model.n_quasi > 0:
-            with nogil:
-                for i in range(count):
-                    self.model.quasi(T[i], &q[i, 0], &w[i, 0], c.c, &y[i, 0])
-        return out
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers y = zeros((k, self.model.n_quasi))
+        with nogil:
+            for i in range(k if self.model.n_quasi > 0 else 0):
+                self.model.quasi(T.data[i], q.row(i), w.row(i), c.c, y.row(i))
+        return y.array
 
     def event_rows(self, t, x, v, u, Prepared c not None):
         """What passes through zero where an event happens, as (k, n_events)."""
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x, w = v, s = u
-        cdef Py_ssize_t i, count = T.shape[0]
-        out = np.zeros((count, self.n_events))
-        cdef double[:, ::1] g = out
-        if self.n_events > 0:
-            with nogil:
-                for i in range(count):
-                    self.model.event(T[i], &q[i, 0], &w[i, 0], c.c, &s[i, 0], &g[i, 0])
-        return out
-
-    @property
-    def event_kinds(self):
-        """(direction, terminal) of each event."""
-        return tuple([(self.model.event_direction[k], self.model.event_terminal[k] != 0) for k in range(self.n_events)])
-
-    def eigenfactor_rows(self, t, x, Prepared c not None):
-        """C (k, n, n), s (k, n) of M(x); each row continues the signs and the order of the last good one."""
-        cdef em_fault fault
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x
-        cdef Py_ssize_t i, last = -1, count = T.shape[0]
-        rotations, roots = np.zeros((count, self.n, self.n)), np.zeros((count, self.n))
-        cdef double[:, :, ::1] C = rotations
-        cdef double[:, ::1] s = roots
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), g = zeros((k, self.n_events))
         with nogil:
-            for i in range(count):
-                if last >= 0:
-                    memcpy(&C[i, 0, 0], &C[last, 0, 0], self.n * self.n * sizeof(double))
-                    memcpy(&s[i, 0], &s[last, 0], self.n * sizeof(double))
-                if self.model.eigenfactors(T[i], &q[i, 0], c.c, &C[i, 0, 0], &s[i, 0], &fault) == 0:
-                    last = i
-                else:
-                    blank(&C[i, 0, 0], self.n * self.n)
-                    blank(&s[i, 0], self.n)
-        return rotations, roots
-
-    def factor_rows(self, t, x, C, s, Prepared c not None):
-        """max|M - C^T S^2 C| / max|M| as (k,), M in the units of the eigenproblem."""
-        cdef const double[::1] T = t, unit = self.scales
-        cdef const double[:, ::1] q = x, root = s
-        cdef const double[:, :, ::1] R = C
-        cdef Py_ssize_t i, j, k, r, count = T.shape[0]
-        cdef double error, largest, entry, product
-        out, matrix = np.empty(count), np.zeros((self.n, self.n))
-        cdef double[::1] residual = out
-        cdef double[:, ::1] M = matrix
-        with nogil:
-            for i in range(count):
-                self.model.mass_matrix(T[i], &q[i, 0], c.c, &M[0, 0])
-                error = largest = 0.0
-                for j in range(self.n):
-                    for k in range(self.n):
-                        entry, product = M[j, k] * unit[j] * unit[k], 0.0
-                        for r in range(self.n):
-                            product = product + R[i, r, j] * root[i, r] * root[i, r] * R[i, r, k]
-                        # NaN must show, and no comparison with it is true
-                        if fabs(entry - product) > error or isnan(product) or isnan(entry):
-                            error = fabs(entry - product)
-                        largest = max(largest, fabs(entry))
-                residual[i] = error / largest
-        return out
+            for i in range(k if self.n_events > 0 else 0):
+                self.model.event(T.data[i], q.row(i), w.row(i), c.c, s.row(i), g.row(i))
+        return g.array
 
     def output_rows(self, t, x, v, u, Prepared c not None, bint least_norm):
         """The outputs as (k, n_outputs)."""
         cdef em_fault fault
-        cdef const double[::1] T = t
-        cdef const double[:, ::1] q = x, w = v, s = u
-        cdef Py_ssize_t i, count = T.shape[0]
-        out = np.zeros((count, self.n_outputs))
-        cdef double[:, ::1] z = out
-        if self.n_outputs > 0:
-            with nogil:
-                for i in range(count):
-                    if self.model.output(T[i], &q[i, 0], &w[i, 0], c.c, &s[i, 0], least_norm, &z[i, 0], &fault) != 0:
-                        blank(&z[i, 0], self.n_outputs)
-        return out
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), z = zeros((k, self.n_outputs))
+        with nogil:
+            for i in range(k if self.n_outputs > 0 else 0):
+                if self.model.output(T.data[i], q.row(i), w.row(i), c.c, s.row(i), least_norm, z.row(i), &fault) != 0:
+                    blank(z.row(i), self.n_outputs)
+        return z.array
+
+    def eigenfactor_rows(self, t, x, Prepared c not None):
+        """C (k, n, n), s (k, n) of M(x); each row continues the signs and the order of the last good one."""
+        cdef em_fault fault
+        cdef Py_ssize_t i, last = -1, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x")
+        cdef Numbers C = zeros((k, self.n, self.n)), s = zeros((k, self.n))
+        with nogil:
+            for i in range(k):
+                if last >= 0:
+                    memcpy(C.row(i), C.row(last), C.width * sizeof(double))
+                    memcpy(s.row(i), s.row(last), s.width * sizeof(double))
+                if self.model.eigenfactors(T.data[i], q.row(i), c.c, C.row(i), s.row(i), &fault) == 0:
+                    last = i
+                else:
+                    blank(C.row(i), C.width)
+                    blank(s.row(i), s.width)
+        return C.array, s.array
+
+    def factor_rows(self, t, x, C, s, Prepared c not None):
+        """max|M - C^T S^2 C| / max|M| as (k,), M in the units of the eigenproblem."""
+        cdef Py_ssize_t i, k = len(t), n = self.n
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, n), "x"), R = given(C, (k, n, n), "C")
+        cdef Numbers root = given(s, (k, n), "s"), M = zeros((n, n)), residual = zeros((k,))
+        with nogil:
+            for i in range(k):
+                self.model.mass_matrix(T.data[i], q.row(i), c.c, M.data)
+                residual.data[i] = self.factor_residual(M, R.row(i), root.row(i))
+        return residual.array
+
+    cdef double factor_residual(self, Numbers M, const double *C, const double *s) noexcept nogil:
+        cdef Py_ssize_t i, j, r, n = self.n
+        cdef double error = 0.0, largest = 0.0, entry, product
+        for i in range(n):
+            for j in range(n):
+                entry, product = M.row(i)[j] * self.model.scales[i] * self.model.scales[j], 0.0
+                for r in range(n):
+                    product += C[r * n + i] * s[r] * s[r] * C[r * n + j]
+                # NaN must show, and no comparison with it is true
+                if fabs(entry - product) > error or isnan(entry - product):
+                    error = fabs(entry - product)
+                largest = max(largest, fabs(entry))
+        return error / largest
 
 
 cdef int poll(void *argument) noexcept with gil:
@@ -466,20 +447,19 @@ cdef int poll(void *argument) noexcept with gil:
 
 
 cdef class Run:
-    """One compiled simulation: what it was given, and what came of it, until the object goes.
+    """One compiled simulation, and what came of it until the object goes.
 
     Parameters
     ----------
-    y
-        (n_state) the start, published meaning.
-    inputs
-        A (kind, times, values) for each input, as `em_signal` has them.
+    task
+        An `eigenmotion.options.Task`.
     method
         0 rk34, 1 dopri5, 2 dop853.
-    atol
-        (n).
-    t_eval
-        (k,) in the direction of time, or None: a row for every accepted step.
+
+    Attributes
+    ----------
+    stop
+        A StopReason.
     """
 
     cdef em_run run
@@ -489,23 +469,23 @@ cdef class Run:
     cdef list held
     cdef object pending
 
-    def __cinit__(self, CompiledModel model not None, Prepared c not None, *, double t_start, double t_end, y,
-                  tuple inputs, int method, double rtol, atol, double first_step, double max_step, long max_steps,
-                  bint project, bint least_norm, bint dense, t_eval):
+    def __cinit__(self, task, int method):
         cdef em_run *run = &self.run
-        memset(run, 0, sizeof(em_run))
-        self.model, self.held = model, [c]
-        run.model, run.prepared = model.model, c.c
-        run.t_start, run.t_end, run.y_start = t_start, t_end, self.hold(shaped(y, (model.n_state,), "y"))
-        run.method, run.rtol, run.atol = <em_method> method, rtol, self.hold(shaped(atol, (model.n,), "atol"))
-        run.first_step, run.max_step, run.max_steps = first_step, max_step, max_steps
-        run.stabilise, run.least_norm, run.dense = project, least_norm, dense
+        cdef CompiledModel model = task.model
+        cdef Prepared prepared = task.prepared
+        self.model, self.held = model, [prepared]
+        run.model, run.prepared, run.method = model.model, prepared.c, <em_method> method
+        run.t_start, run.t_end, run.y_start = task.t_start, task.t_end, self.hold(task.y, model.n_state, "y")
+        run.rtol, run.atol = task.rtol, self.hold(task.atol, model.n, "atol")
+        run.first_step, run.max_step, run.max_steps = task.first_step, task.max_step, task.max_steps
+        run.stabilise, run.least_norm, run.dense = task.project, task.least_norm, task.dense
         run.event_direction, run.event_terminal = model.model.event_direction, model.model.event_terminal
         run.poll, run.poll_argument = poll, <void *> self
-        if t_eval is not None:
-            run.n_t_eval = len(t_eval)
-            run.t_eval = self.hold(t_eval)
-        self.hold_inputs(inputs)
+        if task.t_eval is not None:
+            run.n_t_eval = len(task.t_eval)
+            run.t_eval = self.hold(task.t_eval, run.n_t_eval, "t_eval")
+        if model.n_inputs > 0:
+            self.hold_inputs(task.inputs.compiled)
         self.go()
 
     def __dealloc__(self):
@@ -513,43 +493,40 @@ cdef class Run:
             self.run.model.release(&self.run)
         free(self.signals)
 
-    cdef const double *hold(self, array) except NULL:
-        """The numbers of an array that lives as long as the run."""
-        array = np.array(array, dtype=np.float64, order="C")
-        self.held.append(array)
-        cdef const double[::1] flat = array.reshape(-1)
-        return &flat[0]
+    cdef const double *hold(self, array, Py_ssize_t count, str name) except NULL:
+        """The numbers of an array, which is to live as long as the run."""
+        cdef Numbers kept = given(array, (count,), name)
+        self.held.append(kept)
+        return kept.data
 
     cdef hold_inputs(self, tuple inputs):
         cdef Py_ssize_t k
-        self.signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
+        self.signals = <em_signal *> calloc(len(inputs), sizeof(em_signal))
         if self.signals == NULL:
             raise MemoryError
         for k, (kind, times, values) in enumerate(inputs):
             self.signals[k].kind = <em_signal_kind> (<int> kind)
             self.signals[k].count = len(times)
-            self.signals[k].times = self.hold(times)
-            self.signals[k].values = self.hold(values)
+            self.signals[k].times = self.hold(times, len(times), "times")
+            self.signals[k].values = self.hold(values, len(values), "values")
         self.run.inputs = self.signals
 
     cdef go(self):
         cdef int status
         with nogil:
-            status = self.model.model.simulate(&self.run)
+            status = self.run.model.simulate(&self.run)
         if self.pending is not None:
             raise self.pending
         self.stop = _REASONS[status]
 
     cdef table(self, em_rows *rows):
         """t (k,), y (k, n_state): copies, so that they outlive the run."""
-        cdef Py_ssize_t count = rows.count
-        times, states = np.empty(count), np.empty((count, self.model.n_state))
-        cdef double[::1] t = times
-        cdef double[:, ::1] y = states
-        if count > 0:
-            memcpy(&t[0], rows.t, count * sizeof(double))
-            memcpy(&y[0, 0], rows.y, count * self.model.n_state * sizeof(double))
-        return times, states
+        cdef Py_ssize_t k = rows.count
+        cdef Numbers t = zeros((k,)), y = zeros((k, self.model.n_state))
+        if k > 0:
+            memcpy(t.data, rows.t, t.view.len)
+            memcpy(y.data, rows.y, y.view.len)
+        return t.array, y.array
 
     @property
     def rows(self):
@@ -558,10 +535,10 @@ cdef class Run:
 
     @property
     def events(self):
-        """For each event t (k,), y (k, n_state)."""
+        """For each event t (k,), and for each y (k, n_state); None where the model has none."""
         if self.run.events == NULL:
-            return tuple([(np.empty(0), np.empty((0, self.model.n_state))) for _ in self.model.events])
-        return tuple([self.table(&self.run.events[k]) for k in range(self.model.n_events)])
+            return None, None
+        return tuple(map(list, zip(*[self.table(&self.run.events[k]) for k in range(self.model.n_events)])))
 
     @property
     def counts(self):
@@ -569,40 +546,43 @@ cdef class Run:
         return self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded
 
     @property
-    def t_reached(self):
-        return self.run.t_reached
+    def n_dense(self):
+        """How many steps are kept for dense output."""
+        return self.run.n_dense
+
+    @property
+    def status(self):
+        """As SciPy has it: 0 finished, 1 terminal event, -1 failed."""
+        return <int> self.run.fault.status if self.run.fault.status <= EM_TERMINAL_EVENT else -1
 
     @property
     def message(self):
         """How the run ended, where, and what to do."""
+        if self.stop is StopReason.FINISHED:
+            return _FINISHED
         fault = self.run.fault
         words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size)
-        return words if self.stop is StopReason.FINISHED else f"At t = {self.run.t_reached:.9g}: {words}"
+        return f"At t = {self.run.t_reached:.9g}: {words}"
 
     @property
     def step_times(self):
         """(n_dense + 1,) ends of the steps kept for dense output."""
-        cdef Py_ssize_t k, count = self.run.n_dense
-        starts = [self.run.dense_steps[k].t for k in range(count)]
-        return np.array(starts + [self.run.t_reached] if count else starts)
+        return np.array([*[self.run.dense_steps[k].t for k in range(self.run.n_dense)], self.run.t_reached])
 
     def interpolate(self, t):
         """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
-        cdef const double[::1] T = t
-        cdef Py_ssize_t i, count = T.shape[0]
-        cdef int failed = 0
-        out = np.empty((count, self.model.n_state))
-        cdef double[:, ::1] y = out
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), y = zeros((k, self.model.n_state))
         with nogil:
-            for i in range(count):
-                if self.model.model.interpolate(&self.run, self.step_at(T[i]), T[i], &y[i, 0]) != 0:
-                    blank(&y[i, 0], self.model.n_state)
-        return out
+            for i in range(k):
+                if self.run.model.interpolate(&self.run, self.step_at(T.data[i]), T.data[i], y.row(i)) != 0:
+                    blank(y.row(i), y.width)
+        return y.array
 
     cdef size_t step_at(self, double t) noexcept nogil:
         """The last kept step that starts at or before t, in the direction of time."""
         cdef size_t low = 0, high = self.run.n_dense, middle
-        cdef double sign = 1.0 if self.run.t_end > self.run.t_start else -1.0
+        cdef double sign = -1.0 if self.run.t_end < self.run.t_start else 1.0
         while high - low > 1:
             middle = (low + high) // 2
             if sign * self.run.dense_steps[middle].t <= sign * t:

@@ -1,0 +1,124 @@
+"""Where a run may start: the compiled checks (em_start.h) let pass what the ones in words do, and nothing else."""
+
+import numpy as np
+import pytest
+from eigenmotion.codegen.compiler import FORMULATIONS
+from eigenmotion.codegen.model import ModelError
+from sympy import log, sin, sqrt
+
+from eigenmotion.start import _first_bad_pivot, _Start, start_state
+
+from .generation import system_for, system_of
+from .hand_written import bead
+from .honest import X, Y, plane
+
+pytestmark = pytest.mark.filterwarnings("ignore:.*:RuntimeWarning")
+
+RTOL = 1e-6  # residuals of 1e-5 of their terms pass
+CONSTRAINED = ("four_bar", "slider_crank", "dual_link", "rolling_disk", "driven_pendulum")
+
+
+def consistent(name: str, formulation: str = "inverse"):
+    system = system_of(name, formulation)
+    prepared = system.prepare()
+    x, v = system.project_initial_state(*system.start(), dependent_constraints="least_norm")
+    return system.compiled, prepared, 0.0, x, v
+
+
+def refusal(*at: object) -> str:
+    """What the checks in words say; "" where nothing is wrong."""
+    try:
+        _Start(*at).examined(10 * RTOL)
+    except ModelError as error:
+        return str(error)
+    return ""
+
+
+@pytest.mark.parametrize("name", CONSTRAINED)
+def test_both_checks_refuse_the_same_starts(name):
+    """Starts moved by 1e-16 to 1 in random directions: on both sides of the tolerance, and never between the checks."""
+    model, prepared, t, x0, v0 = consistent(name)
+    random, refused = np.random.default_rng(1), 0
+    for size in 10.0 ** random.uniform(-16, 0, 400):
+        dx, dv = random.choice((0.0, size)) * random.normal(size=model.n), size * random.normal(size=model.n)
+        at = (model, prepared, t, x0 + dx, v0 + dv)
+        words, y = refusal(*at), model.start(t, x0 + dx, v0 + dv, prepared, 10 * RTOL)
+        refused += words != ""
+        assert (y is None) == (words != ""), (size, words)
+        if y is None:
+            with pytest.raises(ModelError) as caught:
+                start_state(*at, RTOL)
+            assert str(caught.value) == words
+        else:
+            np.testing.assert_array_equal(y, model.state(t, x0 + dx, v0 + dv, prepared))
+    assert 50 < refused < 350
+
+
+PLANTED = {  # what is wrong at the start given, and what is said of it
+    "infinite_mass": (
+        plane("infinite_mass", kinetic_energy=X.diff() ** 2 / X + Y.diff() ** 2),
+        {"x0": {"x": 0.0}},
+        "mass matrix at x0 is not finite in row 'x', column 'x'",
+    ),
+    "undefined_mass": (
+        plane("undefined_mass", kinetic_energy=X.diff() ** 2 + sqrt(1 + X) * Y.diff() ** 2),
+        {"x0": {"x": -2.0}},
+        "mass matrix at x0 is not finite in row 'y', column 'y'",
+    ),
+    "indefinite_mass": (
+        plane("indefinite_mass", kinetic_energy=X.diff() ** 2 + Y.diff() ** 2 + 4 * sin(X) * X.diff() * Y.diff()),
+        {"x0": {"x": 1.0}},
+        "not positive definite at coordinate 'y'",
+    ),
+    "undefined_position": (
+        plane("undefined_position", holonomic_constraints=[log(X) - Y], initial={X: 1.0}),
+        {"x0": {"x": -1.0}},
+        "x0 is off holonomic constraint row 0 by nan. Start closer",
+    ),
+    "undefined_row": (
+        plane("undefined_row", nonholonomic_constraints=[log(X) * X.diff() - Y.diff()], initial={X: 1.0}),
+        {"x0": {"x": -1.0}},
+        "v0 does not satisfy A v + b = 0 in constraint row 0 by nan",
+    ),
+}
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("kind", list(PLANTED))
+def test_what_is_not_finite_or_not_definite_is_named(kind, formulation):
+    model, start, words = PLANTED[kind]
+    with pytest.raises(ModelError) as caught:
+        system_for(model, formulation).simulate((0, 1), **start)
+    assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky"])
+def test_a_state_that_overflows_is_refused(formulation):
+    heavy = plane("heavy", kinetic_energy=10**6 * (X.diff() ** 2 + Y.diff() ** 2))
+    with pytest.raises(ModelError, match="the state at x0, v0 is not finite"):
+        system_for(heavy, formulation).simulate((0, 1), v0=[1e308, 0])
+
+
+@pytest.mark.parametrize(("M", "bad"), [
+    ([[2.0, 1.0], [1.0, 2.0]], None),
+    ([[1.0, 2.0], [2.0, 1.0]], 1),
+    ([[0.0, 0.0], [0.0, 1.0]], 0),
+    ([[1.0, 0.0, 0.0], [0.0, 1.0, 1.0], [0.0, 1.0, 1.0]], 2),
+    ([[1.0, np.nan], [np.nan, 1.0]], 1),
+    ([[np.inf, 0.0], [0.0, 1.0]], 0),
+])  # fmt: skip
+def test_first_bad_pivot(M, bad):
+    assert _first_bad_pivot(np.array(M)) == bad
+
+
+@pytest.mark.parametrize(("x", "v"), [([1.0], [0.0, 0.0]), ([1.5, 0.0], [0.0]), (1.5, [0.0, 0.0])])
+def test_starts_of_a_wrong_shape_are_refused(x, v):
+    with pytest.raises(ValueError, match="shape"):
+        bead().compiled.start(0.0, x, v, bead().prepare(), 1e-5)
+
+
+def test_rows_of_a_wrong_shape_are_refused():
+    compiled, prepared, t = bead().compiled, bead().prepare(), np.zeros(3)
+    for x, v in (((2, 2), (3, 2)), ((3, 2), (3, 1)), ((3,), (3, 2))):
+        with pytest.raises(ValueError, match="shape"):
+            compiled.energy_rows(t, np.ones(x), np.ones(v), prepared)
