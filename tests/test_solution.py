@@ -290,10 +290,39 @@ def test_mistakes_are_named_before_the_run(options, words):
         bead().simulate((0, 1), **options)
 
 
-@pytest.mark.parametrize("span", [(0, np.inf), (1, 1), (1, np.nan), (0,), (0, 1, 2), "ab", 3])
+@pytest.mark.parametrize("span", [(0, np.inf), (1, np.nan), (0,), (0, 1, 2), "ab", 3])
 def test_bad_spans(span):
     with pytest.raises(ModelError, match="t_span"):
         bead().simulate(span)
+
+
+@pytest.mark.parametrize("method", [*COMPILED, "Radau", "LSODA"])
+@pytest.mark.parametrize("t_eval", [None, [1.0], []])
+def test_a_run_of_no_length_ends_at_once(method, t_eval):
+    near = {"x0": START["x0"] * (1 + 1e-8), "v0": [0.0, 0.0]}
+    first = bead().simulate((1, 2), **near, method=method)
+    found = bead().simulate((1, 1), **near, method=method, t_eval=t_eval, dense_output=True)
+    assert (found.stop, found.status, found.success) == (StopReason.FINISHED, 0, True)
+    assert (found.nfev, found.nsteps, found.nrejected) == (0, 0, 0)
+    assert [t.size for t in found.t_events] == [0, 0]
+    np.testing.assert_array_equal(found.t, [1.0] if t_eval is None else t_eval)
+    np.testing.assert_array_equal(found.y, first.y[:, :1] if found.t.size else np.empty((4, 0)))
+    assert found.energy.shape == found.t.shape
+    if found.t.size:
+        np.testing.assert_array_equal(found.sol([1.0, 1.0]), first.y[:, [0, 0]])
+        with pytest.raises(ValueError, match="outside"):
+            found.sol(1.5)
+
+
+@pytest.mark.parametrize("options", [{"t_eval": [1.0, 1.0]}, {"t_eval": [1.5]}, {"first_step": 0.1}])
+def test_a_run_of_no_length_has_options_of_no_length(options):
+    with pytest.raises(ModelError, match=r"increase|outside|first_step"):
+        bead().simulate((1, 1), **START, **options)
+
+
+def test_a_run_of_no_length_has_no_error_to_estimate():
+    found = bead().simulate((1, 1), **START, estimate_error=True)
+    assert "no rows to compare" in found.error_estimate.message
 
 
 def test_unknown_options_are_type_errors_too():

@@ -122,3 +122,14 @@ def test_rows_of_a_wrong_shape_are_refused():
     for x, v in (((2, 2), (3, 2)), ((3, 2), (3, 1)), ((3,), (3, 2))):
         with pytest.raises(ValueError, match="shape"):
             compiled.energy_rows(t, np.ones(x), np.ones(v), prepared)
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_a_run_of_no_length_gives_the_first_row_of_any_run(formulation):
+    system = system_of("four_bar", formulation)
+    near = system.initial[0] + 1e-7
+    assert abs(system.compiled.position(0.5, near, system.prepare())).max() > 1e-8
+    first, found = (system.simulate((0.5, end), x0=near) for end in (0.6, 0.5))
+    np.testing.assert_array_equal(found.y, first.y[:, :1])
+    assert (found.t.tolist(), found.nfev) == ([0.5], 0)
+    assert abs(found.position_residual).max() < 1e-14

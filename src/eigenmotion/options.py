@@ -67,15 +67,13 @@ def least_norm_of(dependent_constraints: str) -> bool:
 
 
 def span(t_span: tuple[float, float]) -> tuple[float, float]:
-    """Return start and end: two different finite numbers."""
+    """Return start and end: two finite numbers."""
     try:
         start, end = map(float, t_span)
     except (TypeError, ValueError) as error:
         raise ModelError(f"t_span is {t_span!r}, not a pair of numbers (start, end)") from error
     if not (isfinite(start) and isfinite(end)):
         raise ModelError(f"t_span ({start}, {end}) is not finite")
-    if start == end:
-        raise ModelError(f"t_span ({start}, {end}) is empty: give an end that differs from the start")
     return start, end
 
 

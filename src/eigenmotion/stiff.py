@@ -88,6 +88,8 @@ def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple
     forward = task.t_end > task.t_start
     ends = [task.t_start, *(kinks if forward else kinks[::-1]), task.t_end]
     progress.watch.start(ends[0], progress.z[0], _inputs(task, *ends[:2])(ends[0]))
+    if task.t_start == task.t_end:
+        return StopReason.FINISHED, ""
     for start, end in pairwise(ends):
         u = _inputs(task, start, end)
         solver = _solver(task, kind, u, (start, end), progress)
