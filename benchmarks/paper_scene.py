@@ -60,6 +60,14 @@ def within(systems: dict[str, System]) -> None:
         print(f"  {name:<34} {spread(nanoseconds, 1.0):<22} {ratio(nanoseconds, each['lagrange'])}")
 
 
+def around(systems: dict[str, System]) -> None:
+    """What a run costs besides its steps: one that ends where it starts, its checks and its result included."""
+    still = {name: partial(repeated, partial(one.simulate, (0.0, 0.0))) for name, one in systems.items()}
+    print(f"\n{'a run of no length':<36} us")
+    for name, seconds in interleaved(still, ROUNDS).items():
+        print(f"  {name:<34} {spread(seconds / REPEATS, 1e-6)}")
+
+
 def of_scipy(tolerance: float) -> Callable[[], Outcome]:
     """Return the run of `solve_ivp` on the classical equations."""
     f, p = classical(model), np.array([value for _, value in model.parameters])
@@ -83,7 +91,7 @@ def of_system(system: System, tolerance: float) -> Callable[[], Outcome]:
     return run
 
 
-def repeated(run: Callable[[], Outcome]) -> None:
+def repeated(run: Callable[[], object]) -> None:
     for _ in range(REPEATS):
         run()
 
@@ -107,6 +115,7 @@ def main() -> None:
     alone()
     systems = {name: build(model, formulation=name) for name in FORMULATIONS}
     within(systems)
+    around(systems)
     for tolerance in TOLERANCES:
         runs(systems, tolerance)
 
