@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:7647bc8c6e1905a1b00ca10fb8e413919584898202d4ea9e0c18a932bc044a7d */
+/* body sha256:d8c4853d8a771f8f696b1a066dfa0b0ba636afd82533467855f473ff27947959 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -415,7 +415,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
  * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
 #define EM_NEAR 1.0
 #define EM_FAR 1.4
-#define EM_APART 0.3
+#define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.

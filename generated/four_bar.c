@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:708dd7d6057c5dcbfc01b66bc045ac5405786214cfcee8dd73084e93218a4907 */
+/* body sha256:80273711eb38917dad97c0da7de24f92a6dd3d24f4d6f09bbc6920015976e7aa */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -623,7 +623,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
  * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
 #define EM_NEAR 1.0
 #define EM_FAR 1.4
-#define EM_APART 0.3
+#define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.

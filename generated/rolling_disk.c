@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:491435066cf8998deba8810968de9852432a73fec110c62c7d0c94ed2f7c2133 */
+/* body sha256:77ab72dd267d5f42dc329c39634479fa7e750b3b7ea976f2b7b3274ae9bb49ad */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -614,7 +614,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
  * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
 #define EM_NEAR 1.0
 #define EM_FAR 1.4
-#define EM_APART 0.3
+#define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:af7e1092134e1625897f6c2c5874949dd132e7c566aefd2a965e14dfcf288955 */
+/* body sha256:02851db833129dcacc22ea655088692aa408742208907a2d3f25e4220c82e378 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -814,7 +814,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
  * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
 #define EM_NEAR 1.0
 #define EM_FAR 1.4
-#define EM_APART 0.3
+#define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:966aea199dea3a9742fc59c09beae717c19d343648514bd30ff5aace120bc255 */
+/* body sha256:37e05e14d4c4d1df27e3a4ee8671c8907917c82427b949a168887f4e84a238d0 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -293,7 +293,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
  * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
 #define EM_NEAR 1.0
 #define EM_FAR 1.4
-#define EM_APART 0.3
+#define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.

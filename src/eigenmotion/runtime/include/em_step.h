@@ -49,7 +49,7 @@ typedef struct em_walk {
     double stretch;                            /* rtol^(-1 / order): h stretch is the time on which the motion varies */
     double h_next;                             /* size the controller proposes, positive */
     double signals_end;                        /* where the first piece ends: no step goes beyond */
-    double error_norm;
+    double error_norm, last_error;             /* of the step under way; log of that of the last accepted one */
     double longest[N_POSITIONS > 0 ? N_POSITIONS : 1]; /* squared lengths of those rows of A, the largest so far */
     double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */

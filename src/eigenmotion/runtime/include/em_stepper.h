@@ -210,12 +210,15 @@ static int em_attempt(em_walk *w) {
     return w->error_norm < 1.0 ? em_land(w) : 0;
 }
 
-/* By which the size of the next step differs, for the error it had; a step that failed otherwise is quartered. */
+/* By which the size of the next step differs: after an accepted step for its error and that of the one before
+ * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one for its error alone.
+ * A step that failed otherwise is quartered. */
 static double em_size_factor(const em_walk *w, int failed) {
-    const double safety = 0.9, least = 0.2, most = 10.0, exponent = -1.0 / (w->scheme->tableau->error_order + 1);
+    const double safety = 0.9, least = 0.2, most = 4.0, order = w->scheme->tableau->error_order + 1;
     if (failed) return 0.25;
-    if (w->error_norm == 0.0) return most;
-    return em_min(most, em_max(least, safety * pow(w->error_norm, exponent)));
+    const double error = log(w->error_norm);
+    const double wanted = error < 0.0 ? 0.4 * w->last_error - 0.7 * error : -error;
+    return em_min(most, em_max(least, safety * exp(wanted / order)));
 }
 
 /* No step is short enough: the fault that stood in the way, if it was not the error alone. */
@@ -249,6 +252,8 @@ static int em_step_forward(em_walk *w) {
     return EM_GO_ON;
 }
 
+#define EM_LEAST_ERROR -9.2 /* log 1e-4: a step by chance without error says nothing of the next */
+
 /* The end of the step becomes the start of the next. */
 static void em_commit(em_walk *w) {
     em_run *run = w->run;
@@ -256,6 +261,7 @@ static void em_commit(em_walk *w) {
     run->n_bounded += w->mode != 0;
     w->t = w->t_new;
     w->mode = w->mode_new;
+    w->last_error = em_max(log(w->error_norm), EM_LEAST_ERROR);
     memcpy(w->y, w->y_new, sizeof w->y);
     memcpy(w->K[0], w->f_new, sizeof w->f_new);
     memcpy(w->memory, w->memory_new, sizeof w->memory);
