@@ -14,7 +14,7 @@ EM_INLINE void em_corrections(const em_tableau *rk, em_walk *w) {
     const int stages = rk->last_extra > 0 ? rk->last_extra + 1 : rk->stages;
     EM_UNROLL
     for (int i = 0; i < rk->corrections; ++i) {
-        em_combine(rk->d[i], stages, w->h, em_zero, w->K, w->argument);
+        em_combine(rk->d[i], stages, 0, w->h, em_zero, w->K, w->argument);
         memcpy(w->F[4 + i], w->argument, sizeof w->F[0]);
     }
 }

@@ -91,15 +91,24 @@ static int em_settle(const em_run *run, int *mode, int flags, double t, double *
     return model_settle(mode, flags, t, y, run->prepared, memory, pace, fault);
 }
 
-/* out <- y + h sum_j a_j K_j over j < n, with a constant. */
-EM_INLINE void em_combine(const double *restrict a, int n, double h, const double *restrict y,
+/* EM_LANES numbers in one register, from wherever they stand. */
+typedef double em_lanes __attribute__((vector_size(8 * EM_LANES), aligned(8), may_alias));
+
+/* out <- y + h sum_j a_j K_j over j < n, with a constant. Where the rates of K_(n - 1) are `fresh`, written number by
+ * number just now, a read of several at once would wait until all have reached the cache: they are read one by one,
+ * which volatile sees to. */
+EM_INLINE void em_combine(const double *restrict a, int n, int fresh, double h, const double *restrict y,
                           double (*restrict K)[EM_WIDTH], double *restrict out) {
-    for (int k = 0; k < EM_WIDTH; ++k) {
-        double sum = 0.0;
+    const volatile double *const last = K[n - 1];
+    for (int k = 0; k < EM_WIDTH; k += EM_LANES) {
+        em_lanes sum = {0.0};
         EM_UNROLL
-        for (int j = 0; j < n; ++j)
-            if (a[j] != 0.0) sum += a[j] * K[j][k];
-        out[k] = y[k] + h * sum;
+        for (int j = 0; j < n; ++j) {
+            if (a[j] == 0.0) continue;
+            if (fresh && j == n - 1 && k < 2 * N) sum += a[j] * (em_lanes){last[k], last[k + 1], last[k + 2], last[k + 3]};
+            else sum += a[j] * *(const em_lanes *)&K[j][k];
+        }
+        *(em_lanes *)(out + k) = *(const em_lanes *)(y + k) + h * sum;
     }
 }
 
@@ -108,7 +117,7 @@ EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
     EM_UNROLL
     for (int i = first; i <= last; ++i) {
         double *argument = i == rk->solution ? w->y_new : w->argument;
-        em_combine(rk->a[i], i, w->h, w->y, w->K, argument);
+        em_combine(rk->a[i], i, 1, w->h, w->y, w->K, argument);
         if (em_rhs(w, w->mode, w->t + rk->c[i] * w->h, argument, w->memory, w->K[i])) return -1;
     }
     return 0;
@@ -177,17 +186,17 @@ static const double em_zero[EM_WIDTH] = {0.0};
 /* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
 EM_INLINE double em_error_norm(const em_tableau *rk, em_walk *w) {
     em_set_weights(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
-    em_combine(rk->e[0], rk->stages, 1.0, em_zero, w->K, w->error);
+    em_combine(rk->e[0], rk->stages, 0, 1.0, em_zero, w->K, w->error);
     const double first = em_squares(w, w->error);
     if (rk->errors == 1) return fabs(w->h) * sqrt(first / em_count(w));
-    em_combine(rk->e[1], rk->stages, 1.0, em_zero, w->K, w->error);
+    em_combine(rk->e[1], rk->stages, 0, 1.0, em_zero, w->K, w->error);
     const double denominator = first + 0.01 * em_squares(w, w->error);
     return denominator == 0.0 ? 0.0 : fabs(w->h) * first / sqrt(denominator * em_count(w));
 }
 
 EM_INLINE int em_take_step(const em_tableau *rk, em_walk *w) {
     if (em_stages(rk, w, 1, rk->stages - 1)) return -1;
-    if (rk->solution == rk->stages) em_combine(rk->a[rk->solution], rk->stages, w->h, w->y, w->K, w->y_new);
+    if (rk->solution == rk->stages) em_combine(rk->a[rk->solution], rk->stages, 1, w->h, w->y, w->K, w->y_new);
     w->error_norm = em_error_norm(rk, w);
     return 0;
 }
