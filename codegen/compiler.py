@@ -79,8 +79,6 @@ def _choices(formulation: str, close_eigenvalues: str, schur: str) -> Choices:
     _check("formulation", formulation, FORMULATIONS)
     _check("close_eigenvalues", close_eigenvalues, CLOSE_EIGENVALUES)
     _check("schur", schur, SCHUR)
-    if schur == "eigenfactor" and close_eigenvalues == "extrapolate":
-        raise ModelError("schur 'eigenfactor' goes with close_eigenvalues 'bounded'; (53) is not extrapolated")
     return Choices(formulation, close_eigenvalues, schur)
 
 

@@ -31,6 +31,10 @@ class Choices:
     close_eigenvalues: str = "bounded"
     schur: str = "auto"
 
+    @property
+    def extrapolate(self) -> bool:
+        return self.close_eigenvalues == "extrapolate"
+
 
 @dataclass(frozen=True, slots=True)
 class Defaults:
@@ -50,8 +54,8 @@ class Defaults:
 def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     """Lay out state and memory, and write the straight-line part of each function."""
     names, mechanics, eigen = scene.mechanics.name, scene.mechanics, choices.formulation == "eigenfactor"
-    blocks, first_delta, n_memory, n_fixed = _views(scene, choices)
-    groups, n_state = _row_groups(scene, choices, first_delta)
+    blocks, first_delta, first_kept, n_fixed = _views(scene, choices)
+    groups, n_state, n_memory = _row_groups(scene, choices, first_delta, first_kept)
     bodies, n_constants = _Writing(scene, choices, blocks, n_fixed).bodies()
     n, turning = scene.n, [block for block in blocks if block.turning]
     couples = eigen and any(block.size > 1 for block in turning)
@@ -59,8 +63,8 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         name=names, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues, schur=choices.schur,
         eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
         inverse=choices.formulation == "inverse", carries_v=choices.formulation in CARRY_V,
-        bounded=(couples or bool(groups)) and choices.close_eigenvalues == "bounded",
-        extrapolate=couples and choices.close_eigenvalues == "extrapolate", extrapolated=n_memory - 2,
+        bounded=(couples or bool(groups)) and not choices.extrapolate,
+        extrapolate=(couples or bool(groups)) and choices.extrapolate, extrapolated=first_kept - 2,
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         n=n, m=scene.m, h=scene.h, n_state=n_state, n_memory=n_memory,
         n_prepared=len(mechanics.parameters) + n_fixed + n_constants,
@@ -105,8 +109,8 @@ def _views(scene: Scene, choices: Choices) -> tuple[tuple[BlockView, ...], int, 
 
     Returns the blocks and the lengths of state, memory and fixed factors.
     """
-    eigen, extrapolate = choices.formulation == "eigenfactor", choices.close_eigenvalues == "extrapolate"
-    n, turning, first_fixed = scene.n, scene.turning, len(scene.mechanics.parameters)
+    eigen, n, turning = choices.formulation == "eigenfactor", scene.n, scene.turning
+    first_fixed = len(scene.mechanics.parameters)
     C = s = 2 * n
     s += sum(block.size**2 for block in turning) * eigen
     kept, fixed = 0, first_fixed
@@ -114,11 +118,11 @@ def _views(scene: Scene, choices: Choices) -> tuple[tuple[BlockView, ...], int, 
     for block in scene.blocks:
         views.append(_view(scene, block, eigen, (C, s, kept, fixed)))
         room = block.size**2 + block.size
-        kept += (2 * block.size**2 if extrapolate else room) * (block.kind is not Kind.FIXED)
+        kept += (2 * block.size**2 if choices.extrapolate else room) * (block.kind is not Kind.FIXED)
         fixed += 2 * room * (block.kind is Kind.FIXED)
         if eigen and block.kind is Kind.TURNING:
             C, s = C + block.size**2, s + block.size
-    n_memory = 0 if choices.formulation in CARRY_V else kept + 2 * extrapolate
+    n_memory = 0 if choices.formulation in CARRY_V else kept + 2 * choices.extrapolate
     return tuple(views), s, n_memory, fixed - first_fixed
 
 
@@ -144,20 +148,20 @@ def _carried(scene: Scene, eigen: bool) -> tuple[int, ...]:
     return tuple(int(k in turning) for k in range(scene.n))
 
 
-def _row_groups(scene: Scene, choices: Choices, first: int) -> tuple[tuple[RowGroup, ...], int]:
+def _row_groups(scene: Scene, choices: Choices, first: int, first_kept: int) -> tuple[tuple[RowGroup, ...], int, int]:
     """Lay out the eigenfactors of Delta behind those of M: of each group of two rows and more; a lone row needs none.
 
-    Returns the groups, none if Delta is factored numerically, and the length of the state.
+    Returns the groups, none if Delta is factored numerically, and the lengths of state and memory.
     """
     coupled = scene.row_groups if choices.formulation == "eigenfactor" and choices.schur == "eigenfactor" else ()
     if all(len(rows) < 2 for rows in coupled):
-        return (), first
+        return (), first, first_kept
     carried = [len(rows) * (len(rows) > 1) for rows in coupled]
-    groups, C, s = [], first, first + sum(size**2 for size in carried)
+    groups, C, s, kept = [], first, first + sum(size**2 for size in carried), first_kept
     for number, (rows, size) in enumerate(zip(coupled, carried, strict=True), 1):
-        groups.append(RowGroup(number, len(rows), rows, C, s))
-        C, s = C + size**2, s + size
-    return tuple(groups), s
+        groups.append(RowGroup(number, len(rows), rows, C, s, kept))
+        C, s, kept = C + size**2, s + size, kept + 2 * size**2 * choices.extrapolate
+    return tuple(groups), s, kept
 
 
 def _layout(n: int, blocks: Sequence[BlockView], groups: Sequence[RowGroup], formulation: str) -> tuple[Slice, ...]:
@@ -339,8 +343,15 @@ class _Writing:
 
     def settle(self, full: bool) -> Body:
         given = [*self.masses(full, settle=True), *self.constraint_rows(), *self.column("b", self.terms.b)]
-        turning = [entry for entry in self.rates() if not entry[0].startswith("const")] if full else []
-        return self.write([given, turning], self.naming("y", self.in_blocks()), ("t", "c"))
+        return self.write([given, self.turning() if full else []], self.naming("y", self.in_blocks()), ("t", "c"))
+
+    def turning(self) -> list[tuple[str, Node]]:
+        """What Omega of M at an accepted step needs and, where it is extrapolated, Omega of Delta."""
+        if not (self.carries_delta() and self.choices.extrapolate):
+            return [entry for entry in self.rates() if not entry[0].startswith("const")]
+        held = {f"const double Mdot{block.number}" for block in self.blocks if block.constrained}
+        rates = [entry for entry in self.rates() if not entry[0].startswith("const") or entry[0] in held]
+        return [*rates, *self.constraint_rates()]
 
     def mass_matrix(self) -> Body:
         n, M = self.scene.n, self.terms.M

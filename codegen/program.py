@@ -48,13 +48,17 @@ class BlockView:
 
 @dataclass(frozen=True, slots=True)
 class RowGroup:
-    """Constraint rows that Delta couples: C and s are the places of its eigenfactors in the state (47)."""
+    """Constraint rows that Delta couples: C and s are the places of its eigenfactors in the state (47).
+
+    kept : place in the memory of a run of Omega_D and its rate, where (53) is extrapolated
+    """
 
     number: int
     size: int
     rows: tuple[int, ...]
     C: int
     s: int
+    kept: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +114,7 @@ class Program:
     carries_v : whether the state holds xdot itself
     bounded : whether a triangular root takes over where eigenvalues come close
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
-    extrapolate : whether (32) extrapolates Omega there; `extrapolated`: where the memory says so, and from which time
+    extrapolate : whether (32), (53) extrapolate Omega there; `extrapolated`: where the memory says so, and since when
     needs_mass : whether velocities follow from the state only with M(x)
     settles : whether there is anything to do after an accepted step
     layout : the parts of the state vector

@@ -1,30 +1,84 @@
-"""Generated C as a plain program, without Python: to time what takes nanoseconds."""
+"""Generated C, or C by hand, as a plain program without Python: to time what takes nanoseconds."""
 
 from __future__ import annotations
 
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from pathlib import Path
+
+import numpy as np
 
 from eigenmotion import Model
 from eigenmotion.order import order
 from eigenmotion.toolchain import CHECKED, INCLUDE, OPTIMISED, run, toolchain
 
-TIMER = Path(__file__).with_name("right_hand_side.c")
+HERE = Path(__file__).parent
 
 
 def right_hand_side(model: Model, formulation: str, folder: Path) -> Callable[[int], float]:
     """Compile the model with the timer; return calls -> nanoseconds a call."""
-    work = folder / formulation
+    work = generated(model, folder / formulation, formulation=formulation)
+    program = compiled(work, model.name, (f"{model.name}.c",), "right_hand_side.c")
+    return lambda calls: float(_said(program, calls))
+
+
+def generated(model: Model, work: Path, **options: str) -> Path:
+    """Write the sources of a model into a new folder."""
     work.mkdir()
-    for file in order(model, formulation=formulation).sources().files:
+    for file in order(model, **options).sources().files:
         (work / file.name).write_text(file.text)
-    name = f"-DMODEL={model.name}_model"
-    files = (f"{model.name}.c", str(TIMER))
-    run((*toolchain().command, *CHECKED, *OPTIMISED, name, f"-I{INCLUDE}", *files, "-lm", "-o", "timer"), work)
+    return work
 
-    def nanoseconds(calls: int) -> float:
-        done = subprocess.run([work / "timer", str(calls)], capture_output=True, text=True, check=True)
-        return float(done.stdout)
 
-    return nanoseconds
+def compiled(work: Path, name: str, sources: Iterable[str], main: str, *flags: str) -> Path:
+    """Compile a program of this folder with the model of that name; return the program."""
+    flags = (*CHECKED, *OPTIMISED, f"-DMODEL={name}_model", *flags, f"-I{INCLUDE}")
+    run((*toolchain().command, *flags, *sources, str(HERE / main), "-lm", "-o", "program"), work)
+    return work / "program"
+
+
+def _said(program: Path, *arguments: object) -> str:
+    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One run. t (nt,), x (nt, n): at the accepted steps; status 0: it came to its end."""
+
+    nfev: int
+    nsteps: int
+    n_bounded: int
+    status: int
+    t: np.ndarray
+    x: np.ndarray
+
+
+@dataclass(frozen=True, slots=True)
+class Runner:
+    """Runs of a model from its initial state, in C."""
+
+    program: Path
+
+    @classmethod
+    def of_model(cls, model: Model, work: Path, **options: str) -> Runner:
+        """Compile what is generated for a model."""
+        generated(model, work, **options)
+        return cls(compiled(work, model.name, (f"{model.name}.c",), "run.c"))
+
+    @classmethod
+    def by_hand(cls, name: str, source: str, work: Path, *flags: str) -> Runner:
+        """Compile a model written by hand in this folder."""
+        work.mkdir()
+        return cls(compiled(work, name, (str(HERE / source),), "run.c", *flags))
+
+    def outcome(self, t_end: float, tolerance: float, *parameters: float) -> Outcome:
+        """Run once, to t_end at rtol = atol = tolerance."""
+        first, *rows = _said(self.program, 0, t_end, tolerance, *parameters).splitlines()
+        table = np.array([row.split() for row in rows], dtype=float)
+        nfev, nsteps, n_bounded, status = map(int, first.split())
+        return Outcome(nfev, nsteps, n_bounded, status, table[:, 0], table[:, 1:])
+
+    def nanoseconds(self, runs: int, t_end: float, tolerance: float, *parameters: float) -> float:
+        """Return the time a run takes that keeps nothing but its end."""
+        return float(_said(self.program, runs, t_end, tolerance, *parameters))

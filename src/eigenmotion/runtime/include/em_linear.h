@@ -222,18 +222,33 @@ EM_INLINE int em_is_close(double gap, double s_i, double s_j) {
     return fabs(gap) < EM_EPSILON * larger * larger;
 }
 
-/* Omega (n, n) <- (32) here, Omega_dot <- its difference quotient over `elapsed` (0: none yet). */
-EM_INLINE void em_remember_omega(int n, const double *s, const double *mu, double elapsed, double *Omega,
-                                 double *Omega_dot) {
-    for (int i = 0; i < n; ++i)
+/* Omega (n, n) <- (32), (53). Where two eigenvalues are close and `kept` is given, (2, n, n) of the last accepted step,
+ * Omega(t_0) + Omegadot(t_0) since. Returns whether that was so anywhere. */
+EM_INLINE int em_omega(int n, const double *restrict s, const double *restrict mu, const double *kept, double since,
+                       double *restrict Omega) {
+    int continued = 0;
+    for (int i = 0; i < n; ++i) {
+        Omega[i * n + i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const int at = i * n + j;
             const double gap = (s[j] - s[i]) * (s[j] + s[i]);
-            const int close = em_is_close(gap, s[i], s[j]);
-            const double here = close ? Omega[at] + elapsed * Omega_dot[at] : mu[at] / gap;
-            Omega_dot[at] = elapsed == 0.0 ? 0.0 : (here - Omega[at]) / elapsed;
-            Omega[at] = here;
+            const int close = kept && em_is_close(gap, s[i], s[j]);
+            Omega[at] = close ? kept[at] + since * kept[n * n + at] : mu[at] / gap;
+            Omega[j * n + i] = -Omega[at];
+            continued |= close;
         }
+    }
+    return continued;
+}
+
+/* kept (2, n, n) <- Omega of (32), (53) here and its difference quotient over `elapsed` (0: none yet). */
+EM_INLINE void em_remember_omega(int n, const double *s, const double *mu, double elapsed, double *kept) {
+    double Omega[n * n];
+    em_omega(n, s, mu, kept, elapsed, Omega);
+    for (int at = 0; at < n * n; ++at) {
+        kept[n * n + at] = elapsed == 0.0 ? 0.0 : (Omega[at] - kept[at]) / elapsed;
+        kept[at] = Omega[at];
+    }
 }
 
 /* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
@@ -432,31 +447,49 @@ EM_INLINE void em_onto_axes(int n, const double *restrict C, const double *restr
 }
 
 /* The eigenfactors of Delta (m, m), of the rows listed: C_Ddot = -Omega_D C_D (55), s_Ddot = beta_ii / (2 s_D) (54),
- * Omega_D of (53), and lambda <- C_D^T S_D^-2 C_D lambda (48). */
-EM_INLINE void em_delta_rates(int m, const int *rows, const double *restrict C, const double *restrict s,
-                              const double *restrict Delta_dot, double *restrict C_dot, double *restrict s_dot,
-                              double *restrict lambda) {
-    double beta[m * m], part[m];
+ * Omega_D of (53), continued from `kept` as in em_omega, and lambda <- C_D^T S_D^-2 C_D lambda (48). */
+EM_INLINE int em_delta_rates_near(int m, const int *rows, const double *restrict C, const double *restrict s,
+                                  const double *restrict Delta_dot, const double *kept, double since,
+                                  double *restrict C_dot, double *restrict s_dot, double *restrict lambda) {
+    double beta[m * m], Omega[m * m], part[m];
     em_congruence(m, C, Delta_dot, beta);
+    const int continued = em_omega(m, s, beta, kept, since, Omega);
     for (int i = 0; i < m; ++i) {
         part[i] = 0.0;
         for (int j = 0; j < m; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < m; ++k) sum -= Omega[i * m + k] * C[k * m + j];
+            C_dot[i * m + j] = sum;
             part[i] += C[i * m + j] * lambda[rows[j]];
-            C_dot[i * m + j] = 0.0;
         }
         part[i] /= s[i] * s[i];
         s_dot[i] = 0.5 * beta[i * m + i] / s[i];
     }
-    for (int i = 0; i < m; ++i)
-        for (int k = 0; k < m; ++k) {
-            if (k == i) continue;
-            const double Omega = beta[i * m + k] / ((s[k] - s[i]) * (s[k] + s[i]));
-            for (int j = 0; j < m; ++j) C_dot[i * m + j] -= Omega * C[k * m + j];
-        }
     for (int j = 0; j < m; ++j) {
         lambda[rows[j]] = 0.0;
         for (int i = 0; i < m; ++i) lambda[rows[j]] += C[i * m + j] * part[i];
     }
+    return continued;
+}
+
+/* The same as published. */
+EM_INLINE void em_delta_rates(int m, const int *rows, const double *restrict C, const double *restrict s,
+                              const double *restrict Delta_dot, double *restrict C_dot, double *restrict s_dot,
+                              double *restrict lambda) {
+    em_delta_rates_near(m, rows, C, s, Delta_dot, NULL, 0.0, C_dot, s_dot, lambda);
+}
+
+/* Delta_dot (m, m) += Adot Y^T + Y Adot^T - Y Mdot Y^T, the part of one block in the rate of A M^-1 A^T;
+ * Y (m, n) = A M^-1, Mdot NULL where M is constant. (51) without Bdot. */
+EM_COLD void em_add_delta_rate(int m, int n, const double *Adot, const double *Y, const double *Mdot,
+                               double *Delta_dot) {
+    for (int row = 0; row < m; ++row)
+        for (int column = 0; column < m; ++column)
+            for (int i = 0; i < n; ++i) {
+                double sum = Adot[row * n + i] * Y[column * n + i] + Y[row * n + i] * Adot[column * n + i];
+                for (int j = 0; Mdot && j < n; ++j) sum -= Y[row * n + i] * Mdot[i * n + j] * Y[column * n + j];
+                Delta_dot[row * m + column] += sum;
+            }
 }
 
 EM_INLINE double em_sign(double a) {
