@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:887c5400dd4282179152d71ca96404280271a9c11585e83e3c2777af078ad816 */
+/* body sha256:2b40ff1b1e2a8ee6a4516d0defa6c89ef7fa1fb1dec1a3c2134ea73c00a71911 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -543,7 +543,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -561,13 +561,12 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
+        double push = 0.0, drag = s1_dot[i]*eta1[i];
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
         }
-        a1[i] = r1[i]*sum;
-        (void)stretch;
+        a1[i] = r1[i]*(push - drag);
     }
 
     /* etadot = a - B^T lambda (45) */

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:d8c4853d8a771f8f696b1a066dfa0b0ba636afd82533467855f473ff27947959 */
+/* body sha256:551c0ded2641d74686761d9e4f111debf09330ceac211e6c589d1ddfd48d7642 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -232,7 +232,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -250,15 +250,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
     double a1[N1], q1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
-        double turn = 0.0;
+        double push = 0.0, drag = s1_dot[i]*eta1[i], turn = 0.0;
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
             turn += Omega1[i][j]*w1[j];
         }
-        a1[i] = r1[i]*sum;
-        q1[i] = s1[i]*turn - stretch;
+        a1[i] = r1[i]*(push - drag);
+        q1[i] = s1[i]*turn - s1_dot[i]*w1[i];
     }
 
     /* x, y, theta: B = A C^T S^-1 (28) */

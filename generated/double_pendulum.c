@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:7a0fdff82c1279fdf807db0d0b9107ecafb13410f923c619ed7f71a830d35ccf */
+/* body sha256:98f58f23cfb81b24c16f25ceb1104c76844b9bccb8afd9f1341c392ab97b0ad9 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -241,7 +241,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -259,13 +259,12 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
+        double push = 0.0, drag = s1_dot[i]*eta1[i];
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
         }
-        a1[i] = r1[i]*sum;
-        (void)stretch;
+        a1[i] = r1[i]*(push - drag);
     }
 
     /* etadot = a - B^T lambda (45) */

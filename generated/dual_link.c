@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:fdaa6b8f1368ee473acecc0d543fdfe99bc0008499c787b8f37f13f88a0c0d85 */
+/* body sha256:4397f8aab3fe157c148c311a9797d3047f6953250b6873e4887e72a56c77c7ac */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -371,7 +371,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -389,15 +389,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
     double a1[N1], q1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
-        double turn = 0.0;
+        double push = 0.0, drag = s1_dot[i]*eta1[i], turn = 0.0;
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
             turn += Omega1[i][j]*w1[j];
         }
-        a1[i] = r1[i]*sum;
-        q1[i] = s1[i]*turn - stretch;
+        a1[i] = r1[i]*(push - drag);
+        q1[i] = s1[i]*turn - s1_dot[i]*w1[i];
     }
 
     /* theta4: constant factors, a = S^-1 C f (41) */

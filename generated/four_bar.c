@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:80273711eb38917dad97c0da7de24f92a6dd3d24f4d6f09bbc6920015976e7aa */
+/* body sha256:d3a75e774eed97865c5d07b51370bca28fa13134a8a2ccce2b2531eea7722a47 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -364,7 +364,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -382,15 +382,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
     double a1[N1], q1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
-        double turn = 0.0;
+        double push = 0.0, drag = s1_dot[i]*eta1[i], turn = 0.0;
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
             turn += Omega1[i][j]*w1[j];
         }
-        a1[i] = r1[i]*sum;
-        q1[i] = s1[i]*turn - stretch;
+        a1[i] = r1[i]*(push - drag);
+        q1[i] = s1[i]*turn - s1_dot[i]*w1[i];
     }
 
     /* q3: constant factors, a = S^-1 C f (41) */

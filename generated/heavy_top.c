@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:794ed1ce206c1a6e297ddde1aa0345493836d56eb4c5ad733ce85da4f79ffc79 */
+/* body sha256:22611f89c3a345d8b5bb9606f79e012c20d3e7fb9ad624ff97c59655430a029e */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -244,7 +244,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -262,13 +262,12 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
+        double push = 0.0, drag = s1_dot[i]*eta1[i];
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
         }
-        a1[i] = r1[i]*sum;
-        (void)stretch;
+        a1[i] = r1[i]*(push - drag);
     }
 
     /* theta: constant factors, a = S^-1 C f (41) */

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:4b478ed6a3deb3e341a61dd26cacb9c2619f2dc9fbd7a46202e1dc6a6de53830 */
+/* body sha256:ea2215b4b5868c8a921a24bb224ed95fb8e88a649b1dc8eb7e024bce000e4bc3 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -304,7 +304,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -322,13 +322,12 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
+        double push = 0.0, drag = s1_dot[i]*eta1[i];
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
         }
-        a1[i] = r1[i]*sum;
-        (void)stretch;
+        a1[i] = r1[i]*(push - drag);
     }
 
     /* etadot = a - B^T lambda (45) */

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:77ab72dd267d5f42dc329c39634479fa7e750b3b7ea976f2b7b3274ae9bb49ad */
+/* body sha256:8bfea98175ef175c487d4de15d2901f6bd977b597a58d626f611653b17121d05 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -374,7 +374,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -392,15 +392,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
     double a1[N1], q1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
-        double turn = 0.0;
+        double push = 0.0, drag = s1_dot[i]*eta1[i], turn = 0.0;
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
             turn += Omega1[i][j]*w1[j];
         }
-        a1[i] = r1[i]*sum;
-        q1[i] = s1[i]*turn - stretch;
+        a1[i] = r1[i]*(push - drag);
+        q1[i] = s1[i]*turn - s1_dot[i]*w1[i];
     }
 
     /* x, y, phi, theta, psi: B = A C^T S^-1 (28) */

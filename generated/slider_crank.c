@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:6da55bcbe20055fc05b33accacc00f6a57fc88317beed7d4a70e2914fcfab7a1 */
+/* body sha256:bc1227584e4ec4fba4c5be9ef80e3f2d5811cdf952c439c4b79e47c9c49e3d41 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -331,7 +331,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -349,15 +349,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
     double a1[N1], q1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
-        double turn = 0.0;
+        double push = 0.0, drag = s1_dot[i]*eta1[i], turn = 0.0;
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
             turn += Omega1[i][j]*w1[j];
         }
-        a1[i] = r1[i]*sum;
-        q1[i] = s1[i]*turn - stretch;
+        a1[i] = r1[i]*(push - drag);
+        q1[i] = s1[i]*turn - s1_dot[i]*w1[i];
     }
 
     /* x: constant factors, a = S^-1 C f (41) */

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:4759579cbaab1fe1dcaeebe756db3e3bad1e1a556eeb340cae429bb671d0c419 */
+/* body sha256:a50fd037c68320a6d8f55a1903ab4d440787d9b2b919776ae9db78e28cf99563 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -516,7 +516,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -534,13 +534,12 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
+        double push = 0.0, drag = s1_dot[i]*eta1[i];
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
         }
-        a1[i] = r1[i]*sum;
-        (void)stretch;
+        a1[i] = r1[i]*(push - drag);
     }
 
     /* etadot = a - B^T lambda (45) */

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:02851db833129dcacc22ea655088692aa408742208907a2d3f25e4220c82e378 */
+/* body sha256:07c95956c6e03b19b5b7a0c93dd18faa0fe667b12d82547b7805ff4c53db0a37 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -479,7 +479,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega3[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s3[j] - s3[i])*(s3[j] + s3[i]);
-            Omega3[i][j] = mu3[i][j]/gap;
+            Omega3[i][j] = mu3[i][j]*(1.0/gap);
             Omega3[j][i] = -Omega3[i][j];
         }
     }
@@ -497,15 +497,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
     double a3[N3], q3[N3];
     for (int i = 0; i < N3; ++i) {
-        const double stretch = s3_dot[i]*w3[i];
-        double sum = -s3_dot[i]*eta3[i];
-        double turn = 0.0;
+        double push = 0.0, drag = s3_dot[i]*eta3[i], turn = 0.0;
         for (int j = 0; j < N3; ++j) {
-            sum += C3[i][j]*f3[j] - Omega3[i][j]*s3[j]*eta3[j];
+            push += C3[i][j]*f3[j];
+            drag += Omega3[i][j]*(s3[j]*eta3[j]);
             turn += Omega3[i][j]*w3[j];
         }
-        a3[i] = r3[i]*sum;
-        q3[i] = s3[i]*turn - stretch;
+        a3[i] = r3[i]*(push - drag);
+        q3[i] = s3[i]*turn - s3_dot[i]*w3[i];
     }
 
     /* x: B = A C^T S^-1 (28) */

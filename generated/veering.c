@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:37e05e14d4c4d1df27e3a4ee8671c8907917c82427b949a168887f4e84a238d0 */
+/* body sha256:a98f54850beaefc048f6f5f4236084180f2a989ceed003a62bff84042c8f07cd */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -192,7 +192,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
         Omega1[i][i] = 0.0;
         for (int j = 0; j < i; ++j) {
             const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]/gap;
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
             Omega1[j][i] = -Omega1[i][j];
         }
     }
@@ -210,13 +210,12 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
     for (int i = 0; i < N1; ++i) {
-        const double stretch = s1_dot[i]*w1[i];
-        double sum = -s1_dot[i]*eta1[i];
+        double push = 0.0, drag = s1_dot[i]*eta1[i];
         for (int j = 0; j < N1; ++j) {
-            sum += C1[i][j]*f1[j] - Omega1[i][j]*s1[j]*eta1[j];
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
         }
-        a1[i] = r1[i]*sum;
-        (void)stretch;
+        a1[i] = r1[i]*(push - drag);
     }
 
     /* etadot = a - B^T lambda (45) */

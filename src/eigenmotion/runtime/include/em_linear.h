@@ -29,19 +29,26 @@ EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, do
 }
 
 /* L (n, n) lower with M = L L^T; reads the lower triangle of M. r (n): 1 / L_ii.
- * Returns -1, or the index of the first pivot that is not above `tolerance` M_ii. */
+ * Returns -1, or the index of the first pivot that is not above `tolerance` M_ii.
+ * By way of L D L^T: from pivot to pivot leads one division then, and the roots are not waited for. */
 EM_INLINE int em_cholesky(int n, const double *restrict M, double *restrict L, double *restrict r, double tolerance) {
+    double W[n * n]; /* L D^-1, while L D is in L and D^-1 in r */
     for (int j = 0; j < n; ++j) {
         double pivot = M[j * n + j];
-        for (int k = 0; k < j; ++k) pivot -= L[j * n + k] * L[j * n + k];
+        for (int k = 0; k < j; ++k) pivot -= L[j * n + k] * W[j * n + k];
         if (!(pivot > tolerance * M[j * n + j])) return j;
-        L[j * n + j] = sqrt(pivot);
-        r[j] = 1.0 / L[j * n + j];
+        L[j * n + j] = pivot;
+        r[j] = 1.0 / pivot;
         for (int i = j + 1; i < n; ++i) {
             double sum = M[i * n + j];
-            for (int k = 0; k < j; ++k) sum -= L[i * n + k] * L[j * n + k];
-            L[i * n + j] = sum * r[j];
+            for (int k = 0; k < j; ++k) sum -= L[i * n + k] * W[j * n + k];
+            L[i * n + j] = sum;
+            W[i * n + j] = sum * r[j];
         }
+    }
+    for (int j = 0; j < n; ++j) {
+        r[j] = sqrt(r[j]);
+        for (int i = j; i < n; ++i) L[i * n + j] *= r[j];
     }
     return -1;
 }
@@ -393,7 +400,7 @@ EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, int row,
 EM_INLINE int em_solve_delta(int m, double *restrict Delta, double *restrict rhs, int flags, em_fault *fault) {
     if (m == 1) {
         if (!(Delta[0] > 0.0)) return em_solve_dependent(m, Delta, rhs, 0, flags, fault);
-        rhs[0] /= Delta[0];
+        rhs[0] *= 1.0 / Delta[0];
         return 0;
     }
     double L[m * m], r[m];
