@@ -218,7 +218,7 @@ def test_where_eigenvalues_stay_apart_it_is_as_good_as_a_factor_of_delta(name, s
         assert found.success, found.message
         assert found.n_bounded == 0
         errors[schur] = error(found, right)
-    assert errors["eigenfactor"] < 10 * errors["factor"] + 1e-9
+    assert errors["eigenfactor"] < 10 * max(errors["factor"], 1e-9)  # an error below the tolerance is luck
 
 
 GAPS = (0.0, 1e-12, 1e-9, 1e-8, 1e-7, 2e-7, 1e-6, 1e-4, 1e-2)
@@ -231,7 +231,7 @@ def test_where_they_meet_the_outcome_is_right_or_named(gap, rtol, stabilisation)
     """Omega of a near miss jumps where extrapolation begins: a step may get no further, and says so.
 
     With projection what a wrong Delta does to the multipliers is taken out again: it points across the constraints.
-    Without, it adds up, as all drift does.
+    Without, it adds up, as all drift does: in tolerances, as the factor's own error may be less by luck.
     """
     right, options = exactly("veering_rows", 10.0, gap), {"rtol": rtol, "atol": rtol, "parameters": {"gap": gap}}
     runs = [
@@ -243,5 +243,5 @@ def test_where_they_meet_the_outcome_is_right_or_named(gap, rtol, stabilisation)
     assert runs[0].success
     assert runs[1].success or runs[1].stop is StopReason.STEP_SIZE_UNDERFLOW, runs[1].message
     allowed = 3 if stabilisation == "project" else 100
-    assert error(runs[1], right) < allowed * error(runs[0], right)
+    assert error(runs[1], right) < allowed * max(error(runs[0], right), 0.0 if stabilisation == "project" else rtol)
     assert runs[1].success or rtol < 1e-6
