@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..codegen.model import ModelError
 from ..names import Vector
@@ -82,18 +83,20 @@ def reference(equations: Classical, y: Vector, t_end: float, along: tuple[Vector
 
 
 def _pair(rhs: Rhs, t_end: float, along: tuple[Vector, Vector]) -> _Pair:
-    if fastest_decay(rhs, *along) * t_end < _DECAYS:
-        finest = max(1e-17, 50 * EPSILON)
+    rates = rates_of(rhs, *along)
+    if -rates.real.min() * t_end < _DECAYS:
+        rounding = EPSILON * max(50.0, 10.0 * np.abs(rates).max())  # of a stiff spring's force, in a step of its period
+        finest = max(1e-17, float(rounding))
         return _Pair(Midpoint(8), Midpoint(6), finest, "Extrapolated midpoint steps of order 16", 12)
     steps = "As parts of the motion are strongly damped: implicit steps, Radau IIA collocation of order 13,"
     return _Pair(Collocation(7), Collocation(5), 1e-14, steps, 9)
 
 
-def fastest_decay(rhs: Rhs, times: Vector, rows: Vector) -> float:
-    """Return the largest rate [1/s] at which a perturbation dies out, judged at a few of the rows (k, 2n)."""
+def rates_of(rhs: Rhs, times: Vector, rows: Vector) -> NDArray[np.complex128]:
+    """Return the rates [1/s] at which small perturbations grow, die out or turn, at a few of the rows (k, 2n)."""
     looks = np.unique(np.linspace(0, len(times) - 1, _LOOKS).astype(int))
     jacobians = [jacobian(rhs, np.longdouble(times[k]), rows[k].astype(np.longdouble)) for k in looks]
-    return max((float(-np.linalg.eigvals(J).real.min()) for J in jacobians if np.isfinite(J).all()), default=0.0)
+    return np.array([0.0, *(rate for J in jacobians if np.isfinite(J).all() for rate in np.linalg.eigvals(J))], complex)
 
 
 def _shifted(y: Vector) -> Extended:
