@@ -39,7 +39,7 @@ from .oracles.published import DUAL_LINK_X
 
 EXACT = np.array(DUAL_LINK_X, dtype=np.longdouble).astype(float)
 TOLERANCES = tuple(10.0**-k for k in range(4, 13))
-QUICK = Budget(rounds=3)
+QUICK, GRAINY = Budget(rounds=3), Budget(grain=0.02, rounds=1)
 HAS_SUNDIALS = importlib.util.find_spec("sksundae") is not None
 STIFF = {"parameters": {"k": 1e10, "d": 1e6}, "x0": {"q": 0.01}}  # of elastic_link
 
@@ -374,29 +374,36 @@ def slow_solver(seconds: float, fails: bool = False) -> Solver:
 
 def measured_of(solver: Solver) -> list[Measurement]:
     known = Reference(np.array([0.0, 1.0]), np.zeros((2, 1)), np.zeros((2, 1)), np.zeros(2), "by hand")
-    return measure([solver], Judge(known, system_of("pendulum")), Budget(grain=0.02, rounds=1), lambda *_: None)
+    return measure([solver], Judge(known, system_of("pendulum")), GRAINY, lambda *_: None)
 
 
 def test_slow_runs_are_made_at_fewer_tolerances():
     measured = measured_of(slow_solver(0.05))
     assert [m.tolerance for m in measured] == pytest.approx([1e-1, 1e-4, 1e-7])
-    ((label, why),) = skipped([slow_solver(0.05)], measured)
-    assert label == "peer slow"
-    assert re.fullmatch(r"5 of 8 tolerances: a run takes up to 0\.05\d* s", why)
+    why = "5 of 8 tolerances left out, as runs took more than 0.02 s"
+    assert skipped([slow_solver(0.05)], measured, GRAINY) == (("peer slow", why),)
 
 
 def test_after_a_slow_failure_nothing_tighter_is_tried():
     measured = measured_of(slow_solver(0.03, fails=True))
     assert [m.tolerance for m in measured] == [0.1]
-    assert skipped([slow_solver(0.03)], measured) == (
-        ("peer slow", "7 of 8 tolerances: the run at 1e-01 ended early: too many steps"),
+    why = "7 of 8 tolerances left out, as the run at 1e-01 ended early: too many steps"
+    assert skipped([slow_solver(0.03)], measured, GRAINY) == (("peer slow", why),)
+
+
+def test_both_reasons_are_given_where_both_hold():
+    slow = replace(point(1e-3, 0.05), family="peer", formulation="", method="slow", tolerance=0.1)
+    failed = replace(slow, tolerance=1e-4, error_end=None, message="too many steps")
+    ((_, why),) = skipped([slow_solver(0.0)], [slow, failed], GRAINY)
+    assert why == (
+        "6 of 8 tolerances left out, as runs took more than 0.02 s and the run at 1e-04 ended early: too many steps"
     )
 
 
 def test_quick_runs_skip_nothing():
     measured = measured_of(slow_solver(0.0, fails=True))
     assert len(measured) == 8
-    assert skipped([slow_solver(0.0)], measured) == ()
+    assert skipped([slow_solver(0.0)], measured, GRAINY) == ()
 
 
 def test_slow_runs_are_timed_from_the_first(monkeypatch):

@@ -84,7 +84,7 @@ def examine(model: Model, ask: Ask, progress: Progress) -> Findings:
     solvers, absent = _solvers(found, ask, equations, rows[0])
     measured = measure(solvers, Judge(known, system, parameters), ask.budget, _part(progress, 0.3, 1.0))
     lines = curves(measured)
-    left = skipped(solvers, measured)
+    left = skipped(solvers, measured, ask.budget)
     return Findings(found, ask, rows[0], known, measured, absent, left, lines, recommend(lines, ask.error))
 
 

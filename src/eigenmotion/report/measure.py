@@ -15,7 +15,7 @@ from .solvers import Attempt, Motion, Solver
 
 Progress = Callable[[float, str], None]  # how much of the whole is done, 0 ... 1, and what comes next
 _TURN = 2e-3  # [s] a turn of quicker runs is several calls, each timed alone: the median ignores the disturbed ones
-SLOW = 0.2  # [s] slower ones are timed three times, the first run included
+SLOW = 0.1  # [s] slower ones are timed three times, the first run included
 SLOW_TURNS = 2
 
 
@@ -141,22 +141,26 @@ def measure(solvers: Sequence[Solver], judge: Judge, budget: Budget, progress: P
     return tuple(_timed(cell) for cell in cells)
 
 
-def skipped(solvers: Sequence[Solver], measured: Sequence[Measurement]) -> tuple[tuple[str, str], ...]:
+def skipped(solvers: Sequence[Solver], measured: Sequence[Measurement], budget: Budget) -> tuple[tuple[str, str], ...]:
     """Return which solvers have tolerances that were not tried, and why."""
     found = []
     for solver in solvers:
         own = [m for m in measured if m.curve == (solver.family, solver.formulation, solver.method)]
-        count = len(solver.tolerances) - len(own)
-        if count:
-            found.append((solver.label, f"{count} of {len(solver.tolerances)} tolerances: {_reason(own)}"))
+        untried = set(solver.tolerances) - {m.tolerance for m in own}
+        if untried:
+            why = " and ".join(_reasons(own[-1], untried, budget))
+            words = f"{len(untried)} of {len(solver.tolerances)} tolerances left out, as {why}"
+            found.append((solver.label, words))
     return tuple(found)
 
 
-def _reason(measured: Sequence[Measurement]) -> str:
-    last, slowest = measured[-1], max((m.seconds or 0.0 for m in measured), default=0.0)
-    long = f"a run takes up to {slowest:.2g} s"
-    ended = f"the run at {last.tolerance:.0e} ended early: {last.message}"
-    return long if last.error_end is not None else f"{long}; {ended}" if slowest else ended
+def _reasons(last: Measurement, untried: set[float], budget: Budget) -> list[str]:
+    """What was skipped before the last run is due to slowness; what is tighter, to how that ended."""
+    reached = last.error_end is not None
+    reasons = [f"runs took more than {budget.grain:g} s"] if reached or max(untried) > last.tolerance else []
+    if not reached and min(untried) < last.tolerance:
+        reasons.append(f"the run at {last.tolerance:.0e} ended early: {last.message}")
+    return reasons
 
 
 def _errors(solver: Solver, judge: Judge, budget: Budget) -> list[_Cell]:
