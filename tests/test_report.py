@@ -666,8 +666,10 @@ def test_settings_reach_every_run_and_the_reference(monkeypatch):
 PENDULUM = str(MODELS / "pendulum.py")
 
 
-@pytest.mark.parametrize("arguments", [[], ["nowhere.py"], [PENDULUM, "--error", "0"], [PENDULUM, "--t-end", "-1"],
-                                       [PENDULUM, "--set", "gee=1"], [PENDULUM, "--set", "l=long"]])  # fmt: skip
+@pytest.mark.parametrize("arguments", [
+    [], ["nowhere.py"], ["--paper", "--set", "l=1"], [PENDULUM, "--error", "0"], [PENDULUM, "--t-end", "-1"],
+    [PENDULUM, "--set", "gee=1"], [PENDULUM, "--set", "l=long"],
+])  # fmt: skip
 def test_mistakes_in_the_call(arguments, capsys):
     assert main(["report", *arguments]) == 2
     assert capsys.readouterr().err

@@ -44,6 +44,8 @@ def command(
     """
     if not (models or paper):
         raise click.UsageError("name at least one MODEL, or --paper")
+    if settings and not models:
+        raise click.UsageError("--set is for a MODEL: name one")
     require_matplotlib()
     if models:
         orders = distinct([order(file, assignments(define, "-D")) for file in models])
