@@ -19,7 +19,7 @@ from pathlib import Path
 from statistics import median
 
 import numpy as np
-from common.plain import operations, timer
+from common.counted import operations, timer
 from eigenmotion.codegen.model import ModelError
 
 from eigenmotion import Model, System, load_model
@@ -91,7 +91,7 @@ def program(model: Model, formulation: str, folder: Path) -> Program:
     build_module._compile_in(work, model.name, toolchain())
     system = build_module.load(work / f"{model.name}{EXTENSION_SUFFIX}")
     built = time.perf_counter() - start
-    return Program(system, built, counted(model.name, work), timer(model.name, f"{model.name}.o", work))
+    return Program(system, built, counted(model.name, work), timer(model.name, work))
 
 
 def counted(name: str, work: Path) -> int | None:
