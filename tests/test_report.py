@@ -1,9 +1,11 @@
 """`eigenmotion report`: what it measures, against certified motions and by hand; what it writes and advises."""
 
 import csv
+import importlib.util
 import io
 import json
 import re
+import time
 from dataclasses import replace
 from xml.etree import ElementTree
 
@@ -20,12 +22,15 @@ from eigenmotion.cli import main
 from eigenmotion.cli import report as cli
 from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, peers, recommendation, write_report
 from eigenmotion.report.classical import accelerations, classical, double, explicit
-from eigenmotion.report.extended import NotReachedError, extended, trajectory
-from eigenmotion.report.measure import Judge, measure
+from eigenmotion.report.collocation import Collocation
+from eigenmotion.report.extended import NotReachedError, extended, followed, trajectory
+from eigenmotion.report.measure import Judge, measure, skipped
 from eigenmotion.report.peers import Peers
 from eigenmotion.report.recommend import Curve, curves, recommend
-from eigenmotion.report.reference import Reference, reference, scaled_error
-from eigenmotion.report.solvers import METHODS, Attempt, Motion, Solver
+from eigenmotion.report.reference import Reference, rates_of, reference, scaled_error
+from eigenmotion.report.solvers import IMPLICIT, METHODS, Attempt, Motion, Scene, Solver, implicit_solvers
+from eigenmotion.stability.models import elastic_link
+from eigenmotion.stability.truth import Collocated
 
 from .generation import model_of, system_of
 from .models_table import BY_NAME, MODELS, SCENARIOS
@@ -34,7 +39,9 @@ from .oracles.published import DUAL_LINK_X
 
 EXACT = np.array(DUAL_LINK_X, dtype=np.longdouble).astype(float)
 TOLERANCES = tuple(10.0**-k for k in range(4, 13))
-QUICK = Budget(longest=0.3, rounds=3)
+QUICK, GRAINY = Budget(rounds=3), Budget(grain=0.02, rounds=1)
+HAS_SUNDIALS = importlib.util.find_spec("sksundae") is not None
+STIFF = {"parameters": {"k": 1e10, "d": 1e6}, "x0": {"q": 0.01}}  # of elastic_link
 
 
 @pytest.fixture(scope="module")
@@ -49,6 +56,7 @@ def found(progress) -> Findings:
         patch.setenv("EIGENMOTION_CFLAGS", "-O1")  # quick to compile; times are compared with SciPy's only
         patch.setattr("eigenmotion.report.peers.DECADES", (1e-4, 1e-6, 1e-8, 1e-10))
         patch.setattr("eigenmotion.report.peers._TAYLOR_TOLERANCES", (1e-8,))
+        patch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", tuple(10.0**-k for k in range(4, 9)))
         ask = Ask(error=1e-8, t_end=10.0, tolerances=TOLERANCES, budget=QUICK)
         return examine(model_of("dual_link"), ask, lambda done, what: progress.append((done, what)))
 
@@ -109,6 +117,84 @@ def test_extrapolation_stops_where_steps_vanish():
         trajectory(lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-15)
 
 
+def test_collocation_has_its_order():
+    """Steps of fixed length: order 2 stages - 1, and that of the estimate one above the stages."""
+
+    def rhs(time: float, y: np.ndarray) -> np.ndarray:
+        return np.array([y[1], -y[0]])
+
+    ends, estimates = [], []
+    for n in (16, 32):
+        y = np.array([1.0, 0.0], dtype=np.longdouble)
+        for k in range(n):
+            y, estimate = Collocation(3).step(rhs, np.longdouble(8 * k / n), y, np.longdouble(8) / n)
+        ends.append(float(abs(y[0] - np.cos(np.longdouble(8)))))
+        estimates.append(estimate)
+    assert np.log2(ends[0] / ends[1]) == pytest.approx(5, abs=0.5)
+    assert np.log2(estimates[0] / estimates[1]) == pytest.approx(4, abs=0.5)
+
+
+def test_collocation_crosses_a_strongly_damped_start():
+    """y'' + 1e6 y' + 1e10 y = 0, whose parts die out at the rates 1e4 and 1e6."""
+    times = np.linspace(0.0, 1e-3, 11)
+    rows = followed(Collocation(7), lambda time, y: np.array([y[1], -1e6 * y[1] - 1e10 * y[0]]), np.array([1.0, 0.0]),
+                    times, 1e-14)  # fmt: skip
+    with mpmath.workdps(40):
+        root = mpmath.sqrt(mpmath.mpf(10) ** 12 / 4 - mpmath.mpf(10) ** 10)
+        a, b = -mpmath.mpf(500000) + root, -mpmath.mpf(500000) - root
+        exact = [float((a * mpmath.exp(b * float(t)) - b * mpmath.exp(a * float(t))) / (a - b)) for t in times]
+    assert np.abs(rows[:, 0] - exact).max() < 1e-15
+
+
+def test_collocation_does_not_go_on_without_a_solution():
+    with np.errstate(all="ignore"), pytest.raises(NotReachedError):
+        followed(Collocation(5), lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-12)
+
+
+def stiff_start() -> np.ndarray:
+    model = elastic_link()
+    return np.array([*model.initial_x[:2], 0.01, *model.initial_v])
+
+
+def test_the_reference_of_a_stiff_motion_is_implicit():
+    """Against steps on a graded mesh: other steps, the same equations."""
+    equations = classical(elastic_link()).with_parameters(STIFF["parameters"])
+    made = reference(equations, stiff_start(), 0.2)
+    assert "implicit steps" in made.how
+    assert made.errors.max() < 1e-15
+    graded = Collocated(extended(equations), np.ones(6)).rows(stiff_start(), made.t, 0)
+    assert np.abs(graded[:, :3] - made.x).max() < 1e-12
+    rates = rates_of(extended(equations), made.t[:1], stiff_start()[None])
+    assert rates.real.min() == pytest.approx(-1.6e6, rel=0.01)
+
+
+def test_both_kinds_of_reference_agree(monkeypatch):
+    model = model_of("double_pendulum")
+    start = np.array([*model.initial_x, *model.initial_v])
+    explicit_ = reference(classical(model), start, 2.0)
+    monkeypatch.setattr("eigenmotion.report.reference._DECAYS", -1.0)
+    implicit = reference(classical(model), start, 2.0)
+    assert explicit_.how != implicit.how
+    np.testing.assert_allclose(implicit.x, explicit_.x, rtol=0, atol=1e-14)
+
+
+def test_decays_are_found_on_the_way():
+    """A damper that acts at t = 1 only."""
+    times = np.linspace(0.0, 2.0, 5)
+    rates = rates_of(lambda time, y: -1e3 * y * (time == 1), times, np.ones((5, 1)))
+    assert rates.real.min() == pytest.approx(-1e3)
+
+
+def test_the_reference_of_a_stiff_spring_minds_its_rounding():
+    """A mass on a spring of stiffness 1e8, for 100 periods, in steps that rounding does not shorten."""
+    model = model_of("elastic_pendulum")
+    equations = classical(model).with_parameters({"k": 1e8, "g": 0.0})
+    made = reference(equations, np.array([0.0, 1.001, 0.0, 0.0]), 200 * np.pi / 1e4)
+    exact = 1 + 1e-3 * np.cos(1e4 * made.t)
+    assert np.abs(made.x[:, 1] - exact).max() < 1e-14
+    assert made.errors.max() < 1e-14
+
+
 # --- what peers integrate
 
 
@@ -152,6 +238,24 @@ def test_peers_that_are_missing_are_named(monkeypatch):
     assert {solver.family for solver in _peers().solvers} == {"SciPy"}
 
 
+def test_scipys_runs_are_stopped(monkeypatch):
+    monkeypatch.setattr(peers, "LONGEST", 0.0)
+    model = model_of("pendulum")
+    known = reference(classical(model), np.array([*model.initial_x, *model.initial_v]), 1.0)
+    chosen = [solver for solver in _peers().solvers if solver.family == "SciPy"]
+    measured = measure(chosen, Judge(known, system_of("pendulum")), QUICK, lambda *_: None)
+    assert {m.method for m in measured} == {"DOP853", "LSODA", "Radau"}
+    assert {m.message for m in measured} == {"TimeoutError: stopped after 0 s"}
+
+
+def test_casadis_failures_are_told_in_brief(monkeypatch):
+    pytest.importorskip("casadi")
+    monkeypatch.setattr(peers, "MOST_STEPS", {False: 3})
+    (cvodes, _) = [solver for solver in _peers().solvers if solver.family == "CVODES"]
+    with pytest.raises(RuntimeError, match=r"^CVode returned .CV_TOO_MUCH_WORK"):
+        cvodes.attempt(1e-6).run()
+
+
 def _peers() -> Peers:
     model = model_of("pendulum")
     return peers.peers(classical(model), peers.Start(np.array([*model.initial_x, *model.initial_v]), 1.0))
@@ -169,7 +273,7 @@ def test_peers_that_are_installed_find_the_motion(found):
 
 
 def test_every_formulation_method_and_tolerance_is_there(found):
-    ours = [m for m in found.measurements if m.family == "eigenmotion"]
+    ours = [m for m in found.measurements if m.family == "eigenmotion" and m.method in METHODS]
     assert {(m.formulation, m.method) for m in ours} == {(f, m) for f in FORMULATIONS for m in METHODS}
     assert {m.tolerance for m in ours} == set(TOLERANCES)
     for m in ours:
@@ -184,6 +288,32 @@ def test_every_formulation_method_and_tolerance_is_there(found):
         assert (m.factor_residual is None) == (m.formulation != "eigenfactor")
 
 
+def test_every_implicit_method_is_there_once(found):
+    ours = [m for m in found.measurements if m.family == "eigenmotion" and m.method in IMPLICIT]
+    assert {m.formulation for m in ours} == {"lagrange"}
+    assert {m.method for m in ours} == set(IMPLICIT[: 3 + HAS_SUNDIALS])
+    for m in ours:
+        assert m.message == ""
+        assert 0 < m.error_end <= m.error_max
+        assert m.seconds_low <= m.seconds <= m.seconds_high
+        assert m.repeats >= 3
+        assert m.nfev > m.nsteps > 0
+        assert m.constraint_violation < 1e-14
+        assert m.energy_integral < 1e3 * m.error_max
+    run = system_of("dual_link").simulate((0, 10), rtol=1e-6, atol=1e-6, method="Radau")
+    (m,) = [m for m in ours if m.method == "Radau" and m.tolerance == 1e-6]
+    assert m.error_end == pytest.approx(np.max(np.abs(run.x[:, -1] - EXACT) / (1 + np.abs(EXACT))), rel=1e-3)
+
+
+def test_an_implicit_method_that_is_missing_is_named(monkeypatch):
+    monkeypatch.setattr("eigenmotion.report.solvers.find_spec", lambda name: None)
+    solvers, absent = implicit_solvers([system_of("pendulum"), system_of("pendulum", "lagrange")], Scene(1.0, {}))
+    assert [solver.label for solver in solvers] == ["lagrange Radau", "lagrange BDF", "lagrange LSODA"]
+    assert absent == [("cvode", "not installed (pip install 'eigenmotion[stiff]')")]
+    (solver, *_), _ = implicit_solvers([system_of("pendulum")], Scene(1.0, {}))
+    assert solver.label == "eigenfactor Radau"
+
+
 def test_the_error_at_the_end_is_that_of_a_run(found):
     (m,) = [m for m in found.measurements if m.label == "eigenfactor dop853" and m.tolerance == 1e-7]
     run = system_of("dual_link").simulate((0, 10), rtol=1e-7, atol=1e-7)
@@ -192,7 +322,10 @@ def test_the_error_at_the_end_is_that_of_a_run(found):
 
 
 def test_curves_slope_as_the_orders_say(found):
-    orders = {c.label: c.order(found.floor) for c in found.curves if c.family == "eigenmotion"}
+    ours = [c for c in found.curves if c.family == "eigenmotion"]
+    (radau,) = [c for c in ours if c.method == "Radau"]
+    assert 4 < radau.order(found.floor) < 6
+    orders = {c.label: c.order(found.floor) for c in ours if not c.is_implicit}
     assert len(orders) == len(FORMULATIONS) * len(METHODS)
     for label, order in orders.items():
         expected = METHODS[label.split()[1]]
@@ -224,20 +357,60 @@ def test_a_run_that_fails_has_no_error_and_no_time(fault):
         x = np.zeros((1, 1)) if fault == "short" else np.full((2, 1), np.nan)
         return Motion(x, x, nfev=1, nsteps=1)
 
-    solver = Solver("peer", "", "method", (1e-3,), lambda tolerance: Attempt(lambda: None, motion))
+    solver = Solver("peer", "", "method", (1e-3,), lambda tolerance: Attempt(lambda: None, lambda t, _: motion(t)))
     (m,) = measure([solver], Judge(known, system_of("pendulum")), QUICK, lambda done, what: None)
     assert m.error_end is m.seconds is None
     assert {"short": "reach the end", "nan": "not finite", "raises": "no such function"}[fault] in m.message
 
 
-def test_a_solver_is_not_tightened_without_end():
-    times = np.array([0.0, 1.0])
-    known = Reference(times, np.zeros((2, 1)), np.zeros((2, 1)), np.zeros(2), "by hand")
-    rows = np.zeros((2, 1))
-    solver = Solver("peer", "", "slow", (1e-3, 1e-4, 1e-5), lambda tolerance: Attempt(
-        lambda: sum(range(200_000)), lambda t: Motion(rows, rows, nfev=1, nsteps=1)))  # fmt: skip
-    measured = measure([solver], Judge(known, system_of("pendulum")), Budget(longest=1e-5, rounds=1), lambda *_: None)
-    assert [m.tolerance for m in measured] == [1e-3]
+def slow_solver(seconds: float, fails: bool = False) -> Solver:
+    def motion(times: np.ndarray, done: object) -> Motion:
+        rows = np.zeros((2, 1))
+        return Motion(rows, rows, nfev=1, nsteps=1, message="too many steps" if fails else "")
+
+    tolerances = tuple(10.0**-k for k in range(1, 9))
+    return Solver("peer", "", "slow", tolerances, lambda tolerance: Attempt(lambda: time.sleep(seconds), motion))
+
+
+def measured_of(solver: Solver) -> list[Measurement]:
+    known = Reference(np.array([0.0, 1.0]), np.zeros((2, 1)), np.zeros((2, 1)), np.zeros(2), "by hand")
+    return measure([solver], Judge(known, system_of("pendulum")), GRAINY, lambda *_: None)
+
+
+def test_slow_runs_are_made_at_fewer_tolerances():
+    measured = measured_of(slow_solver(0.05))
+    assert [m.tolerance for m in measured] == pytest.approx([1e-1, 1e-4, 1e-7])
+    why = "5 of 8 tolerances left out, as runs took more than 0.02 s"
+    assert skipped([slow_solver(0.05)], measured, GRAINY) == (("peer slow", why),)
+
+
+def test_after_a_slow_failure_nothing_tighter_is_tried():
+    measured = measured_of(slow_solver(0.03, fails=True))
+    assert [m.tolerance for m in measured] == [0.1]
+    why = "7 of 8 tolerances left out, as the run at 1e-01 ended early: too many steps"
+    assert skipped([slow_solver(0.03)], measured, GRAINY) == (("peer slow", why),)
+
+
+def test_both_reasons_are_given_where_both_hold():
+    slow = replace(point(1e-3, 0.05), family="peer", formulation="", method="slow", tolerance=0.1)
+    failed = replace(slow, tolerance=1e-4, error_end=None, message="too many steps")
+    ((_, why),) = skipped([slow_solver(0.0)], [slow, failed], GRAINY)
+    assert why == (
+        "6 of 8 tolerances left out, as runs took more than 0.02 s and the run at 1e-04 ended early: too many steps"
+    )
+
+
+def test_quick_runs_skip_nothing():
+    measured = measured_of(slow_solver(0.0, fails=True))
+    assert len(measured) == 8
+    assert skipped([slow_solver(0.0)], measured, GRAINY) == ()
+
+
+def test_slow_runs_are_timed_from_the_first(monkeypatch):
+    monkeypatch.setattr("eigenmotion.report.measure.SLOW", 0.01)
+    (first, *_) = measured_of(slow_solver(0.02))
+    assert first.repeats == 2
+    assert first.seconds >= 0.02
 
 
 def test_progress_runs_from_start_to_end(found, progress):
@@ -279,6 +452,51 @@ def test_a_lucky_point_is_not_recommended():
 def test_what_is_as_fast_is_named_once_a_solver():
     advice = recommend(curves([point(1e-9, 1.0), point(1e-9, 1.001, "rk34"), point(1e-9, 1.002, "rk34")]), 1e-8)
     assert [p.seconds for p in advice.as_fast] == [1.001]
+
+
+@pytest.fixture(scope="module")
+def stiff() -> Findings:
+    """An elastic link of stiffness 1e10 with damping 1e6, in one formulation, without peers."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("EIGENMOTION_CFLAGS", "-O1")
+        patch.setattr("eigenmotion.report.subject.FORMULATIONS", ("lagrange",))
+        patch.setattr(importlib.import_module("eigenmotion.report.examine"), "peers", lambda *_: Peers((), ()))
+        patch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", (1e-5, 1e-7, 1e-9, 1e-11))
+        ask = Ask(error=1e-6, t_end=0.5, tolerances=(1e-4, 1e-8), settings=STIFF, budget=Budget(rounds=2))
+        return examine(elastic_link(), ask, lambda done, what: None)
+
+
+def test_on_a_stiff_model_an_implicit_method_is_recommended(stiff):
+    chosen = stiff.recommendation.chosen
+    assert chosen.method in IMPLICIT
+    assert chosen.error_max <= 1e-6
+    explicit_ = [m for m in stiff.measurements if m.method in METHODS and m.error_end is not None]
+    assert explicit_
+    assert all(m.seconds > 2 * chosen.seconds and m.nsteps > 20 * chosen.nsteps for m in explicit_)
+    words = " ".join(recommendation(stiff))
+    assert f"formulation lagrange, method {chosen.method}" in words
+    assert "parameters={'k': 10000000000.0, 'd': 1000000.0}, x0={'q': 0.01}" in words
+    assert re.search(r"Times as long to that error: .*lagrange \d", words)
+
+
+def test_the_recommended_call_can_be_made(stiff):
+    """As it is printed; compiled otherwise, its steps may differ, and so does its error."""
+    _, call, *_ = recommendation(stiff)
+    names = {"eigenmotion": em, "model": elastic_link()}
+    exec(call.replace("; eigenmotion.simulate", "; solution = eigenmotion.simulate"), names)
+    error = scaled_error(names["solution"].x[:, -1], stiff.reference.x[-1])
+    assert 0.2 < error / stiff.recommendation.chosen.error_end < 5
+
+
+def test_pictures_and_page_of_a_stiff_model(stiff, tmp_path):
+    pytest.importorskip("matplotlib")
+    write_report([stiff], tmp_path)
+    page = (tmp_path / "report.html").read_text()
+    assert "Set: k = 1e+10, d = 1e+06, q = 0.01." in page
+    assert "Radau IIA" in page
+    (model,) = json.loads((tmp_path / "report.json").read_text())["models"]
+    assert model["settings"] == STIFF
+    assert model["x_start"] == [0.4, 1.3, 0.01]
 
 
 def test_an_accuracy_out_of_reach_is_said_to_be():
@@ -360,6 +578,8 @@ def test_the_page_needs_nothing_else(folder):
     assert "url(http" not in page
     assert "do not couple" in page  # what was left out
     assert "None" not in page
+    assert "measured once, on lagrange" in page
+    assert "the model's own" in page.replace("&#39;", "'")
     assert "nan" not in re.sub(r"<svg.*?</svg>", "", page, flags=re.DOTALL).lower().split()
     for sentence in recommendation_words(page):
         assert sentence
@@ -416,8 +636,40 @@ def test_the_command_sets_arguments_of_models(found, monkeypatch, tmp_path, caps
     assert names == [em.load_model(MODELS / "chain.py", n=2).name]
 
 
-@pytest.mark.parametrize("arguments", [[], ["nowhere.py"], [str(MODELS / "pendulum.py"), "--error", "0"],
-                                       [str(MODELS / "pendulum.py"), "--t-end", "-1"]])  # fmt: skip
+def test_the_command_sets_parameters_and_starts(found, monkeypatch, tmp_path):
+    asked = []
+    monkeypatch.setattr(cli, "examine", lambda model, ask, progress: asked.append(ask.settings) or found)
+    monkeypatch.setattr(cli, "write_report", lambda reports, folder: (folder / "report.html",))
+    monkeypatch.setattr(cli, "recommendation", lambda found: ())
+    settings = ["--set", "k=2e3", "--set", "theta=0.25", "--set", "theta'=1", "--set", "r'=-1"]
+    assert main(["report", str(MODELS / "elastic_pendulum.py"), *settings, "-o", str(tmp_path)]) == 0
+    assert asked == [{"parameters": {"k": 2e3}, "x0": {"theta": 0.25}, "v0": {"theta": 1.0, "r": -1.0}}]
+
+
+def test_settings_reach_every_run_and_the_reference(monkeypatch):
+    """A pendulum of another length let go elsewhere: every measurement agrees with its closed form."""
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O1")
+    monkeypatch.setattr("eigenmotion.report.subject.FORMULATIONS", ("eigenfactor",))
+    monkeypatch.setattr("eigenmotion.report.peers.DECADES", (1e-8,))
+    monkeypatch.setattr("eigenmotion.report.peers._TAYLOR_TOLERANCES", (1e-8,))
+    monkeypatch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", (1e-8,))
+    settings = {"parameters": {"l": 0.4}, "x0": {"theta": 1.0}}
+    ask = Ask(t_end=2.0, tolerances=(1e-8,), settings=settings, budget=Budget(rounds=1))
+    made = examine(model_of("pendulum"), ask, lambda done, what: None)
+    k, w = mpmath.sin(mpmath.mpf(0.5)), mpmath.sqrt(mpmath.mpf(9.81) / mpmath.mpf(0.4))
+    exact = float(2 * mpmath.asin(k * mpmath.ellipfun("cd", 2 * w, k=k)))
+    assert made.reference.x[-1, 0] == pytest.approx(exact, abs=1e-14)
+    assert made.start.tolist() == [1.0, 0.0]
+    assert all(m.message == "" and m.error_max < 1e-4 and m.energy_integral < 1e-4 for m in made.measurements)
+
+
+PENDULUM = str(MODELS / "pendulum.py")
+
+
+@pytest.mark.parametrize("arguments", [
+    [], ["nowhere.py"], ["--paper", "--set", "l=1"], [PENDULUM, "--error", "0"], [PENDULUM, "--t-end", "-1"],
+    [PENDULUM, "--set", "gee=1"], [PENDULUM, "--set", "l=long"],
+])  # fmt: skip
 def test_mistakes_in_the_call(arguments, capsys):
     assert main(["report", *arguments]) == 2
     assert capsys.readouterr().err

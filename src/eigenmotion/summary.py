@@ -13,14 +13,16 @@ def summary(system: System, solution: Solution, seconds: float) -> str:
     Parameters
     ----------
     seconds
-        Wall time of the run [s].
+        Wall time of the run [s], that of the error estimate included.
     """
+    checking = solution.error_cost.seconds if solution.error_cost else 0.0
     rows = [
         ("model", f"{system.name}, {system.formulation}, {system.n_state} states"),
         ("ended", f"{solution.stop} at t = {solution.t[-1]:.10g}"),
         *_invariants(system, solution),
         ("cost", f"{solution.nsteps} steps, {solution.nrejected} rejected, {solution.nfev} right-hand sides"),
-        ("time", f"{_duration(seconds)} for the run"),
+        ("time", f"{_duration(seconds - checking)} for the run"),
+        *_estimate(solution),
     ]
     lines = [f"{label:<22} {text}" for label, text in rows]
     if not solution.success:
@@ -43,12 +45,36 @@ def _invariants(system: System, solution: Solution) -> list[tuple[str, str]]:
     return rows
 
 
+def _estimate(solution: Solution) -> list[tuple[str, str]]:
+    """How large the error is, and what it took to find out, where that was asked for."""
+    estimate, cost = solution.error_estimate, solution.error_cost
+    if estimate is None or cost is None:
+        return []
+    if np.isnan(estimate.scaled):
+        return [("estimated error", estimate.message)]
+    size = (
+        f"{estimate.scaled:.1e} at t = {estimate.t:.10g}, at most {estimate.scaled_largest:.1e} on the way: "
+        "largest |error of x| / (1 + |x|)"
+    )
+    second = (
+        f"{cost.method} at rtol {cost.rtol:.1e}, {cost.nfev} right-hand sides, {_duration(cost.seconds)}: "
+        f"{cost.share:.2g} times as long as the steps of the first"
+    )
+    rows = [("estimated error", size), ("from a second run", second)]
+    return [*rows, ("", estimate.message)] if estimate.message else rows
+
+
 def _final_state(system: System, solution: Solution) -> str:
-    width = max(map(len, system.coordinates))
-    lines = [f"{'':<{width}} {'x':>23} {'xdot':>23}"]
-    for name, x, v in zip(system.coordinates, solution.x[:, -1], solution.v[:, -1], strict=True):
-        lines.append(f"{name:<{width}} {x:>23.16g} {v:>23.16g}")
-    return "\n".join(lines)
+    """The last row; beside it the error of each number, where that was estimated there."""
+    width, estimate = max(map(len, system.coordinates)), solution.error_estimate
+    table = {"x": solution.x[:, -1], "xdot": solution.v[:, -1]}
+    lines = [f"{'':<{width}} " + " ".join(f"{head:>23}" for head in table)]
+    for name, *numbers in zip(system.coordinates, *table.values(), strict=True):
+        lines.append(f"{name:<{width}} " + " ".join(f"{number:>23.16g}" for number in numbers))
+    if estimate is None or np.isnan(estimate.scaled) or estimate.t != solution.t[-1]:
+        return "\n".join(lines)
+    errors = ["errors of x, xdot", *(f"{x:>14.1e} {v:>8.1e}" for x, v in zip(estimate.x, estimate.v, strict=True))]
+    return "\n".join(f"{line}   {more}" for line, more in zip(lines, errors, strict=True))
 
 
 def _largest(values: Vector) -> float:

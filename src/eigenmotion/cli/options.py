@@ -7,6 +7,8 @@ from typing import Any, TypeVar
 
 import click
 
+from eigenmotion.codegen.model import Model
+from eigenmotion.names import spelled
 from eigenmotion.order import Order, order
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -34,6 +36,27 @@ class Shape:
         )
 
 
+def define(command: Command) -> Command:
+    """Add -D."""
+    option = click.option("-D", "define", multiple=True, metavar="NAME=VALUE",
+                          help="Set an argument of the model's function.")  # fmt: skip
+    return option(command)
+
+
+def setting(command: Command) -> Command:
+    """Add --set."""
+    option = click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
+                          help="A parameter or initial value: theta=0.5, theta'=1 for a rate; a quasi-velocity."
+                          )  # fmt: skip
+    return option(command)
+
+
+def ending(kind: Any) -> Callable[[Command], Command]:
+    """Add --t-end, a number of some kind."""
+    return click.option("--t-end", type=kind, default=10.0, show_default=True,
+                        help="Time at which to end; it starts at 0.")  # fmt: skip
+
+
 def shaping(command: Command) -> Command:
     """Add the options of `Shape`."""
     for option in (
@@ -43,8 +66,7 @@ def shaping(command: Command) -> Command:
                      show_default=True, help="Where eigenvalues of M meet: ours, or the paper's."),
         click.option("--formulation", type=click.Choice(FORMULATIONS), default="eigenfactor", show_default=True,
                      help="Which equations of motion."),
-        click.option("-D", "define", multiple=True, metavar="NAME=VALUE",
-                     help="Set an argument of the model's function."),
+        define,
     ):  # fmt: skip
         command = option(command)
     return command
@@ -75,6 +97,33 @@ def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
         if not (name.strip() and equals and value.strip()):
             raise click.UsageError(f"{option} {text}: expected NAME=VALUE")
     return {name.strip(): value.strip() for name, _, value in (text.partition("=") for text in texts)}
+
+
+def values(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float]]:
+    """--set NAME=VALUE ... -> the arguments parameters, x0 and v0 of `simulate`, those that are given.
+
+    Raises
+    ------
+    UsageError
+        A name that the model does not have, or a value that is no number.
+    """
+    given = {name: _number(name, text) for name, text in assignments(settings, "--set").items()}
+    parameters, positions = ([spelled(key) for key in keys] for keys in (dict(model.parameters), model.coordinates))
+    rates = sorted({*(f"{name}'" for name in positions), *(spelled(y) for y, _ in model.quasi_velocities)})
+    unknown = sorted(given.keys() - {*parameters, *positions, *rates})
+    if unknown:
+        known = ", ".join([*parameters, *positions, *rates])
+        raise click.UsageError(f"--set {unknown[0]}: not known to {model.name}, which has {known}")
+    kinds = (("parameters", parameters), ("x0", positions), ("v0", rates))
+    chosen = {kind: {name.removesuffix("'"): given[name] for name in names if name in given} for kind, names in kinds}
+    return {kind: numbers for kind, numbers in chosen.items() if numbers}
+
+
+def _number(name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError as error:
+        raise click.UsageError(f"--set {name}={text}: {text} is not a number") from error
 
 
 def distinct(orders: list[Order]) -> list[Order]:

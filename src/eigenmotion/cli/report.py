@@ -8,11 +8,11 @@ from pathlib import Path
 
 import click
 
-from eigenmotion.order import order
+from eigenmotion.order import Order, order
 from eigenmotion.plot import require_matplotlib
 from eigenmotion.report import Ask, examine, recommendation, write_report
 
-from .options import assignments, distinct
+from .options import assignments, define, distinct, ending, setting, values
 
 Progress = Callable[[float, str], None]
 _STEPS = 1000
@@ -24,12 +24,18 @@ _STEPS = 1000
               show_default=True, help="Folder of the page, pictures and numbers.")  # fmt: skip
 @click.option("--error", type=click.FloatRange(min=0, min_open=True), default=1e-8, show_default=True,
               help="The accuracy to recommend for.")  # fmt: skip
-@click.option("--t-end", type=click.FloatRange(min=0, min_open=True), default=10.0, show_default=True,
-              help="Time at which to end; it starts at 0.")  # fmt: skip
-@click.option("-D", "define", multiple=True, metavar="NAME=VALUE", help="Set an argument of the model's function.")
+@ending(click.FloatRange(min=0, min_open=True))
+@setting
+@define
 @click.option("--paper", is_flag=True, help="Also draw the figures of the paper's experiment.")
 def command(
-    models: tuple[Path, ...], output: Path, error: float, t_end: float, define: tuple[str, ...], paper: bool
+    models: tuple[Path, ...],
+    output: Path,
+    error: float,
+    t_end: float,
+    settings: tuple[str, ...],
+    define: tuple[str, ...],
+    paper: bool,
 ) -> None:
     """Measure error against run time for each MODEL, in every formulation and method, beside SciPy and others.
 
@@ -38,17 +44,20 @@ def command(
     """
     if not (models or paper):
         raise click.UsageError("name at least one MODEL, or --paper")
+    if settings and not models:
+        raise click.UsageError("--set is for a MODEL: name one")
     require_matplotlib()
     if models:
-        _report(models, output, Ask(error=error, t_end=t_end), define)
+        orders = distinct([order(file, assignments(define, "-D")) for file in models])
+        asked = [Ask(error=error, t_end=t_end, settings=values(each.model, settings)) for each in orders]
+        _report(orders, asked, output)
     if paper:
         _draw_paper(output)
 
 
-def _report(models: tuple[Path, ...], output: Path, ask: Ask, define: tuple[str, ...]) -> None:
-    orders = distinct([order(file, assignments(define, "-D")) for file in models])
+def _report(orders: list[Order], asked: list[Ask], output: Path) -> None:
     reports = []
-    for each in orders:
+    for each, ask in zip(orders, asked, strict=True):
         with _bar(each.model.name) as progress:
             reports.append(examine(each.model, ask, progress))
     page, *others = write_report(reports, output)

@@ -17,17 +17,18 @@ from eigenmotion.summary import summary
 from eigenmotion.system import System
 from eigenmotion.toolchain import toolchain
 
-from .options import Shape, assignments, model, shaping
+from .options import Shape, ending, model, setting, shaping, values
 
 
 @click.command("run")
 @model
-@click.option("--t-end", type=float, default=10.0, show_default=True, help="Time at which to end; it starts at 0.")
+@ending(click.FLOAT)
 @click.option("--rtol", type=float, default=1e-6, show_default=True, help="Relative tolerance.")
 @click.option("--atol", type=float, default=1e-9, show_default=True, help="Absolute tolerance.")
-@click.option("--method", default="dop853", show_default=True, help="rk34, dopri5, dop853.")
-@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
-              help="A parameter or initial value: theta=0.5, theta'=1 for a rate; a quasi-velocity.")  # fmt: skip
+@click.option("--method", default="dop853", show_default=True,
+              help="rk34, dopri5, dop853; implicit, for stiff models: Radau, BDF, LSODA, cvode.")  # fmt: skip
+@setting
+@click.option("--estimate-error", is_flag=True, help="Run again more accurately, and say how large the error is.")
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), help="Draw the coordinates over time.")
 @click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), help="Save to FILE.npz or FILE.csv.")
 @shaping
@@ -38,6 +39,7 @@ def command(
     atol: float,
     method: str,
     settings: tuple[str, ...],
+    estimate_error: bool,
     plot: Path | None,
     target: Path | None,
     **shape: Any,
@@ -48,9 +50,12 @@ def command(
     and what was reached, and exits with 2; interrupted, with 130.
     """
     _check_targets(plot, target)
-    system = load(make(Shape(**shape).order(model), toolchain()))
+    order = Shape(**shape).order(model)
+    given = values(order.model, settings)
+    options = {"rtol": rtol, "atol": atol, "method": method, "estimate_error": estimate_error}
+    system = load(make(order, toolchain()))
     start = time.perf_counter()
-    solution = _simulated(system, t_end, settings, rtol=rtol, atol=atol, method=method, dense_output=bool(plot))
+    solution = _simulated(system, t_end, dense_output=bool(plot), **options, **given)
     click.echo(summary(system, solution, time.perf_counter() - start))
     if plot:
         draw_coordinates(system, solution, plot)
@@ -72,36 +77,13 @@ def _check_targets(plot: Path | None, target: Path | None) -> None:
             raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
 
 
-def _simulated(system: System, t_end: float, settings: tuple[str, ...], **options: Any) -> Solution:
+def _simulated(system: System, t_end: float, **options: Any) -> Solution:
     try:
-        return simulate(system, (0.0, t_end), **_sorted_out(system, settings), **options)
+        return simulate(system, (0.0, t_end), **options)
     except ModelError:
         raise
     except ValueError as error:
         raise click.UsageError(str(error)) from error
-
-
-def _sorted_out(system: System, settings: tuple[str, ...]) -> dict[str, Any]:
-    """NAME=VALUE ... -> the arguments parameters, x0 and v0 of `simulate`."""
-    given = {name: _number(name, text) for name, text in assignments(settings, "--set").items()}
-    positions = set(system.coordinates)
-    rates = {f"{name}'" for name in system.coordinates} | set(system.quasi_velocities)
-    unknown = sorted(given.keys() - positions - rates - system.parameters.keys())
-    if unknown:
-        known = ", ".join([*system.parameters, *system.coordinates, *sorted(rates)])
-        raise click.UsageError(f"--set {unknown[0]}: not known to {system.name}, which has {known}")
-    return {
-        "parameters": {name: value for name, value in given.items() if name in system.parameters},
-        "x0": {name: value for name, value in given.items() if name in positions},
-        "v0": {name.removesuffix("'"): value for name, value in given.items() if name in rates},
-    }
-
-
-def _number(name: str, text: str) -> float:
-    try:
-        return float(text)
-    except ValueError as error:
-        raise click.UsageError(f"--set {name}={text}: {text} is not a number") from error
 
 
 def _exit_code(solution: Solution) -> int:

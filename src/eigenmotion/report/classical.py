@@ -6,7 +6,7 @@ Nothing here is shared with the code generator: M_ij = d2T / dv_i dv_j, and f, g
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -47,6 +47,10 @@ class Classical:
     def entries(self) -> list[sympy.Expr]:
         """M, A row by row, then f and g."""
         return [entry for row in (*self.M, *self.A) for entry in row] + [*self.f, *self.g]
+
+    def with_parameters(self, values: Mapping[str, float]) -> "Classical":
+        """Return the same equations with other values of parameters."""
+        return replace(self, constants=tuple((key, values.get(str(key), value)) for key, value in self.constants))
 
     def split(self, values: Sequence[Any]) -> tuple[list[Sequence[Any]], list[Sequence[Any]], Any, Any]:
         """Return M, A, f, g of a list in the order of `entries`."""

@@ -13,13 +13,17 @@ import numpy as np
 from ..plot import require_matplotlib
 from .examine import Findings
 from .recommend import Curve
-from .solvers import METHODS, OURS
+from .solvers import METHODS, OURS, RADAU_ORDER
 
-_LOOKS = {
+_LOOKS: dict[str, tuple[str, str, Any]] = {
     "eigenfactor": ("#0072B2", "o", "-"),
     "cholesky": ("#D55E00", "s", "-"),
     "lagrange": ("#009E73", "^", "-"),
     "inverse": ("#CC79A7", "D", "--"),
+    "Radau": ("#882255", ">", "-"),
+    "BDF": ("#882255", "p", (0, (1, 3))),
+    "LSODA": ("#882255", "<", "--"),
+    "cvode": ("#882255", "P", ":"),
     "heyoka.py Taylor": ("#000000", "*", "--"),
     "CVODES Adams": ("#E69F00", "P", ":"),
     "CVODES BDF": ("#E69F00", "p", (0, (1, 3))),
@@ -51,62 +55,79 @@ def pictures(found: Findings) -> tuple[Picture, ...]:
 
 def _against_peers(found: Findings) -> Picture:
     """Everyone on the left; on the right those that our curves can be told from only at a larger scale."""
-    figure, panels = _figure(2, 11.0, 5.2)
-    chosen = [c for c in found.curves if c.points and (c.family != OURS or c.method == _BEST)]
-    for axes, lines in zip(panels, (chosen, _near(chosen)), strict=True):
+    chosen = [c for c in found.curves if c.points and (c.family != OURS or c.is_implicit or c.method == _BEST)]
+    near = _near(chosen)
+    shown = {f"{found.name}, {found.ask.t_end:g} s of motion": chosen}
+    if _decades(near) < 0.6 * _decades(chosen):
+        shown["the quick ones, enlarged"] = near
+    figure, panels = _figure(len(shown), 4.5 + 3.25 * len(shown), 5.2)
+    for axes, (title, lines) in zip(panels, shown.items(), strict=True):
         for curve in lines:
             _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors, spread=True)
         _finish(axes, found, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
-    panels[0].set_title(f"{found.name}, {found.ask.t_end:g} s of motion")
-    panels[1].set_title("the quick ones, enlarged")
+        axes.set_title(title)
     _legend(figure, panels[0])
     return _picture(
         figure, found, "time", f"{found.name}: error against run time",
-        f"Our formulations with {_BEST}, and what else there is. Bars: quartiles of the repeats. Lower left is better.",
+        f"Our formulations with {_BEST}, our implicit methods, and what else there is. Bars: quartiles of the repeats. "
+        "Lower left is better.",
     )  # fmt: skip
 
 
 def _near(curves: Sequence[Curve]) -> list[Curve]:
-    """Return ours, and those that never take more than a few times as long as we ever do."""
-    longest = max((max(c.seconds) for c in curves if c.family == OURS), default=0.0)
-    return [c for c in curves if c.family == OURS or max(c.seconds) < 3 * longest]
+    """Return our compiled ones, or else all of ours, and who never takes more than a few times as long as they do."""
+    ours = [c for c in curves if c.family == OURS]
+    base = [c for c in ours if not c.is_implicit] or ours
+    longest = max((max(c.seconds) for c in base), default=0.0)
+    return [c for c in curves if c in base or max(c.seconds) < 3 * longest]
+
+
+def _decades(curves: Sequence[Curve]) -> float:
+    every = [seconds for curve in curves for seconds in curve.seconds]
+    return float(np.log10(max(every) / min(every))) if every else 0.0
 
 
 def _by_method(found: Findings) -> Picture:
-    figure, panels = _figure(len(METHODS), 11.0, 4.6)
-    for axes, method in zip(panels, METHODS, strict=True):
-        for curve in _ours(found, method):
+    figure, panels = _figure(len(METHODS) + 1, 13.5, 4.8)
+    for axes, (title, lines, _) in zip(panels, _panels(found), strict=True):
+        for curve in lines:
             _draw(axes, curve, [1e3 * s for s in curve.seconds], curve.errors)
         _finish(axes, found, "run time of one call [ms]", _ERROR if axes is panels[0] else "")
-        axes.set_title(method)
+        axes.set_title(title)
     figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
-    _legend(figure, panels[0], below=True)
+    _legend(figure, *panels, below=True)
     return _picture(
         figure, found, "methods", f"{found.name}: formulations by method",
-        "The same axes for each of the compiled methods.",
+        "The same axes for each of the compiled methods, and for the implicit ones.",
     )  # fmt: skip
 
 
 def _convergence(found: Findings) -> Picture:
     """Error against steps, where order p is a line of slope -p."""
-    figure, panels = _figure(len(METHODS), 11.0, 4.6)
-    for axes, (method, order) in zip(panels, METHODS.items(), strict=True):
-        lines = _ours(found, method)
+    figure, panels = _figure(len(METHODS) + 1, 13.5, 4.8)
+    for axes, (title, lines, order) in zip(panels, _panels(found), strict=True):
         for curve in lines:
             _draw(axes, curve, [p.nsteps or 0 for p in curve.points], curve.errors)
-        _guide(axes, lines, order, found.floor)
+        is_guided = _guide(axes, lines, order, found.floor)
         _finish(axes, found, "accepted steps", _ERROR if axes is panels[0] else "")
-        axes.set_title(f"{method}; grey: order {order}")
+        axes.set_title(f"{title}; grey: order {order}" if is_guided else title)
     figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
-    _legend(figure, panels[0], below=True)
+    _legend(figure, *panels, below=True)
     return _picture(
         figure, found, "order", f"{found.name}: order of convergence",
-        "Error against accepted steps: a method of order p falls along a line of slope -p (grey).",
+        "Error against accepted steps: a method of order p falls along a line of slope -p (grey; among the implicit "
+        "ones Radau's, the others vary theirs).",
     )  # fmt: skip
 
 
+def _panels(found: Findings) -> list[tuple[str, list[Curve], int]]:
+    """Return title, curves and order of each compiled method, and of the implicit ones together."""
+    panels = [(method, _ours(found, method), order) for method, order in METHODS.items()]
+    return [*panels, ("implicit", [c for c in found.curves if c.is_implicit and c.points], RADAU_ORDER)]
+
+
 def _ours(found: Findings, method: str) -> list[Curve]:
-    return [c for c in found.curves if c.family == OURS and c.method == method]
+    return [c for c in found.curves if c.family == OURS and c.method == method and c.points]
 
 
 def _figure(panels: int, width: float, height: float) -> tuple[Any, list[Any]]:
@@ -120,8 +141,8 @@ def _figure(panels: int, width: float, height: float) -> tuple[Any, list[Any]]:
 
 
 def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], spread: bool = False) -> None:
-    name = curve.formulation if curve.family == OURS else curve.label
-    colour, marker, style = _LOOKS.get(name, ("#666666", "x", "--"))
+    name = curve.group
+    colour, marker, style = _LOOKS.get(curve.method if curve.is_implicit else name, ("#666666", "x", "--"))
     heights = [max(e, 1e-17) for e in y]
     look = {"markersize": 7, "markerfacecolor": "none"} if name == _HOLLOW else {"markersize": 4.5}
     axes.plot(x, heights, linestyle=style, color=colour, marker=marker, linewidth=1.3, label=name, **look)
@@ -130,15 +151,17 @@ def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], sprea
         axes.hlines(heights, low, high, color=colour, linewidth=1, alpha=0.5)
 
 
-def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> None:
-    """A line of the method's slope through the middle of the points it is about."""
-    every = [(p.nsteps or 0, p.error_max or 0.0) for curve in lines for p in curve.points]
+def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> bool:
+    """Draw the method's slope through the middle of the points it is about, where steps follow the tolerance at all."""
+    fixed = [c for c in lines if c.method in {*METHODS, "Radau"} and c.order(floor) is not None]
+    every = [(p.nsteps or 0, p.error_max or 0.0) for curve in fixed for p in curve.points]
     points = [(steps, error) for steps, error in every if steps and floor < error < 1e-2]
     if not points:
-        return
+        return False
     steps = sorted(n for n, _ in points)
     at, error = sorted(points)[len(points) // 2]
     axes.plot(steps, [error * (n / at) ** -order for n in steps], color="0.75", linewidth=6, alpha=0.6, zorder=0)
+    return True
 
 
 def _finish(axes: Any, found: Findings, xlabel: str, ylabel: str) -> None:
@@ -163,18 +186,29 @@ def _label_times(axes: Any) -> None:
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: PLC0415, an optional package
 
     first, last = axes.get_xlim()
+    if last < 10 * first:
+        middle = np.sqrt(first * last)
+        first, last = axes.set_xlim(middle / np.sqrt(10), middle * np.sqrt(10))
     decades = np.log10(last / first)
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 2 else (1, 3) if decades < 3 else (1,)))
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}" if value < 1e4 else _power(value)))
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _legend(figure: Any, axes: Any, below: bool = False) -> None:
-    handles, labels = axes.get_legend_handles_labels()
+def _power(value: float) -> str:
+    """Write a long number short: 3e4."""
+    mantissa, exponent = f"{value:e}".split("e")
+    return f"{float(mantissa):g}e{int(exponent)}"
+
+
+def _legend(figure: Any, *panels: Any, below: bool = False) -> None:
+    """What stands for what in any of the panels, each once."""
+    every = [zip(*axes.get_legend_handles_labels(), strict=True) for axes in panels]
+    known = {label: handle for pairs in every for handle, label in pairs}
     if below:
-        figure.legend(handles, labels, loc="outside lower center", ncols=len(labels), frameon=False)
+        figure.legend(known.values(), known, loc="outside lower center", ncols=(len(known) + 1) // 2, frameon=False)
     else:
-        figure.legend(handles, labels, loc="outside right upper", frameon=False)
+        figure.legend(known.values(), known, loc="outside right upper", frameon=False)
 
 
 def _picture(figure: Any, found: Findings, kind: str, title: str, text: str) -> Picture:

@@ -1,19 +1,22 @@
 """One model from its equations to a recommendation."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from ..codegen.model import Model, ModelError
+from ..names import Vector
 from ..simulate import simulate
+from ..solution import Solution
 from ..system import System
-from .classical import classical
-from .measure import Budget, Judge, Measurement, Progress, measure
+from .classical import Classical, classical
+from .measure import Budget, Judge, Measurement, Progress, measure, skipped
 from .peers import Start, peers
 from .recommend import Curve, Recommendation, curves, recommend
 from .reference import Reference, reference
-from .solvers import METHODS, OUR_TOLERANCES, our_solvers
+from .solvers import IMPLICIT, MOST_STEPS, OUR_TOLERANCES, Scene, Solver, compiled_solvers, implicit_solvers
 from .subject import Subject, subject
 
 
@@ -23,24 +26,33 @@ class Ask:
 
     error : the accuracy asked for
     t_end : [s]
-    tolerances : of our runs, from loose to tight
+    tolerances : of our runs with compiled methods, from loose to tight
+    settings : parameters, x0, v0 over the model's own, as `simulate` takes them
     """
 
     error: float = 1e-8
     t_end: float = 10.0
     tolerances: tuple[float, ...] = OUR_TOLERANCES
+    settings: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     budget: Budget = field(default_factory=Budget)
 
 
 @dataclass(frozen=True, slots=True)
 class Findings:
-    """All that was found out about one model."""
+    """All that was found out about one model.
+
+    start : x, v at t = 0
+    absent : peers and methods that there are none of here, and why
+    skipped : solvers of which some tolerances were not tried, and why
+    """
 
     subject: Subject
     ask: Ask
+    start: Vector
     reference: Reference
     measurements: tuple[Measurement, ...]
     absent: tuple[tuple[str, str], ...]
+    skipped: tuple[tuple[str, str], ...]
     curves: tuple[Curve, ...]
     recommendation: Recommendation
 
@@ -64,28 +76,42 @@ def examine(model: Model, ask: Ask, progress: Progress) -> Findings:
         The model has a mistake, cannot be built, or has no reference to compare with.
     """
     found = subject(model, _part(progress, 0.0, 0.2))
-    system = found.systems[0]
+    system, parameters = found.systems[0], ask.settings.get("parameters", {})
     progress(0.2, "reference")
-    equations, start = classical(model), _start(system, ask)
-    judge = Judge(reference(equations, start.y, ask.t_end), system)
-    others = peers(equations, start)
-    solvers = [s for system in found.systems for s in our_solvers(system, ask.t_end, ask.tolerances)]
-    measured = measure([*solvers, *others.solvers], judge, ask.budget, _part(progress, 0.3, 1.0))
+    equations, probe = classical(model).with_parameters(parameters), _probe(system, ask)
+    rows = np.concatenate([probe.x, probe.v]).T
+    known = reference(equations, rows[0], ask.t_end, along=(probe.t, rows))
+    solvers, absent = _solvers(found, ask, equations, rows[0])
+    measured = measure(solvers, Judge(known, system, parameters), ask.budget, _part(progress, 0.3, 1.0))
     lines = curves(measured)
-    advice = recommend(lines, ask.error)
-    return Findings(found, ask, judge.reference, measured, others.absent, lines, advice)
+    left = skipped(solvers, measured, ask.budget)
+    return Findings(found, ask, rows[0], known, measured, absent, left, lines, recommend(lines, ask.error))
+
+
+def _solvers(
+    found: Subject, ask: Ask, equations: Classical, y: Vector
+) -> tuple[list[Solver], tuple[tuple[str, str], ...]]:
+    """Return ours and the peers', and what is absent."""
+    scene = Scene(ask.t_end, ask.settings)
+    ours = [solver for system in found.systems for solver in compiled_solvers(system, scene, ask.tolerances)]
+    implicit, missing = implicit_solvers(found.systems, scene)
+    others = peers(equations, Start(y, ask.t_end))
+    return [*ours, *implicit, *others.solvers], (*missing, *others.absent)
 
 
 def _part(progress: Progress, start: float, end: float) -> Callable[[float, str], None]:
     return lambda done, what: progress(start + (end - start) * done, what)
 
 
-def _start(system: System, ask: Ask) -> Start:
-    """Return the model's own start, having seen one run get to the end."""
-    probe = simulate(system, (0.0, ask.t_end), method=next(reversed(METHODS)), rtol=1e-8, atol=1e-8)
-    if probe.status != 0:
-        raise ModelError(
-            f"{system.name}: a run of {system.formulation} ends at t = {probe.t[-1]:.6g} already: {probe.message} "
-            "Shorten the span with --t-end."
-        )
-    return Start(np.concatenate([probe.x[:, 0], probe.v[:, 0]]), ask.t_end)
+def _probe(system: System, ask: Ask) -> Solution:
+    """Return a run that got to the end: of an explicit method, or where that is held up of an implicit one."""
+    for method in ("dop853", "Radau"):
+        options: dict[str, Any] = {"method": method, "rtol": 1e-8, "atol": 1e-8, **ask.settings}
+        options["max_steps"] = MOST_STEPS[method in IMPLICIT]
+        probe = simulate(system, (0.0, ask.t_end), **options)
+        if probe.status == 0:
+            return probe
+    raise ModelError(
+        f"{system.name}: a run of {system.formulation} ends at t = {probe.t[-1]:.6g} already: {probe.message} "
+        "Shorten the span with --t-end."
+    )

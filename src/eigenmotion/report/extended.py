@@ -7,7 +7,7 @@ of mantissa on x86, 113 where the platform has quadruple precision, and no more 
 
 from collections.abc import Callable, Sequence
 from math import ceil
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import sympy
@@ -19,7 +19,7 @@ from .classical import Classical, accelerations
 Extended = NDArray[np.longdouble]
 Rhs = Callable[[Any, Extended], Extended]
 EPSILON = float(np.finfo(np.longdouble).eps)
-_MOST_STEPS = 20_000
+MOST_STEPS = 20_000
 
 
 class NotReachedError(ArithmeticError):
@@ -53,10 +53,23 @@ def _rounded(number: sympy.Expr) -> np.longdouble:
     return np.longdouble(str(number.evalf(40)))
 
 
-def trajectory(rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float, columns: int = 8) -> Extended:
-    """Return y (k, 2n) at increasing times (k,), the first of which is the start; scaled error a step <= tolerance.
+class Scheme(Protocol):
+    """Steps with an estimate of their error, which falls with h to a power."""
 
-    The order is 2 columns.
+    @property
+    def power(self) -> int: ...
+
+    def step(self, rhs: Rhs, time: Any, y: Extended, h: Any) -> tuple[Extended, float]:
+        """Return y at time + h and the scaled error, infinite or NaN where there is no such step."""
+
+
+def trajectory(rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float, columns: int = 8) -> Extended:
+    """Return y (k, 2n) at increasing times (k,) by `Midpoint` steps of order 2 columns; see `followed`."""
+    return followed(Midpoint(columns), rhs, y, times, tolerance)
+
+
+def followed(scheme: Scheme, rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float) -> Extended:
+    """Return y (k, 2n) at increasing times (k,), the first of which is the start; scaled error a step <= tolerance.
 
     Raises
     ------
@@ -64,7 +77,7 @@ def trajectory(rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float, 
         A step below the spacing of numbers, or too many steps.
     """
     rows = [np.array(y, dtype=np.longdouble)]
-    walk = _Walk(rhs, tolerance, columns, step=float(times[-1] - times[0]) / 64)
+    walk = _Walk(scheme, rhs, tolerance, step=float(times[-1] - times[0]) / 64)
     for start, end in zip(times[:-1].tolist(), times[1:].tolist(), strict=True):
         rows.append(walk.advance(np.longdouble(start), np.longdouble(end), rows[-1]))
     return np.array(rows)
@@ -73,15 +86,14 @@ def trajectory(rhs: Rhs, y: Vector | Extended, times: Vector, tolerance: float, 
 class _Walk:
     """Adaptive steps of fixed order."""
 
-    def __init__(self, rhs: Rhs, tolerance: float, columns: int, step: float) -> None:
-        self.rhs, self.tolerance, self.step, self.left = rhs, tolerance, step, _MOST_STEPS
-        self.substeps = tuple(2 * (k + 1) for k in range(columns))
+    def __init__(self, scheme: Scheme, rhs: Rhs, tolerance: float, step: float) -> None:
+        self.scheme, self.rhs, self.tolerance, self.step, self.left = scheme, rhs, tolerance, step, MOST_STEPS
 
     def advance(self, time: Any, end: Any, y: Extended) -> Extended:
         while time < end:
             parts = max(1, ceil(float(end - time) / self.step))
             h = (end - time) / parts
-            candidate, error = _step(self.rhs, time, y, h, self.substeps)
+            candidate, error = self.scheme.step(self.rhs, time, y, h)
             self._resize(float(h), float(time), error)
             if error <= self.tolerance:
                 time, y = (end if parts == 1 else time + h), candidate
@@ -89,8 +101,7 @@ class _Walk:
 
     def _resize(self, h: float, time: float, error: float) -> None:
         self.left -= 1
-        power = 1 / (2 * len(self.substeps) - 1)
-        factor = 0.8 * (self.tolerance / max(error, 1e-300)) ** power if np.isfinite(error) else 0.2
+        factor = 0.8 * (self.tolerance / max(error, 1e-300)) ** (1 / self.scheme.power) if np.isfinite(error) else 0.2
         wanted = h * min(3.0, max(0.2, factor))
         # a step cut short at a row says little: the length found before stands
         self.step = max(wanted, self.step) if error <= self.tolerance and h < self.step else wanted
@@ -98,17 +109,24 @@ class _Walk:
             raise NotReachedError(f"the reference stopped at t = {time:.6g} with steps of {self.step:.1e} s")
 
 
-def _step(rhs: Rhs, time: Any, y: Extended, h: Any, substeps: tuple[int, ...]) -> tuple[Extended, float]:
-    """Return y at time + h and the scaled difference of the last two columns."""
-    slope = rhs(time, y)
-    row: list[Extended] = []
-    for j, count in enumerate(substeps):
-        above, row = row, [_midpoint(rhs, time, y, slope, h, count)]
-        for k, coarse in enumerate(above):
-            ratio = np.longdouble(count) / substeps[j - k - 1]
-            row.append(row[k] + (row[k] - coarse) / (ratio * ratio - 1))
-    error = np.abs(row[-1] - row[-2]) / (1 + np.abs(y))
-    return row[-1], float(error.max())
+class Midpoint:
+    """Extrapolated midpoint steps: `columns` of them, order 2 columns."""
+
+    def __init__(self, columns: int) -> None:
+        self.substeps = tuple(2 * (k + 1) for k in range(columns))
+        self.power = 2 * columns - 1
+
+    def step(self, rhs: Rhs, time: Any, y: Extended, h: Any) -> tuple[Extended, float]:
+        """Return y at time + h and the scaled difference of the last two columns."""
+        slope = rhs(time, y)
+        row: list[Extended] = []
+        for j, count in enumerate(self.substeps):
+            above, row = row, [_midpoint(rhs, time, y, slope, h, count)]
+            for k, coarse in enumerate(above):
+                ratio = np.longdouble(count) / self.substeps[j - k - 1]
+                row.append(row[k] + (row[k] - coarse) / (ratio * ratio - 1))
+        error = np.abs(row[-1] - row[-2]) / (1 + np.abs(y))
+        return row[-1], float(error.max())
 
 
 def _midpoint(rhs: Rhs, time: Any, y: Extended, slope: Extended, h: Any, count: int) -> Extended:

@@ -2,8 +2,8 @@
 
 import gc
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.integrate import trapezoid
@@ -15,7 +15,8 @@ from .solvers import Attempt, Motion, Solver
 
 Progress = Callable[[float, str], None]  # how much of the whole is done, 0 ... 1, and what comes next
 _TURN = 2e-3  # [s] a turn of quicker runs is several calls, each timed alone: the median ignores the disturbed ones
-_SLOW = 0.2  # [s] slower ones get three turns
+SLOW = 0.1  # [s] slower ones are timed three times, the first run included
+SLOW_TURNS = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +70,7 @@ class Judge:
 
     reference: Reference
     system: System
+    parameters: Mapping[str, float] = field(default_factory=dict)
 
     def __call__(self, blank: Measurement, motion: Motion) -> Measurement:
         """Fill in all but the time."""
@@ -84,7 +86,7 @@ class Judge:
         return self._compared(counted, x, v)
 
     def _compared(self, counted: Measurement, x: Vector, v: Vector) -> Measurement:
-        t, compiled, prepared = self.reference.t, self.system.compiled, self.system.prepare()
+        t, compiled, prepared = self.reference.t, self.system.compiled, self.system.prepare(self.parameters)
         errors, rates = scaled_error(x, self.reference.x), scaled_error(v, self.reference.v)
         return replace(
             counted,
@@ -99,7 +101,8 @@ class Judge:
         if not self.system.conserves_energy:
             return None
         t = self.reference.t
-        P = self.system.compiled.energy_rows(t, x, v, self.system.prepare()) @ (1.0, 0.0, -1.0, 1.0)
+        prepared = self.system.prepare(self.parameters)
+        P = self.system.compiled.energy_rows(t, x, v, prepared) @ (1.0, 0.0, -1.0, 1.0)
         return float(trapezoid(np.abs(P - P[0]), t))
 
 
@@ -107,11 +110,12 @@ class Judge:
 class Budget:
     """How long to go on.
 
-    longest : a solver is not tightened further once a run took longer [s]
-    rounds : turns that every run gets; slow runs get three
+    grain : [s] after a run that took k times as long, a solver skips k tolerances; after one that took as long and did
+        not get to its end, all that are tighter
+    rounds : turns that every run gets; slow runs get fewer
     """
 
-    longest: float = 1.0
+    grain: float = 0.1
     rounds: int = 9
 
 
@@ -137,31 +141,56 @@ def measure(solvers: Sequence[Solver], judge: Judge, budget: Budget, progress: P
     return tuple(_timed(cell) for cell in cells)
 
 
+def skipped(solvers: Sequence[Solver], measured: Sequence[Measurement], budget: Budget) -> tuple[tuple[str, str], ...]:
+    """Return which solvers have tolerances that were not tried, and why."""
+    found = []
+    for solver in solvers:
+        own = [m for m in measured if m.curve == (solver.family, solver.formulation, solver.method)]
+        untried = set(solver.tolerances) - {m.tolerance for m in own}
+        if untried:
+            why = " and ".join(_reasons(own[-1], untried, budget))
+            words = f"{len(untried)} of {len(solver.tolerances)} tolerances left out, as {why}"
+            found.append((solver.label, words))
+    return tuple(found)
+
+
+def _reasons(last: Measurement, untried: set[float], budget: Budget) -> list[str]:
+    """What was skipped before the last run is due to slowness; what is tighter, to how that ended."""
+    reached = last.error_end is not None
+    reasons = [f"runs took more than {budget.grain:g} s"] if reached or max(untried) > last.tolerance else []
+    if not reached and min(untried) < last.tolerance:
+        reasons.append(f"the run at {last.tolerance:.0e} ended early: {last.message}")
+    return reasons
+
+
 def _errors(solver: Solver, judge: Judge, budget: Budget) -> list[_Cell]:
     cells: list[_Cell] = []
-    for tolerance in solver.tolerances:
-        blank = Measurement(solver.family, solver.formulation, solver.method, solver.label, tolerance)
+    k = 0
+    while k < len(solver.tolerances):
+        blank = Measurement(solver.family, solver.formulation, solver.method, solver.label, solver.tolerances[k])
         cell = _first(blank, solver, judge)
         cells.append(cell)
-        if cell.first > budget.longest:
+        if cell.measurement.error_end is None and cell.first > budget.grain:
             break
+        k += 1 + int(cell.first / budget.grain)
     return cells
 
 
 def _first(blank: Measurement, solver: Solver, judge: Judge) -> _Cell:
-    """Run once for the rows and once for the clock. Whatever a solver raises is its result."""
+    """Run once for the clock and once for the rows. Whatever a solver raises is its result."""
+    start = time.perf_counter()
     try:
         attempt = solver.attempt(blank.tolerance)
-        measurement = judge(blank, attempt.motion(judge.reference.t))
         start = time.perf_counter()
-        attempt.run()
-        return _Cell(measurement, attempt, time.perf_counter() - start, [])
+        done = attempt.run()
+        first = time.perf_counter() - start
+        return _Cell(judge(blank, attempt.motion(judge.reference.t, done)), attempt, first, [])
     except Exception as error:
         said = f"{type(error).__name__}: {error}".splitlines()[0]
-        return _Cell(replace(blank, message=said), Attempt(lambda: None, _nothing), 0.0, [])
+        return _Cell(replace(blank, message=said), Attempt(lambda: None, _nothing), time.perf_counter() - start, [])
 
 
-def _nothing(times: Vector) -> Motion:
+def _nothing(times: Vector, done: object) -> Motion:
     raise NotImplementedError
 
 
@@ -171,7 +200,7 @@ def _time(cells: list[_Cell], turn: int) -> None:
     gc.disable()
     try:
         for cell in cells:
-            if cell.measurement.error_end is not None and (turn < 3 or cell.first < _SLOW):
+            if cell.measurement.error_end is not None and (turn < SLOW_TURNS or cell.first < SLOW):
                 cell.samples += _samples(cell.attempt.run, cell.first)
     finally:
         gc.enable()
@@ -193,8 +222,9 @@ def _samples(run: Callable[[], object], expected: float) -> list[float]:
 def _timed(cell: _Cell) -> Measurement:
     if not cell.samples:
         return cell.measurement
-    low, median, high = np.quantile(cell.samples, [0.25, 0.5, 0.75]).tolist()
-    return replace(cell.measurement, seconds=median, seconds_low=low, seconds_high=high, repeats=len(cell.samples))
+    samples = cell.samples if cell.first < SLOW else [cell.first, *cell.samples]
+    low, median, high = np.quantile(samples, [0.25, 0.5, 0.75]).tolist()
+    return replace(cell.measurement, seconds=median, seconds_low=low, seconds_high=high, repeats=len(samples))
 
 
 def _largest(rows: Vector) -> float | None:

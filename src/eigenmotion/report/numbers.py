@@ -38,6 +38,8 @@ def _model(found: Findings) -> dict[str, Any]:
     system, reference = found.subject.systems[0], found.reference
     return {
         "name": found.name, "n": system.n, "m": system.m, "h": system.h, "t_end": found.ask.t_end,
+        "settings": {name: dict(numbers) for name, numbers in found.ask.settings.items()},
+        "x_start": found.start[: system.n].tolist(), "v_start": found.start[system.n :].tolist(),
         "rows": len(reference.t),
         "norm": "max over coordinates of |x - x_ref| / (1 + |x_ref|)",
         "reference": {"how": reference.how, "error_end": float(reference.errors[-1]),
@@ -45,7 +47,7 @@ def _model(found: Findings) -> dict[str, Any]:
                       "v_end": reference.v[-1].tolist()},
         "derivation_seconds": found.subject.derivation,
         "formulations": [_built(built) for built in found.subject.built],
-        "peers_left_out": dict(found.absent),
+        "left_out": dict(found.absent), "tolerances_left_out": dict(found.skipped),
         "measurements": [asdict(m) | {"ns_per_rhs": m.ns_per_rhs} for m in found.measurements],
         "curves": [_curve(curve, found) for curve in found.curves],
         "recommendation": _recommendation(found.recommendation),

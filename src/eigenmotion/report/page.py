@@ -11,9 +11,10 @@ from markupsafe import Markup
 from .curves import Picture
 from .examine import Findings
 from .machine import machine
-from .measure import Measurement
+from .measure import SLOW, SLOW_TURNS, Measurement
+from .peers import LONGEST
 from .recommend import LEVELS, Curve
-from .solvers import OURS
+from .solvers import IMPLICIT, MOST_STEPS, OURS
 from .words import number, recommendation, seconds, spread
 
 Row = tuple[str, ...]
@@ -41,6 +42,7 @@ class Section:
     costs: Table
     builds: Table
     left_out: tuple[tuple[str, tuple[str, ...]], ...]
+    limits: str
     absent: tuple[tuple[str, str], ...]
     reference: str
     measurements: Table
@@ -60,11 +62,10 @@ def _template() -> Template:
 
 
 def _section(found: Findings, drawn: Sequence[Picture]) -> Section:
-    system, reference = found.subject.systems[0], found.reference
+    reference = found.reference
     return Section(
         name=found.name,
-        about=f"Coordinates: {system.n}. Constraint rows: {system.m}, {system.h} of them holonomic. "
-        f"Motion: t = 0 ... {found.ask.t_end:g}, errors at {len(reference.t)} equidistant times.",
+        about=_about(found),
         advice=recommendation(found),
         pictures=tuple((p.title, p.text, Markup(p.svg)) for p in drawn),
         reaching=_reaching(found),
@@ -72,10 +73,35 @@ def _section(found: Findings, drawn: Sequence[Picture]) -> Section:
         costs=_costs(found),
         builds=_builds(found),
         left_out=tuple((s.formulation, s.left_out or ("nothing",)) for s in found.subject.systems),
-        absent=found.absent,
+        limits=_limits(found),
+        absent=(*found.absent, *found.skipped),
         reference=f"{reference.how} Estimate: {number(float(reference.errors[-1]))} at the end, "
         f"{number(float(reference.errors.max()))} at the most.",
         measurements=_measurements(found.measurements),
+    )
+
+
+def _about(found: Findings) -> str:
+    system = found.subject.systems[0]
+    given = [f"{name}{mark} = {value:g}" for kind, mark in (("parameters", ""), ("x0", ""), ("v0", "'"))
+             for name, value in found.ask.settings.get(kind, {}).items()]  # fmt: skip
+    return (
+        f"Coordinates: {system.n}. Constraint rows: {system.m}, {system.h} of them holonomic. "
+        f"Motion: t = 0 ... {found.ask.t_end:g}, errors at {len(found.reference.t)} equidistant times. "
+        + (f"Set: {', '.join(given)}." if given else "Parameters and start: the model's own.")
+    )
+
+
+def _limits(found: Findings) -> str:
+    """Say what is measured less often than the rest, and why."""
+    budget, plain = found.ask.budget, next((c.formulation for c in found.curves if c.is_implicit), "none here")
+    return (
+        f"The implicit methods {', '.join(IMPLICIT)} integrate (x, xdot) with a compiled Jacobian in every "
+        f"formulation, which only says what a row holds beside them: they are measured once, on {plain}, at whole "
+        f"decades of the tolerance. A run is stopped after {MOST_STEPS[False]:,} steps of a compiled method, of "
+        f"heyoka.py or of CVODES, {MOST_STEPS[True]:,} of an implicit method of ours, or {LONGEST:g} s of SciPy's; "
+        f"nothing tighter is tried then. After a run that took k times {budget.grain:g} s the next k tolerances are "
+        f"skipped. Runs of more than {SLOW:g} s are timed {SLOW_TURNS + 1} times."
     )
 
 

@@ -1,5 +1,6 @@
 """What users have today, on the same model: SciPy always, heyoka.py and CasADi where they are installed."""
 
+import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from ..names import Vector
 from .classical import Classical, double, explicit
-from .solvers import Attempt, Motion, Solver
+from .solvers import MOST_STEPS, Attempt, Motion, Solver
 
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))
 _SCIPY = ("DOP853", "LSODA", "Radau")
@@ -21,6 +22,7 @@ _FUNCTIONS = (
     *("sinh", "cosh", "tanh", "sqrt", "exp", "log"),
 )
 _LARGEST = 8  # coordinates up to which the accelerations are written out for peers that compile expressions
+LONGEST = 5.0  # [s] after which a run of SciPy's is stopped
 _CVODES: dict[str, dict[str, Any]] = {
     "Adams": {"linear_multistep_method": "adams", "nonlinear_solver_iteration": "functional"},
     "BDF": {},
@@ -69,16 +71,29 @@ def _scipy(equations: Classical, start: Start) -> list[Solver]:
 
     def attempt(method: str, tolerance: float) -> Attempt:
         def run(t_eval: Vector | None = None) -> Any:
+            f = _limited(rhs, LONGEST)
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # LSODA repeats its message there
-                return solve_ivp(rhs, (0.0, start.t_end), start.y, method, t_eval, rtol=tolerance, atol=tolerance)
+                return solve_ivp(f, (0.0, start.t_end), start.y, method, t_eval, rtol=tolerance, atol=tolerance)
 
-        return Attempt(run, lambda times: _scipy_motion(run(times), run()))
+        return Attempt(run, lambda times, done: _scipy_motion(run(times), done))
 
     def solver(method: str) -> Solver:
         return Solver("SciPy", "classical", method, DECADES, lambda tolerance: attempt(method, tolerance))
 
     return [solver(method) for method in _SCIPY]
+
+
+def _limited(rhs: Callable[[float, Vector], Vector], longest: float) -> Callable[[float, Vector], Vector]:
+    """Stop a run from within: SciPy's have no limit of their own."""
+    deadline = time.perf_counter() + longest
+
+    def limited(t: float, y: Vector) -> Vector:
+        if time.perf_counter() > deadline:
+            raise TimeoutError(f"stopped after {longest:g} s")
+        return rhs(t, y)
+
+    return limited
 
 
 def _scipy_motion(at_rows: Any, at_steps: Any) -> Motion:
@@ -106,14 +121,13 @@ def _heyoka(equations: Classical, start: Start) -> list[Solver]:
 
         def run() -> Any:
             restart()
-            return integrator.propagate_until(start.t_end)
+            return integrator.propagate_until(start.t_end, max_steps=MOST_STEPS[False])
 
-        def motion(times: Vector) -> Motion:
-            steps = run()[3]
+        def motion(times: Vector, done: Any) -> Motion:
             restart()
-            outcome, *_, rows = integrator.propagate_grid(times)
+            outcome, *_, rows = integrator.propagate_grid(times, max_steps=MOST_STEPS[False])
             finished = outcome == heyoka.taylor_outcome.time_limit
-            return Motion(rows[:, :n], rows[:, n:], nfev=None, nsteps=steps, message="" if finished else str(outcome))
+            return Motion(rows[:, :n], rows[:, n:], nfev=None, nsteps=done[3], message="" if finished else str(outcome))
 
         return Attempt(run, motion)
 
@@ -130,22 +144,30 @@ def _casadi(equations: Classical, start: Start) -> list[Solver]:
     problem = {"x": y, "t": t, "ode": casadi.vertcat(y[n:], *a)}
 
     def attempt(method: str, tolerance: float) -> Attempt:
-        options: dict[str, Any] = {"abstol": tolerance, "reltol": tolerance, "max_num_steps": 10**7, **_CVODES[method]}
+        options: dict[str, Any] = {"abstol": tolerance, "reltol": tolerance, **_CVODES[method]}
+        options |= {"max_num_steps": MOST_STEPS[False], "disable_internal_warnings": True}
         to_end = casadi.integrator("to_end", "cvodes", problem, 0.0, [start.t_end], options)
 
-        def motion(times: Vector) -> Motion:
-            to_end(x0=start.y)
+        def motion(times: Vector, _: Any) -> Motion:
             stats = to_end.stats()
             rows = casadi.integrator("rows", "cvodes", problem, 0.0, times.tolist(), options)(x0=start.y)["xf"]
             values = np.array(rows).T
             return Motion(values[:, :n], values[:, n:], nfev=stats["nfevals"], nsteps=stats["nsteps"])
 
-        return Attempt(lambda: to_end(x0=start.y), motion)
+        return Attempt(lambda: _in_brief(to_end, start.y), motion)
 
     def solver(method: str) -> Solver:
         return Solver("CVODES", "written out", method, DECADES, lambda tolerance: attempt(method, tolerance))
 
     return [solver(method) for method in _CVODES]
+
+
+def _in_brief(integrator: Callable[..., Any], y: Vector) -> Any:
+    """Integrate; of CasADi's words about a failure leave the last."""
+    try:
+        return integrator(x0=y)
+    except RuntimeError as error:
+        raise RuntimeError(str(error).splitlines()[-1].rpartition(": ")[2]) from error
 
 
 def _functions(module: Any) -> dict[str, Callable[..., Any]]:

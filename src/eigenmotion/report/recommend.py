@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 
 from .measure import Measurement
-from .solvers import OURS
+from .solvers import IMPLICIT, OURS
 
 LEVELS = (1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12)
 
@@ -21,6 +21,16 @@ class Curve:
     method: str
     label: str
     points: tuple[Measurement, ...]
+
+    @property
+    def is_implicit(self) -> bool:
+        """Whether it is one of our implicit methods."""
+        return self.family == OURS and self.method in IMPLICIT
+
+    @property
+    def group(self) -> str:
+        """What it is compared as: our compiled methods by formulation, everything else by its label."""
+        return self.formulation if self.family == OURS and not self.is_implicit else self.label
 
     @property
     def errors(self) -> list[float]:

@@ -3,20 +3,24 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..codegen.model import ModelError
 from ..names import Vector
 from .classical import Classical
-from .extended import EPSILON, Extended, NotReachedError, extended, trajectory
+from .collocation import Collocation, jacobian
+from .extended import EPSILON, Extended, Midpoint, NotReachedError, Rhs, Scheme, extended, followed
 
 ROWS = 201
-HOW = (
-    "Extrapolated midpoint steps of order 16 in extended precision ({digits:.1f} digits) on Lagrange's equations, "
-    "derived by SymPy apart from the code generator; nothing is projected. Its error is estimated by a second run, of "
-    "order 12, at a hundred times the tolerance, and from a start that differs by {shift} units in the last place, so "
-    "that the estimate is that of the worse of the two and holds how much the motion magnifies rounding."
+_HOW = (
+    "{steps} in extended precision ({digits:.1f} digits) on Lagrange's equations, derived by SymPy apart from the code "
+    "generator; nothing is projected. Its error is estimated by a second run, of order {lower}, at a hundred times the "
+    "tolerance, and from a start that differs by {shift} units in the last place, so that the estimate is that of the "
+    "worse of the two and holds how much the motion magnifies rounding."
 )
 _SHIFT = 16
+_DECAYS = 1e4  # more e-foldings of the fastest decay than this in the span: explicit steps would be held by stability
+_LOOKS = 9  # rows at which the decay is looked at
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,31 +40,63 @@ class Reference:
     how: str
 
 
+@dataclass(frozen=True, slots=True)
+class _Pair:
+    """The scheme of the reference, that of its check, and what it is called."""
+
+    fine: Scheme
+    rough: Scheme
+    tolerance: float
+    steps: str
+    lower: int
+
+
 def scaled_error(x: Vector | Extended, exact: Vector | Extended) -> Vector:
     """Return max_k |x_k - exact_k| / (1 + |exact_k|) of each row: (rows, n) -> (rows,). NaN stays NaN."""
     return np.asarray(np.max(np.abs(x - exact) / (1 + np.abs(exact)), axis=-1), dtype=np.float64)
 
 
-def reference(equations: Classical, y: Vector, t_end: float) -> Reference:
+def reference(equations: Classical, y: Vector, t_end: float, along: tuple[Vector, Vector] | None = None) -> Reference:
     """Integrate from y (2n,) at t = 0 over a grid of ROWS times that ends at t_end.
+
+    Parameters
+    ----------
+    along
+        Times (k,) and rows (k, 2n) of a rough motion, to find out what parts of it are strongly damped.
 
     Raises
     ------
     ModelError
         The motion cannot be followed to t_end in extended precision; says where it ends.
     """
-    times = np.linspace(0.0, t_end, ROWS)
-    finest = max(1e-17, 50 * EPSILON)
-    n, rhs = len(equations.x), extended(equations)
+    times, rhs, n = np.linspace(0.0, t_end, ROWS), extended(equations), len(equations.x)
     try:
         with np.errstate(all="ignore"):
-            fine = trajectory(rhs, y, times, finest, columns=8)
-            other = trajectory(rhs, _shifted(y), times, 100 * finest, columns=6)
+            pair = _pair(rhs, t_end, along or (times[:1], y[None]))
+            fine = followed(pair.fine, rhs, y, times, pair.tolerance)
+            other = followed(pair.rough, rhs, _shifted(y), times, 100 * pair.tolerance)
     except (NotReachedError, ZeroDivisionError, ValueError) as error:
         raise ModelError(f"there is no reference to compare with: {error}; shorten the span with --t-end") from error
     x, v = fine[:, :n].astype(np.float64), fine[:, n:].astype(np.float64)
-    how = HOW.format(digits=-np.log10(EPSILON), shift=_SHIFT)
+    how = _HOW.format(steps=pair.steps, digits=-np.log10(EPSILON), lower=pair.lower, shift=_SHIFT)
     return Reference(times, x, v, scaled_error(other[:, :n], fine[:, :n]), how)
+
+
+def _pair(rhs: Rhs, t_end: float, along: tuple[Vector, Vector]) -> _Pair:
+    rates = rates_of(rhs, *along)
+    if -rates.real.min() * t_end < _DECAYS:
+        rounding = EPSILON * max(50.0, 10.0 * np.abs(rates).max())  # of a stiff spring's force, in a step of its period
+        finest = max(1e-17, float(rounding))
+        return _Pair(Midpoint(8), Midpoint(6), finest, "Extrapolated midpoint steps of order 16", 12)
+    steps = "As parts of the motion are strongly damped: implicit steps, Radau IIA collocation of order 13,"
+    return _Pair(Collocation(7), Collocation(5), 1e-14, steps, 9)
+
+
+def rates_of(rhs: Rhs, times: Vector, rows: Vector) -> NDArray[np.complex128]:
+    """Return the rates [1/s] at which small perturbations grow, die out or turn, at a few of the rows (k, 2n)."""
+    looks = np.unique(np.linspace(0, len(times) - 1, _LOOKS).astype(int))
+    jacobians = [jacobian(rhs, np.longdouble(times[k]), rows[k].astype(np.longdouble)) for k in looks]
+    return np.array([0.0, *(rate for J in jacobians if np.isfinite(J).all() for rate in np.linalg.eigvals(J))], complex)
 
 
 def _shifted(y: Vector) -> Extended:

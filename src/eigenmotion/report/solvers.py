@@ -1,7 +1,10 @@
 """What is measured: one record for ours and for peers alike."""
 
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from importlib.util import find_spec
+from typing import Any
 
 import numpy as np
 
@@ -11,8 +14,13 @@ from ..solution import Solution
 from ..system import System
 
 METHODS = {"rk34": 4, "dopri5": 5, "dop853": 8}  # compiled ones, with the order that error falls with
+IMPLICIT = ("Radau", "BDF", "LSODA", "cvode")
+RADAU_ORDER = 5
 OURS = "eigenmotion"
 OUR_TOLERANCES = tuple(float(10.0 ** (-k / 2)) for k in range(6, 28))  # 1e-3, 3e-4, ... 3e-14
+IMPLICIT_TOLERANCES = tuple(float(10.0**-k) for k in range(3, 14))
+MOST_STEPS = {True: 20_000, False: 1_000_000}  # of an implicit method, in Python; of a compiled one: seconds either way
+_PLAIN = "lagrange"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,11 +45,11 @@ class Attempt:
     """A solver at one tolerance, ready to go.
 
     run : integrates once, over the whole span, and is what the clock sees
-    motion : the rows at given times, off the clock
+    motion : the rows at given times, off the clock; it is handed what `run` returned
     """
 
-    run: Callable[[], object]
-    motion: Callable[[Vector], Motion]
+    run: Callable[[], Any]
+    motion: Callable[[Vector, Any], Motion]
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,22 +68,51 @@ class Solver:
         return f"{self.formulation if self.family == OURS else self.family} {self.method}"
 
 
-def our_solvers(system: System, t_end: float, tolerances: tuple[float, ...]) -> list[Solver]:
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What every run of ours is given: the span, and the arguments parameters, x0, v0 of `simulate`."""
+
+    t_end: float
+    settings: Mapping[str, Mapping[str, float]]
+
+
+def compiled_solvers(system: System, scene: Scene, tolerances: tuple[float, ...]) -> list[Solver]:
     """Every compiled method on one formulation."""
-
-    def solver(method: str) -> Solver:
-        return Solver(
-            OURS, system.formulation, method, tolerances, lambda tolerance: _attempt(system, t_end, method, tolerance)
-        )
-
-    return [solver(method) for method in METHODS]
+    return [_solver(system, scene, method, tolerances) for method in METHODS]
 
 
-def _attempt(system: System, t_end: float, method: str, tolerance: float) -> Attempt:
+def implicit_solvers(systems: Sequence[System], scene: Scene) -> tuple[list[Solver], list[tuple[str, str]]]:
+    """Every implicit method, once, and why one is absent: (name, reason).
+
+    They integrate (x, v) with a compiled Jacobian whatever the formulation, which only says what a row holds beside
+    them: lagrange nothing, so that its rows are the quickest.
+    """
+    chosen = next((system for system in systems if system.formulation == _PLAIN), systems[0])
+    absent = [] if find_spec("sksundae") else [("cvode", "not installed (pip install 'eigenmotion[stiff]')")]
+    names = [method for method in IMPLICIT if method not in dict(absent)]
+    return [_solver(chosen, scene, method, IMPLICIT_TOLERANCES) for method in names], absent
+
+
+def _solver(system: System, scene: Scene, method: str, tolerances: tuple[float, ...]) -> Solver:
+    return Solver(
+        OURS, system.formulation, method, tolerances, lambda tolerance: _attempt(system, scene, method, tolerance)
+    )
+
+
+def _attempt(system: System, scene: Scene, method: str, tolerance: float) -> Attempt:
+    options: dict[str, Any] = {"method": method, "rtol": tolerance, "atol": tolerance, **scene.settings}
+    options["max_steps"] = MOST_STEPS[method in IMPLICIT]
+
     def run(t_eval: Vector | None = None) -> Solution:
-        return simulate(system, (0.0, t_end), method=method, rtol=tolerance, atol=tolerance, t_eval=t_eval)
+        return simulate(system, (0.0, scene.t_end), t_eval=t_eval, **options)
 
-    return Attempt(run, lambda times: _motion(system, run(times), run()))
+    def quietly(t_eval: Vector | None = None) -> Solution:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # what SciPy warns of is in the outcome
+            return run(t_eval)
+
+    used = quietly if method in IMPLICIT else run
+    return Attempt(used, lambda times, done: _motion(system, used(times) if done.status == 0 else done, done))
 
 
 def _motion(system: System, at_rows: Solution, at_steps: Solution) -> Motion:

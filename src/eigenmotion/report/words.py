@@ -36,9 +36,11 @@ def recommendation(found: Findings) -> tuple[str, ...]:
         f"method {best.method}, rtol = atol = {best.tolerance:.1e}: error {number(best.error_max)} in "
         f"{seconds(best.seconds)} ({spread(best)})."
     )
+    given = "".join(f", {name}={dict(numbers)}" for name, numbers in found.ask.settings.items())
     call = (
         f'system = eigenmotion.build(model, formulation="{best.formulation}"); eigenmotion.simulate(system, '
-        f'(0, {found.ask.t_end:g}), method="{best.method}", rtol={best.tolerance:.1e}, atol={best.tolerance:.1e})'
+        f'(0, {found.ask.t_end:g}){given}, method="{best.method}", rtol={best.tolerance:.1e}, '
+        f"atol={best.tolerance:.1e})"
     )
     return (choice, call, *_as_fast(found), *_others(found), *_caution(found))
 
@@ -58,11 +60,11 @@ def _others(found: Findings) -> tuple[str, ...]:
     """Say how much longer the others take to the same error, each family by its best."""
     asked, chosen = found.recommendation.asked, found.recommendation.chosen
     best: dict[str, float] = {}
-    for curve in found.curves:
-        name, needed = (curve.formulation if curve.family == OURS else curve.label), curve.seconds_at(asked)
-        if needed is not None and (chosen is None or name != chosen.formulation):
-            best[name] = min(needed, best.get(name, needed))
     own = next((c for c in found.curves if chosen and c.label == chosen.label and c.family == OURS), None)
+    for curve in found.curves:
+        needed = curve.seconds_at(asked)
+        if needed is not None and (own is None or curve.group != own.group):
+            best[curve.group] = min(needed, best.get(curve.group, needed))
     least = own.seconds_at(asked) if own else None
     if not best or not least:
         return ()

@@ -1,0 +1,36 @@
+"""Of generated C in a folder: the time of one right-hand side from what is compiled already, and its operations."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+from eigenmotion.toolchain import CHECKED, INCLUDE, OPTIMISED, run, toolchain
+
+TIMER, COUNTER = (Path(__file__).with_name(name) for name in ("right_hand_side.c", "operations.cpp"))
+
+
+def timer(name: str, work: Path) -> Callable[[int], float]:
+    """Link the timer with NAME.o of a folder; return calls -> nanoseconds a call."""
+    command = (*toolchain().command, *CHECKED, *OPTIMISED, f"-DMODEL={name}_model", f"-I{INCLUDE}")
+    run((*command, f"{name}.o", str(TIMER), "-lm", "-o", "timer"), work)
+
+    def nanoseconds(calls: int) -> float:
+        done = subprocess.run([work / "timer", str(calls)], capture_output=True, text=True, check=True)
+        return float(done.stdout)
+
+    return nanoseconds
+
+
+def operations(name: str, work: Path) -> int:
+    """Compile NAME.c of a folder with a number that counts; return the operations of one right-hand side, loops too.
+
+    Raises
+    ------
+    BuildError
+        There is no C++ compiler, or the code is C that no C++ compiler takes.
+    """
+    model = (f'-DSOURCE="{name}.c"', f"-DMODEL={name}_model", f"-I{INCLUDE}", "-I.")
+    run(("c++", "-std=c++20", "-fpermissive", "-w", *model, str(COUNTER), "-o", "counter"), work)
+    return sum(map(int, run((str(work / "counter"),)).split()))

@@ -1,0 +1,58 @@
+// Additions, multiplications, divisions and function calls of one right-hand side as they are executed: the generated
+// C, loops included, compiled with a number that counts. SOURCE: the file; MODEL: its em_model.
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+static long additions, multiplications, divisions, calls;
+
+struct Counted {
+    double v;
+    Counted() = default;
+    template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr Counted(T number) : v(number) {}
+    explicit operator int() const { return (int)v; }
+    explicit operator long() const { return (long)v; }
+};
+
+#define OPERATOR(op, count)                                                                    \
+    static inline Counted operator op(Counted a, Counted b) { return ++count, a.v op b.v; }     \
+    static inline Counted &operator op##=(Counted &a, Counted b) { return ++count, a.v op##= b.v, a; }
+OPERATOR(+, additions) OPERATOR(-, additions) OPERATOR(*, multiplications) OPERATOR(/, divisions)
+static inline Counted operator-(Counted a) { return -a.v; }
+
+#define COMPARISON(op) static inline bool operator op(Counted a, Counted b) { return a.v op b.v; }
+COMPARISON(<) COMPARISON(>) COMPARISON(<=) COMPARISON(>=) COMPARISON(==) COMPARISON(!=)
+
+#define FUNCTION(f) static inline Counted f(Counted a) { return ++calls, std::f(a.v); }
+FUNCTION(sin) FUNCTION(cos) FUNCTION(tan) FUNCTION(sqrt) FUNCTION(exp) FUNCTION(log)
+static inline Counted pow(Counted a, Counted b) { return ++calls, std::pow(a.v, b.v); }
+static inline Counted fma(Counted a, Counted b, Counted c) { return a * b + c; }
+static inline Counted fabs(Counted a) { return std::fabs(a.v); }
+static inline Counted fmax(Counted a, Counted b) { return std::fmax(a.v, b.v); }
+static inline Counted fmin(Counted a, Counted b) { return std::fmin(a.v, b.v); }
+static inline Counted copysign(Counted a, Counted b) { return std::copysign(a.v, b.v); }
+static inline bool isfinite(Counted a) { return std::isfinite(a.v); }
+static inline bool isnan(Counted a) { return std::isnan(a.v); }
+
+#define EM_STEPPER_H // no stepper: what it needs is not counted
+#define em_simulate nullptr
+#define em_interpolate nullptr
+#define em_release nullptr
+#define restrict __restrict__
+#define double Counted
+#include SOURCE
+
+int main() {
+    std::vector<Counted> c(MODEL.n_prepared + 1), y(N_STATE), dy(N_STATE);
+    em_fault fault;
+    if (MODEL.prepare(MODEL.parameter_defaults, c.data(), &fault)) return 1;
+    if (MODEL.state(0.0, MODEL.initial_x, MODEL.initial_v, c.data(), y.data(), &fault)) return 1;
+    additions = multiplications = divisions = calls = 0;
+    if (model_rhs(0, 0.0, y.data(), c.data(), MODEL.input_defaults, nullptr, 0, dy.data(), &fault)) return 1;
+    std::printf("%ld %ld %ld %ld\n", additions, multiplications, divisions, calls);
+}

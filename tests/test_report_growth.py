@@ -1,0 +1,56 @@
+"""benchmarks/growth.py, behind the section "Where it ends" of docs/report.md."""
+
+import re
+import shutil
+import subprocess
+import sys
+from math import comb
+from pathlib import Path
+
+import pytest
+from eigenmotion.codegen.compiler import explain
+
+import eigenmotion as em
+
+ROOT = Path(__file__).parents[1]
+FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
+
+
+@pytest.fixture(scope="module")
+def printed() -> str:
+    command = [sys.executable, "benchmarks/growth.py", "chain", "--most", "3"]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+
+
+def column(printed: str, n: int, title: str) -> list[str]:
+    """Return the cells of the formulations."""
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in printed.splitlines() if line[:1] == "|"]
+    (found,) = [row for row in rows if row[0] == str(n)]
+    return found[rows[0].index(title)].split(" / ")
+
+
+def test_every_formulation_gets_to_the_error(printed):
+    for n in (2, 3):
+        assert column(printed, n, "states") == [str(2 * n + n * (n + 1)), *[str(2 * n)] * 3]
+        for title in ("ns", "right-hand sides to 1e-06", "ms to 1e-06", "s to build"):
+            assert all(float(cell) > 0 for cell in column(printed, n, title)), title
+
+
+@pytest.mark.skipif(shutil.which("c++") is None, reason="operations are counted by a C++ compiler")
+@pytest.mark.parametrize("n", [2, 3])
+def test_operations_are_those_of_the_equations(printed, n):
+    """Of lagrange, by hand: the terms of the model, M = L L^T, and L^-T L^-1 f."""
+    text = explain(em.load_model(ROOT / "models" / "chain.py", n=n), formulation="lagrange")
+    (line,) = re.findall(r"^  lagrange: (.*)$", text, re.M)
+    terms = sum(map(int, re.findall(r"\d+", line)))
+    products = 2 * (comb(n, 2) + comb(n, 3))  # each with its subtraction, of the pivots and of the entries below
+    pivots = n + n + n + comb(n, 2)  # the least that is allowed, the root, its inverse, and what it divides
+    solves = 2 * (2 * comb(n, 2) + n)
+    assert column(printed, n, "operations")[2] == str(terms + products + pivots + solves)
+
+
+def test_it_says_who_is_quickest(printed):
+    for name in FORMULATIONS:
+        assert re.search(rf"^- `{name}`: .*quickest", printed, re.M)
+    quickest = re.findall(r": quickest at n = ([\d, ]+)", printed)
+    assert sorted(int(n) for text in quickest for n in text.split(",") if n.strip()) == [2, 3]
