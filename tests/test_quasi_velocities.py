@@ -9,7 +9,7 @@ from sympy import Rational, cos, exp, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
-from eigenmotion.cli.run import _sorted_out
+from eigenmotion.cli.options import values
 from eigenmotion.saving import save
 
 from .generation import FORMULATIONS, model_of, system_for, system_of
@@ -149,5 +149,5 @@ def test_files_hold_them_and_models_without_have_none(tmp_path):
 
 
 def test_the_command_line_sets_them():
-    given = _sorted_out(system_of("rigid_body"), ("omega_1=2.5", "theta=1", "J1=1.5"))
+    given = values(model_of("rigid_body"), ("omega_1=2.5", "theta=1", "J1=1.5"))
     assert given == {"parameters": {"J1": 1.5}, "x0": {"theta": 1.0}, "v0": {"omega_1": 2.5}}

@@ -73,7 +73,7 @@ def test_page_pictures_and_numbers(reduced: Matrix, tmp_path):
 def test_missing_omega_term_is_found():
     """etadot without - S^-1 Omega S eta (41)."""
     sources = order(elastic_link()).sources()
-    term = " - Omega1[i][j]*s1[j]*eta1[j]"
+    term = "            drag += Omega1[i][j]*(s1[j]*eta1[j]);\n"
     assert sum(file.text.count(term) for file in sources.files) == 1
     files = tuple(SourceFile(file.name, file.text.replace(term, "")) for file in sources.files)
     assert_found(load(compiled(Sources(sources.name, files), toolchain())))
