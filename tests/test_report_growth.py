@@ -1,5 +1,6 @@
 """benchmarks/growth.py, behind the section "Where it ends" of docs/report.md."""
 
+import importlib.util
 import re
 import shutil
 import subprocess
@@ -13,6 +14,32 @@ from eigenmotion.codegen.compiler import explain
 import eigenmotion as em
 
 ROOT = Path(__file__).parents[1]
+BY_HAND = """
+#include "eigenmotion.h"
+#include <math.h>
+enum { N_STATE = 6 };
+static const double none[1] = {0.0};
+static int prepare(const double *parameters, double *c, em_fault *fault) { c[0] = 2.0*3.0; return 0; }
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    for (int i = 0; i < N_STATE; ++i) y[i] = sqrt(1.0 + i);
+    return 0;
+}
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *restrict dy, em_fault *fault)
+{
+    for (int i = 0; i < N_STATE; ++i) {
+        dy[i] = sqrt(y[i]);
+        for (int j = 0; j < i; ++j) dy[i] += y[i]*dy[j];
+    }
+    if (dy[0] > 0.0) dy[0] = -dy[0]/c[0];
+    return 0;
+}
+const em_model by_hand_model = {
+    .n_state = N_STATE, .n_prepared = 1, .parameter_defaults = none, .input_defaults = none, .initial_x = none,
+    .initial_v = none, .prepare = prepare, .state = state,
+};
+"""
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 
 
@@ -36,7 +63,21 @@ def test_every_formulation_gets_to_the_error(printed):
             assert all(float(cell) > 0 for cell in column(printed, n, title)), title
 
 
-@pytest.mark.skipif(shutil.which("c++") is None, reason="operations are counted by a C++ compiler")
+needs_a_counter = pytest.mark.skipif(shutil.which("c++") is None, reason="operations are counted by a C++ compiler")
+
+
+@needs_a_counter
+def test_operations_are_counted_as_they_are_executed(tmp_path):
+    """Of code by hand: loops count as often as they run; what comes before a right-hand side, or compares, does not."""
+    (tmp_path / "by_hand.c").write_text(BY_HAND)
+    spec = importlib.util.spec_from_file_location("counted", ROOT / "benchmarks" / "common" / "counted.py")
+    counted = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(counted)
+    products_and_sums, roots, division = 2 * 6 * 5 // 2, 6, 1
+    assert counted.operations("by_hand", tmp_path) == products_and_sums + roots + division
+
+
+@needs_a_counter
 @pytest.mark.parametrize("n", [2, 3])
 def test_operations_are_those_of_the_equations(printed, n):
     """Of lagrange, by hand: the terms of the model, M = L D L^T = L L^T, and L^-T L^-1 f."""
