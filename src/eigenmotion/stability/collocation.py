@@ -5,13 +5,13 @@ Residuals are evaluated in extended precision; Newton's matrix is a double.
 """
 
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.polynomial import Polynomial, legendre
 from scipy.linalg import lu_factor, lu_solve
 
 from ..names import Vector
+from ..report.collocation import jacobian
 from ..report.extended import Extended, NotReachedError, Rhs
 
 STAGES = 5
@@ -65,7 +65,7 @@ def _mesh(times: Vector, per_decade: int) -> list[float]:
 def _step(rhs: Rhs, t: float, h: float, y: Extended) -> Extended:
     """One step: stages Y_i = y + h sum_j A_ij f(Y_j), of which the last is the new state."""
     n = len(y)
-    matrix = lu_factor(np.eye(STAGES * n) - h * np.kron(_A, _jacobian(rhs, t, y)))
+    matrix = lu_factor(np.eye(STAGES * n) - h * np.kron(_A, jacobian(rhs, t, y)))
     stages, change = np.tile(y, (STAGES, 1)), np.inf
     for _ in range(_MOST):
         slopes = np.array([rhs(t + c * h, Y) for c, Y in zip(_C, stages, strict=True)])
@@ -76,13 +76,3 @@ def _step(rhs: Rhs, t: float, h: float, y: Extended) -> Extended:
         if change < 1e-15 or (change < 1e-12 and change > 0.3 * before):
             return np.asarray(stages[-1])
     raise NotReachedError(f"Newton's method stops at t = {t:.6g} with changes of {change:.1e}")
-
-
-def _jacobian(rhs: Rhs, t: Any, y: Extended) -> Vector:
-    """Forward differences in extended precision."""
-    here, columns = rhs(t, y), []
-    for k in range(len(y)):
-        moved = y.copy()
-        moved[k] += np.longdouble(1e-9) * (1 + abs(y[k]))
-        columns.append((rhs(t, moved) - here) / (moved[k] - y[k]))
-    return np.array(columns, dtype=np.float64).T
