@@ -400,7 +400,7 @@ EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, int row,
 EM_INLINE int em_solve_delta(int m, double *restrict Delta, double *restrict rhs, int flags, em_fault *fault) {
     if (m == 1) {
         if (!(Delta[0] > 0.0)) return em_solve_dependent(m, Delta, rhs, 0, flags, fault);
-        rhs[0] *= 1.0 / Delta[0];
+        rhs[0] *= 1.0 / Delta[0]; /* ready before rhs is */
         return 0;
     }
     double L[m * m], r[m];
