@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import sympy
 from sympy.core.function import AppliedUndef
-from sympy.core.relational import Relational
 from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
-from sympy.logic.boolalg import ITE, And, BooleanFalse, BooleanTrue, Not, Or
+from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, Not, Or
 
 from .graph import Graph, Kind, Node, Number, exact
 from .model import ModelError
@@ -89,10 +89,16 @@ class FromSympy:
         if name in SPLIT_IN_TWO or name in ("and", "or"):
             return self._fold(name, operands)
         if name == "step":
-            return graph.call("step", operands[0])
+            return self._step(*expression.args)
         if name in ("sin", "cos", "tan"):
             return self._odd_or_even(name, operands[0])
         return graph.call(name, *operands)
+
+    def _step(self, argument: sympy.Basic, at_zero: sympy.Basic = sympy.S.Half) -> Node:
+        step = self.graph.call("step", self(argument))
+        if at_zero == sympy.S.Half:
+            return step
+        return self.graph.call("select", self.graph.call("==", self(argument), self.graph.zero), self(at_zero), step)
 
     def _odd_or_even(self, name: str, angle: Node) -> Node:
         """Let sin(-a) and sin(a) share: the graph's own sign of a sum decides, not SymPy's."""
@@ -125,7 +131,10 @@ class FromSympy:
 def _number(expression: sympy.Basic) -> Number:
     if isinstance(expression, sympy.Rational):
         return exact(int(expression.p), int(expression.q))
-    return float(expression)
+    value = float(expression)
+    if math.isinf(value):
+        raise ModelError(f"the number {expression} is beyond what C's double holds; choose other units")
+    return value
 
 
 class ToSympy:
@@ -157,7 +166,7 @@ class ToSympy:
 
     def _call(self, name: str, operands: list[sympy.Expr]) -> sympy.Expr:
         if name == "select":
-            is_condition = isinstance(operands[0], Relational | And | Or | Not)
+            is_condition = isinstance(operands[0], Boolean)
             condition = operands[0] if is_condition else sympy.Ne(operands[0], 0)
             return Piecewise((operands[1], condition), (operands[2], True))
         if name == "pow":

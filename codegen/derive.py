@@ -91,7 +91,7 @@ class _Derivation:
         self.graph = Graph(symbol.name for symbol in self.names.parameters)
         self.from_sympy = FromSympy(self.graph)
         self.to_sympy = ToSympy(self.graph, self.names.by_name())
-        self.zeros = Zeros(self.graph)
+        self.zeros = Zeros(self.graph, self.names.signs())
         self.at_rest = Substitution(self.graph, {v.name: self.graph.zero for v in self.names.v})
 
     def mechanics(self) -> Mechanics:
@@ -156,7 +156,7 @@ class _Derivation:
 
     def _without(self, entry: Node, name: str) -> Node:
         rate = Tangent(self.graph, {name: self.graph.one})(entry)
-        if self.zeros(rate) and self.zeros.telling(entry):
+        if self.zeros(rate):
             for value in (self.graph.zero, self.graph.one):
                 candidate = self._with(entry, name, value)
                 if self.zeros.equal(candidate, entry):
@@ -221,6 +221,10 @@ class Names:
         """Return every plain symbol under its name."""
         every = (*self.parameters, *self.x, *self.v, *self.inputs, *self.accelerations, *self.multipliers, self.time)
         return {symbol.name: symbol for symbol in every}
+
+    def signs(self) -> Mapping[str, int]:
+        """Return 1 or -1 for the parameters declared positive or negative; coordinates move through either sign."""
+        return {p.name: 1 if p.is_positive else -1 for p in self.parameters if p.is_positive or p.is_negative}
 
     def _plain(self) -> tuple[dict[sympy.Basic, sympy.Expr], ...]:
         """Return the replacements, highest derivatives first."""

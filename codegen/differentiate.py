@@ -6,11 +6,12 @@ so that values and derivatives share what they have in common.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
 from .graph import Graph, Kind, Node, Number
 
+CHOICES = frozenset({"select", "min", "max"})
 STEPS = frozenset({"sign", "floor", "ceil", "step", "<", "<=", ">", ">=", "==", "!=", "and", "or", "not"})
 ONE = 1
 
@@ -42,6 +43,8 @@ class Tangent:
             return self._rates.get(operands[0], graph.zero)
         if kind is Kind.SUM:
             return graph.sum((known[child], factor) for child, factor in operands)
+        if operands[0] in CHOICES:
+            return _chosen(graph, node, known.__getitem__)
         moving = [child for child in graph.children(node) if known[child] != graph.zero]
         return graph.sum((graph.mul(partial(graph, node, child), known[child]), ONE) for child in dict.fromkeys(moving))
 
@@ -51,17 +54,45 @@ def gradient(graph: Graph, root: Node, names: Sequence[str]) -> tuple[Node, ...]
 
     The cost is a small multiple of that of root itself, however many symbols there are.
     """
-    sources = {graph.symbol(name) for name in names}
-    moving = _above(graph, graph.reachable([root]), sources)
-    adjoints: dict[Node, list[tuple[Node, Number]]] = {root: [(graph.one, ONE)]}
-    result = dict.fromkeys(sources, graph.zero)
-    for node in sorted(moving, reverse=True):
-        adjoint = graph.sum(adjoints.pop(node, ()))
-        if node in sources:
-            result[node] = adjoint
-        elif adjoint != graph.zero:
-            _push(graph, node, adjoint, moving, adjoints)
-    return tuple(result[graph.symbol(name)] for name in names)
+    return _Reverse(graph, names)(root)
+
+
+class _Reverse:
+    """Gradients of nodes; one sweep for the root, and one for each piece of a choice below it.
+
+    The pieces have sweeps of their own, for a factor of 0 does not silence a piece that is undefined where it is not
+    chosen: 0 x NaN is NaN.
+    """
+
+    def __init__(self, graph: Graph, names: Sequence[str]) -> None:
+        self.graph = graph
+        self._sources = tuple(map(graph.symbol, names))
+        self._known: dict[Node, tuple[Node, ...]] = {}
+
+    def __call__(self, root: Node) -> tuple[Node, ...]:
+        """Return the derivatives of root with respect to the sources."""
+        if root not in self._known:
+            self._known[root] = self._swept(root)
+        return self._known[root]
+
+    def _swept(self, root: Node) -> tuple[Node, ...]:
+        graph = self.graph
+        moving = _above(graph, graph.reachable([root]), set(self._sources))
+        adjoints: dict[Node, list[tuple[Node, Number]]] = {root: [(graph.one, ONE)]}
+        result = dict.fromkeys(self._sources, graph.zero)
+        for node in sorted(moving, reverse=True):
+            adjoint = graph.sum(adjoints.pop(node, ()))
+            if node in result:
+                result[node] = adjoint
+            elif graph.records[node].operands[0] in CHOICES and adjoint != graph.zero:
+                for source, slope in zip(self._sources, self._of_choice(node), strict=True):
+                    adjoints.setdefault(source, []).append((graph.mul(adjoint, slope), ONE))
+            elif adjoint != graph.zero:
+                _push(graph, node, adjoint, moving, adjoints)
+        return tuple(result[source] for source in self._sources)
+
+    def _of_choice(self, node: Node) -> list[Node]:
+        return [_chosen(self.graph, node, lambda piece, k=k: self(piece)[k]) for k in range(len(self._sources))]
 
 
 def _above(graph: Graph, nodes: Sequence[Node], sources: set[Node]) -> set[Node]:
@@ -98,22 +129,27 @@ def partial(graph: Graph, node: Node, child: Node) -> Node:
 def _partial_of_call(graph: Graph, node: Node, name: str, operands: tuple[Node, ...], place: int) -> Node:
     if name in STEPS:
         return graph.zero
-    if name in ("select", "min", "max"):
-        return _partial_of_choice(graph, name, operands, place)
     if name in ("pow", "atan2"):
         return _partial_of_two(graph, node, name, operands, place)
     return _partial_of_one(graph, node, name, operands[0])
 
 
-def _partial_of_choice(graph: Graph, name: str, operands: tuple[Node, ...], place: int) -> Node:
+def _chosen(graph: Graph, node: Node, derivative: Callable[[Node], Node]) -> Node:
+    """Return the derivative of select, min or max: that of the chosen piece; where a piece is undefined, so is it."""
+    name, *operands = graph.records[node].operands
     if name == "select":
-        condition = operands[0]
-        ways = {1: (graph.one, graph.zero), 2: (graph.zero, graph.one)}
-        return graph.call("select", condition, *ways[place]) if place else graph.zero
-    first = graph.call("<=" if name == "min" else ">=", *operands)
-    return graph.call("select", first, graph.one, graph.zero) if place == 0 else graph.call(
-        "select", first, graph.zero, graph.one
-    )  # fmt: skip
+        condition, yes, no = operands
+    else:
+        yes, no = operands
+        condition = graph.call("<=" if name == "min" else ">=", yes, no)
+    ways = [piece if is_undefined(graph, piece) else derivative(piece) for piece in (yes, no)]
+    return ways[0] if ways[0] == ways[1] else graph.call("select", condition, *ways)
+
+
+def is_undefined(graph: Graph, node: Node) -> bool:
+    """Whether a node is the number that is none: what a Piecewise is where no condition holds."""
+    kind, operands = graph.records[node]
+    return kind is Kind.NUMBER and operands[0] != operands[0]
 
 
 def _partial_of_two(graph: Graph, node: Node, name: str, operands: tuple[Node, ...], place: int) -> Node:

@@ -1,44 +1,63 @@
-"""Numbers for nodes: to tell what vanishes identically although its form does not show it."""
+"""Numbers for nodes: to tell what vanishes identically although its form does not show it.
+
+A few points tell that a function vanishes where it is analytic: (sin q)^2 + (cos q)^2 - 1. They do not where it is
+pieced together: sqrt(q^2) - q is zero for positive q only, and Max(0, q - 3) up to 3. So every root is tried on each
+of its branches, absolute values with both signs, and what any other function but sin, cos and tan gives counts as an
+unknown of its own. What vanishes all the same does so on every piece; what does not, or what has too many branches
+to try, is kept.
+"""
 
 from __future__ import annotations
 
+import cmath
 import math
-import operator
 import random
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from itertools import product
 
-from .graph import Graph, Kind, Node
+from .graph import Graph, Kind, Node, Number, is_whole
 
-POINTS = 3
-"""Random points at which an expression must vanish to count as zero."""
-ROUNDING = 1e-11
+NEAR, FAR = 3, 2
+"""Random points at which an expression must vanish to count as zero: with values about 1, and of 1e-3 to 1e3."""
+ROUNDING = 1e-13
 """What counts as cancelled, relative to the sum of the absolute values of the terms."""
+MOST_BRANCHES = 64
+"""What has more combinations of branches than these is kept."""
+HIGHEST_ROOT = 6
+"""Roots of higher degree are unknowns of their own."""
 
-FUNCTIONS: Mapping[str, Callable[..., Any]] = {
-    "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan,
-    "atan2": math.atan2, "sinh": math.sinh, "cosh": math.cosh, "tanh": math.tanh, "asinh": math.asinh,
-    "acosh": math.acosh, "atanh": math.atanh, "exp": math.exp, "log": math.log, "abs": abs, "min": min, "max": max,
-    "erf": math.erf, "floor": math.floor, "ceil": math.ceil, "pow": math.pow,
-    "sign": lambda a: (a > 0) - (a < 0), "step": lambda a: float(a > 0), "select": lambda c, a, b: a if c else b,
-    "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "==": operator.eq, "!=": operator.ne,
-    "and": lambda a, b: bool(a) and bool(b), "or": lambda a, b: bool(a) or bool(b), "not": operator.not_,
-}  # fmt: skip
+SIGN = 0
+"""Stands for the degree where a branch is a sign: that of an absolute value."""
 
-
-EVEN = frozenset({"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "asinh", "acosh", "log"})
-"""Functions without steps, and without stretches where they are constant to rounding."""
+Branch = tuple[Node, int]
+"""A root, by its base and degree."""
+Value = float | complex
 
 
 class Point:
-    """One random point: value and magnitude (the sum of the absolute terms behind it) of every node asked for."""
+    """One random point: value and magnitude (the sum of the absolute terms behind it) of every node asked for.
 
-    def __init__(self, graph: Graph, seed: int) -> None:
+    Roots of negative numbers are complex here: an identity holds there too.
+
+    Parameters
+    ----------
+    sample
+        Which point.
+    signs
+        Names of symbols known to be positive (1) or negative (-1); all others take either sign.
+    branches
+        Which of its values a root takes, 0 (the principal one, for those not named) to its degree - 1.
+    """
+
+    def __init__(
+        self, graph: Graph, sample: int, signs: Mapping[str, int], branches: Mapping[Branch, int] | None = None
+    ) -> None:
         self.graph = graph
-        self._seed = seed
-        self._known: dict[Node, tuple[float, float]] = {}
+        self._sample, self._signs, self._branches = sample, signs, branches or {}
+        self._known: dict[Node, tuple[Value, float]] = {}
 
-    def __call__(self, root: Node) -> tuple[float, float]:
+    def __call__(self, root: Node) -> tuple[Value, float]:
         """Return (value, magnitude); not a number where the expression is not defined at this point."""
         if root not in self._known:
             for node in self.graph.reachable([root]):
@@ -46,62 +65,137 @@ class Point:
                     self._known[node] = self._guarded(node)
         return self._known[root]
 
-    def _guarded(self, node: Node) -> tuple[float, float]:
+    def _guarded(self, node: Node) -> tuple[Value, float]:
         try:
             return self._evaluate(node)
-        except (ValueError, ZeroDivisionError, OverflowError, TypeError):
+        except (ValueError, ZeroDivisionError, OverflowError):
             return math.nan, math.nan
 
-    def _evaluate(self, node: Node) -> tuple[float, float]:
+    def _evaluate(self, node: Node) -> tuple[Value, float]:
         kind, operands = self.graph.records[node]
         known = self._known
         if kind is Kind.NUMBER:
             return float(operands[0]), abs(float(operands[0]))
         if kind is Kind.SYMBOL:
-            value = random.Random(f"{operands[0]} {self._seed}").uniform(0.4, 1.9)
-            return value, value
+            value = self._symbol(operands[0])
+            return value, abs(value)
         if kind is Kind.SUM:
-            value = math.fsum(float(factor) * known[child][0] for child, factor in operands)
-            return value, math.fsum(abs(float(factor)) * known[child][1] for child, factor in operands)
+            value = sum(float(factor) * known[child][0] for child, factor in operands)
+            return value, sum(abs(float(factor)) * known[child][1] for child, factor in operands)
         if kind is Kind.PRODUCT:
-            value = math.prod(known[child][0] ** float(power) for child, power in operands)
-            return value, math.prod(_size(*known[child], float(power)) for child, power in operands)
-        result = float(FUNCTIONS[operands[0]](*(known[child][0] for child in operands[1:])))
-        return result, abs(result)
+            powers = [self._power(child, power) for child, power in operands]
+            return math.prod(value for value, _ in powers), math.prod(size for _, size in powers)
+        return self._call(node, operands[0], operands[1])
+
+    def _symbol(self, name: str) -> float:
+        chance = random.Random(f"{name} {self._sample}")
+        size = chance.uniform(0.4, 1.9) if self._sample < NEAR else 10.0 ** chance.uniform(-3, 3)
+        return size * (self._signs.get(name) or chance.choice((-1, 1)))
+
+    def _power(self, base: Node, power: Number) -> tuple[Value, float]:
+        value, magnitude = self._known[base]
+        if is_whole(power):
+            result: Value = value ** int(power)
+        elif (degree := degree_of(power)) <= HIGHEST_ROOT:
+            branch = self._branches.get((base, degree), 0)
+            root = value ** (1 / degree) * (cmath.exp(2j * cmath.pi * branch / degree) if branch else 1)
+            result = root ** int(power * degree)
+        else:
+            result = self._unknown(f"{base} {power}")
+        return result, _size(value, magnitude, float(power), result)
+
+    def _call(self, node: Node, name: str, argument: Node) -> tuple[Value, float]:
+        value, magnitude = self._known[argument]
+        if name in ("abs", "sign"):
+            sign = (-1) ** self._branches.get((argument, SIGN), 0)
+            return (sign * value, magnitude) if name == "abs" else (sign, 1.0)
+        if name in ("sin", "cos", "tan"):
+            result = getattr(cmath if isinstance(value, complex) else math, name)(value)
+            steepness = 1.0 if name != "tan" else 1 + abs(result) ** 2
+            return result, abs(result) + magnitude * steepness
+        unknown = self._unknown(str(node))
+        return unknown, abs(unknown)
+
+    def _unknown(self, what: str) -> float:
+        return random.Random(f"{what} {self._sample}").uniform(0.4, 1.9)
 
 
-def _size(value: float, magnitude: float, power: float) -> float:
+def _size(value: Value, magnitude: float, power: float, result: Value) -> float:
     """How large value^power may be for a value known to magnitude x rounding."""
-    return float(magnitude**power) if power > 0 else float(abs(value) ** power) * max(1.0, magnitude / abs(value))
+    return float(magnitude**power) if power >= 1 else abs(result) * max(1.0, magnitude / abs(value))
+
+
+def degree_of(power: Number) -> int:
+    """Return n for a power k/n; what is given in floating point is as good as no root."""
+    return HIGHEST_ROOT + 1 if isinstance(power, float) else Fraction(power).denominator
 
 
 class Zeros:
-    """Decides which nodes are identically zero, by their form or at random points (Schwartz 1980, Zippel 1979)."""
+    """Decides which nodes are identically zero, by their form or at random points (Schwartz 1980, Zippel 1979).
 
-    def __init__(self, graph: Graph) -> None:
+    Parameters
+    ----------
+    signs
+        Names of symbols known to be positive (1) or negative (-1).
+    """
+
+    def __init__(self, graph: Graph, signs: Mapping[str, int] | None = None) -> None:
         self.graph = graph
-        self._points = [Point(graph, seed) for seed in range(POINTS)]
+        self._signs = signs or {}
+        self._points = [Point(graph, sample, self._signs) for sample in range(NEAR + FAR)]
 
     def __call__(self, node: Node) -> bool:
-        """Whether a node is zero wherever it is defined; what a few points do not tell counts as not zero."""
+        """Whether a node is zero wherever it is defined, on all its branches; what can not be told counts as not."""
         if node == self.graph.zero:
             return True
-        return all(abs(value) <= ROUNDING * size for value, size in self._values(node)) and self.telling(node)
-
-    def telling(self, node: Node) -> bool:
-        """Whether a few points speak for all: not with steps and choices, nor with what falls below rounding."""
-        records = self.graph.records
-        return all(records[part].operands[0] in EVEN for part in self.graph.reachable([node])
-                   if records[part].kind is Kind.CALL)  # fmt: skip
+        return all(_vanishes(point, node) for point in self._points) and self._on_every_branch(node)
 
     def all(self, nodes: Iterable[Node]) -> bool:
         """Whether all nodes are zero."""
         return all(map(self, nodes))
 
     def equal(self, first: Node, second: Node) -> bool:
-        """Whether two nodes have the same finite values."""
-        pairs = zip(self._values(first), self._values(second), strict=True)
-        return all(abs(a - b) <= ROUNDING * (size_a + size_b) for (a, size_a), (b, size_b) in pairs)
+        """Whether two nodes have the same values wherever they are defined, on all their branches."""
+        return self(self.graph.sum([(first, 1), (second, -1)]))
 
-    def _values(self, node: Node) -> list[tuple[float, float]]:
-        return [point(node) for point in self._points]
+    def _on_every_branch(self, node: Node) -> bool:
+        branches = self._branches(node)
+        if math.prod(map(_count, branches)) > MOST_BRANCHES:
+            return False
+        ways = product(*(range(_count(branch)) for branch in branches))
+        next(ways)  # the principal branches are those of the points already tried
+        tried = (Point(self.graph, sample, self._signs, dict(zip(branches, way, strict=True)))
+                 for way in ways for sample in (0, NEAR))  # fmt: skip
+        return all(_vanishes(point, node) for point in tried)
+
+    def _branches(self, root: Node) -> list[Branch]:
+        found: dict[Branch, None] = {}
+        for node in self.graph.reachable([root]):
+            kind, operands = self.graph.records[node]
+            if kind is Kind.CALL and operands[0] in ("abs", "sign"):
+                found[operands[1], SIGN] = None
+            elif kind is Kind.PRODUCT:
+                roots = ((base, degree_of(power)) for base, power in operands if not self._is_positive(base))
+                found.update(dict.fromkeys(root for root in roots if 1 < root[1] <= HIGHEST_ROOT))
+        return list(found)
+
+    def _is_positive(self, node: Node) -> bool:
+        """Whether a node is positive by its form: such a base has but its principal root."""
+        kind, operands = self.graph.records[node]
+        if kind is Kind.NUMBER:
+            return bool(operands[0] > 0)
+        if kind is Kind.SYMBOL:
+            return self._signs.get(operands[0]) == 1
+        if kind is Kind.CALL:
+            return operands[0] in ("exp", "cosh")
+        return all(self._is_positive(child) for child, _ in operands) and (
+            kind is Kind.PRODUCT or all(factor > 0 for _, factor in operands))  # fmt: skip
+
+
+def _count(branch: Branch) -> int:
+    return branch[1] or 2
+
+
+def _vanishes(point: Point, node: Node) -> bool:
+    value, size = point(node)
+    return abs(value) <= ROUNDING * size

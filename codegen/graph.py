@@ -4,13 +4,17 @@ A node is a number, the index of its record; operands always have smaller indice
 that the order of the indices is an order of evaluation. Sums and products are kept in a canonical form, so that
 equal expressions built in different ways are one node:
 
-    sum      ((node, coefficient), ...)   sorted, no node twice, content 1, first coefficient positive
-    scaled   the sum of one term with a coefficient other than 1
-    product  ((node, exponent), ...)      sorted, no node twice, no numeric factor
+    sum      ((node, coefficient), ...)   sorted, no node twice, content 1, first coefficient positive, none scaled
+    scaled   the sum of one term, which is no number, with a coefficient other than 1
+    product  ((node, exponent), ...)      sorted, no node twice, no numeric factor, none that comes apart further
     call     (function, operands)
 
-Two rewrites that energies of mechanisms ask for happen as sums are formed: terms that differ in their parameters
-only are collected, m1 f + m2 f = (m1 + m2) f, and sin^2 f + cos^2 f = f.
+Sums and products are closed: made anew of its own operands, a node is itself. Two rewrites that energies of
+mechanisms ask for happen as sums are formed: terms that differ in their parameters only are collected,
+m1 f + m2 f = (m1 + m2) f, and sin^2 f + cos^2 f = f.
+
+Powers are the principal ones, so that a rewrite holds for arguments of either sign: b^p b^q = b^(p + q) always,
+(b^p)^q = b^(p q) for whole q or -1 < p < 1 only. (x^2)^(1/2) is |x|, and (x^3)^(1/3) is not x.
 """
 
 from __future__ import annotations
@@ -18,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from enum import Enum
 from fractions import Fraction
-from math import gcd, lcm
+from math import floor, gcd, lcm
 from typing import NamedTuple
 
 Number = int | Fraction | float
@@ -81,10 +85,10 @@ def is_whole(number: Number) -> bool:
     return isinstance(number, int) or number == int(number)
 
 
-def _power_of(base: Number, exponent: Number) -> Number:
-    if isinstance(base, float) or not is_whole(exponent):
-        return float(base) ** float(exponent) if base not in (0, 1) else base
-    power = Fraction(base) ** int(exponent)
+def _whole_power(base: Number, exponent: int) -> Number:
+    if isinstance(base, float):
+        return base**exponent
+    power = Fraction(base) ** exponent
     return exact(power.numerator, power.denominator)
 
 
@@ -150,7 +154,7 @@ class Graph:
 
     def sum(self, terms: Iterable[tuple[Node, Number]]) -> Node:
         """Return sum of coefficient x node."""
-        return self._canonical_sum(_merge(self._collected(self._flat_terms(terms))))
+        return self._canonical_sum(self._collected(_merge(self._flat_terms(terms))))
 
     def add(self, *nodes: Node) -> Node:
         """Return the sum of nodes."""
@@ -174,15 +178,8 @@ class Graph:
 
     def product(self, factors: Iterable[tuple[Node, Number]]) -> Node:
         """Return the product of node^exponent."""
-        coefficient: Number = 1
-        flat: list[tuple[Node, Number]] = []
-        for node, exponent in factors:
-            scale, parts = self._factors(node, exponent)
-            coefficient = coefficient * scale
-            flat.extend(parts)
-        if coefficient == 0:
-            return self.zero
-        return self._scaled(self._canonical_product(_merge(flat)), coefficient)
+        coefficient, merged = self._merged_factors(factors)
+        return self._scaled(self._canonical_product(merged), coefficient) if coefficient else self.zero
 
     # -- canonical forms ---------------------------------------------------------------------------------------
 
@@ -198,23 +195,22 @@ class Graph:
             else:
                 yield node, coefficient
 
-    def _collected(self, terms: Iterable[tuple[Node, Number]]) -> Terms:
-        """Collect terms with equal varying parts, and sin^2 f + cos^2 f."""
-        merged = _merge(terms)
-        if len(merged) < 2:
-            return tuple(merged.items())
-        return self._collect_parameters(self._collect_pythagoras(merged))
+    def _collected(self, terms: dict[Node, Number]) -> dict[Node, Number]:
+        """Collect terms with equal varying parts, and sin^2 f + cos^2 f, until there are no more."""
+        if len(terms) < 2:
+            return terms
+        collected = self._collect_parameters(self._collect_pythagoras(terms))
+        return terms if collected is terms else self._collected(collected)
 
     def _collect_pythagoras(self, terms: dict[Node, Number]) -> dict[Node, Number]:
         squares: dict[tuple[str, Node, Node, Number], Node] = {}
-        for term, coefficient in list(terms.items()):
+        for term, coefficient in terms.items():
             for name, angle, rest in self._squared_sines(term):
                 other = squares.get(("cos" if name == "sin" else "sin", angle, rest, coefficient))
-                if other is None or other not in terms or term not in terms:
-                    squares[name, angle, rest, coefficient] = term
-                    continue
-                del terms[term], terms[other]
-                return self._collect_pythagoras(_merge([*terms.items(), *self._flat_terms([(rest, coefficient)])]))
+                if other is not None:
+                    kept = [pair for pair in terms.items() if pair[0] not in (term, other)]
+                    return self._collect_pythagoras(_merge([*kept, *self._flat_terms([(rest, coefficient)])]))
+                squares[name, angle, rest, coefficient] = term
         return terms
 
     def _squared_sines(self, term: Node) -> list[tuple[str, Node, Node]]:
@@ -226,25 +222,23 @@ class Graph:
         for node, exponent in factors:
             inner, operands = self.records[node]
             if exponent == 2 and inner is Kind.CALL and operands[0] in ("sin", "cos"):
-                rest = self._canonical_product(_merge([*factors, (node, -2)]))
+                rest = self._canonical_product({other: power for other, power in factors if other != node})
                 found.append((operands[0], operands[1], rest))
         return found
 
-    def _collect_parameters(self, terms: dict[Node, Number]) -> Terms:
-        groups: dict[Node, list[tuple[Node, Number]]] = {}
-        for term, coefficient in terms.items():
+    def _collect_parameters(self, terms: dict[Node, Number]) -> dict[Node, Number]:
+        groups: dict[Node, list[tuple[Node, Node]]] = {}
+        for term in terms:
             constant, varying = self.split(term)
-            groups.setdefault(varying, []).append((constant, coefficient))
+            groups.setdefault(varying, []).append((term, constant))
         collected: list[tuple[Node, Number]] = []
         for varying, parts in groups.items():
             if len(parts) == 1 or varying == self.one:
-                collected.extend((self._join(constant, varying), coefficient) for constant, coefficient in parts)
+                collected.extend((term, terms[term]) for term, _ in parts)
             else:
-                collected.extend(self._flat_terms([(self.mul(self.sum(parts), varying), 1)]))
-        return tuple(collected)
-
-    def _join(self, constant: Node, varying: Node) -> Node:
-        return self._canonical_product(_merge([*self._factors(constant)[1], *self._factors(varying)[1]]))
+                common = self.sum((constant, terms[term]) for term, constant in parts)
+                collected.extend(self._flat_terms([(self.mul(common, varying), 1)]))
+        return terms if len(collected) == len(terms) else _merge(collected)
 
     def _canonical_sum(self, terms: dict[Node, Number]) -> Node:
         if not terms:
@@ -264,19 +258,61 @@ class Graph:
             return self.number(factor)
         return self._intern(Kind.SUM, ((node, factor),), self._depends[node])
 
-    def _factors(self, node: Node, exponent: Number = 1) -> tuple[Number, Iterable[tuple[Node, Number]]]:
+    def _merged_factors(self, factors: Iterable[tuple[Node, Number]]) -> tuple[Number, dict[Node, Number]]:
+        """Take factors apart and merge equal ones, until none comes apart further.
+
+        A merged exponent may open what was closed: sqrt(S) sqrt(S) is S, with factors and a coefficient of its own.
+        """
+        coefficient: Number = 1
+        merged: dict[Node, Number] = {}
+        opened = list(factors)
+        while opened:
+            parts = list(merged.items())
+            for node, exponent in opened:
+                factor, inner = self._factors(node, exponent)
+                coefficient = coefficient * factor
+                parts.extend(inner)
+            merged = _merge(parts)
+            opened = [(node, exponent) for node, exponent in merged.items() if self._comes_apart(node, exponent)]
+            for node, _ in opened:
+                del merged[node]
+        return coefficient, merged
+
+    def _comes_apart(self, node: Node, exponent: Number) -> bool:
+        kind, operands = self.records[node]
+        if kind is Kind.NUMBER or kind is Kind.PRODUCT or kind is Kind.SUM and len(operands) == 1:
+            return self._factors(node, exponent) != (1, ((node, exponent),))
+        return False
+
+    def _factors(self, node: Node, exponent: Number) -> tuple[Number, tuple[tuple[Node, Number], ...]]:
         """Return node^exponent as a number times ((node, exponent), ...)."""
         kind, operands = self.records[node]
-        integral = is_whole(exponent)
-        if kind is Kind.NUMBER and (integral or operands[0] in (0, 1)):
-            return _power_of(operands[0], exponent), ()
-        if kind is Kind.SUM and len(operands) == 1 and (integral or operands[0][1] > 0):
-            inner, factor = operands[0]
-            if integral:
-                return _power_of(factor, exponent), self._factors(inner, exponent)[1]
-        if kind is Kind.PRODUCT and (integral or len(operands) == 1 and not is_whole(operands[0][1])):
-            return 1, tuple((inner, power * exponent) for inner, power in operands)
+        if is_whole(exponent):
+            exponent = int(exponent)
+            if kind is Kind.NUMBER:
+                return _whole_power(operands[0], exponent), ()
+            if kind is Kind.SUM and len(operands) == 1:
+                ((inner, factor),) = operands
+                return _whole_power(factor, exponent), self._factors(inner, exponent)[1]
+            if kind is Kind.PRODUCT:
+                return 1, tuple((inner, power * exponent) for inner, power in operands)
+        elif kind is Kind.NUMBER:
+            return self._root_of_number(node, operands[0], exponent)
+        elif kind is Kind.PRODUCT and len(operands) == 1 and -1 < operands[0][1] < 1:
+            ((inner, power),) = operands
+            return 1, ((inner, power * exponent),)
         return 1, ((node, exponent),)
+
+    def _root_of_number(
+        self, node: Node, value: Number, exponent: Number
+    ) -> tuple[Number, tuple[tuple[Node, Number], ...]]:
+        """Take the whole part out of a fractional power: 2^(3/2) = 2 2^(1/2)."""
+        if value == 0 and exponent < 0:
+            raise ZeroDivisionError(f"0 to the power {exponent}")
+        if value in (0, 1):
+            return value, ()
+        whole = 0 if isinstance(value, float) else floor(exponent)
+        return _whole_power(value, whole), ((node, exponent - whole),)
 
     def _canonical_product(self, factors: dict[Node, Number]) -> Node:
         if not factors:

@@ -16,7 +16,7 @@ SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""
 WIDTH = 110
 CALLS: Mapping[str, str] = {
-    "sin": "em_sin", "cos": "em_cos", "abs": "fabs", "min": "fmin", "max": "fmax", "sign": "em_sign",
+    "sin": "em_sin", "cos": "em_cos", "abs": "fabs", "min": "em_least", "max": "em_greatest", "sign": "em_sign",
     "step": "em_heaviside",
 }  # fmt: skip
 INFIX: Mapping[str, str] = {"and": "&&", "or": "||"}

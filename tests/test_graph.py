@@ -181,7 +181,7 @@ def test_constants_are_split_off(bench):
         sympy.Add(sin(2 * x), -2 * sin(x) * cos(x)),
         sympy.Add(cos(x + y), -cos(x) * cos(y), sin(x) * sin(y)),
         (x + y) ** 2 - x**2 - 2 * x * y - y**2,
-        sqrt(x**2 + 2 * x * y + y**2) - x - y,
+        sqrt(x**2 + 2 * x * y + y**2) ** 3 - (x + y) ** 2 * sqrt(x**2 + 2 * x * y + y**2),
         p * (x * y + x * z) / x - p * y - p * z,
     ],
 )
@@ -194,6 +194,7 @@ def test_what_vanishes_is_seen(bench, zero):
     [
         sympy.Float(1e-30) * x,
         1 + sympy.Float(1e-9) * sin(x) - cos(y) ** 2 - sin(y) ** 2,
+        sqrt(x**2 + 2 * x * y + y**2) - x - y,
         sympy.Max(0, x - 3),
         sympy.Piecewise((x, x > 5), (0, True)),
         sympy.Heaviside(x - 2),

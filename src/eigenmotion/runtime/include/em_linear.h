@@ -500,11 +500,20 @@ EM_COLD void em_add_delta_rate(int m, int n, const double *Adot, const double *Y
 }
 
 EM_INLINE double em_sign(double a) {
-    return (a > 0.0) - (a < 0.0);
+    return a != a ? a : (a > 0.0) - (a < 0.0);
 }
 
 EM_INLINE double em_heaviside(double a) {
-    return a > 0.0;
+    return a != a ? a : a > 0.0 ? 1.0 : a < 0.0 ? 0.0 : 0.5;
+}
+
+/* Unlike fmin and fmax these pass on what is not a number: a potential that is undefined must not look defined. */
+EM_INLINE double em_least(double a, double b) {
+    return a < b || a != a ? a : b;
+}
+
+EM_INLINE double em_greatest(double a, double b) {
+    return a > b || a != a ? a : b;
 }
 
 #endif
