@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 import sympy
+from sympy.functions.elementary.piecewise import ExprCondPair
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -48,4 +49,9 @@ def _combined(expression: sympy.Expr, parts: list[float], is_symbol: bool) -> fl
         return sum(parts)
     if expression.is_Pow and expression.exp.is_Integer and expression.exp.is_positive:
         return parts[0] * int(expression.exp)
+    if isinstance(expression, sympy.Piecewise):
+        return max(parts)
+    if isinstance(expression, ExprCondPair):
+        value, condition = parts
+        return value if condition == 0 else math.inf
     return math.inf

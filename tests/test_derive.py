@@ -10,6 +10,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, ModelError, t
 
 from .generation import NAMES, model_of, relative
+from .oracles.direct import Direct
 
 q1, q2, q3 = dynamicsymbols("q1:4")
 a, b, m = symbols("a b m", positive=True)
@@ -20,39 +21,6 @@ def model(**fields):
     """Return a model of one or two coordinates with some fields given."""
     start = {"name": "probe", "coordinates": [q1, q2], "kinetic_energy": m * (q1.diff() ** 2 + q2.diff() ** 2) / 2}
     return Model(**(start | {"parameters": {a: 0.7, b: 1.3, m: 2.0}} | fields))
-
-
-class Direct:
-    """M, G, T0, A and b of a model by SymPy's derivatives, as functions of numbers."""
-
-    def __init__(self, model):
-        self.model = model
-        x, v = list(model.coordinates), list(model.rates)
-        held = sympy.symbols(f"held_:{len(v)}")
-        replaced = dict(zip(v, held, strict=True))
-        T = self.in_rates(model.kinetic_energy).xreplace(replaced)
-        still = dict.fromkeys(held, 0)
-        rows = [self.in_rates(row).xreplace(replaced) for row in model.nonholonomic_constraints]
-        self.terms = {
-            "M": [T.diff(i, j) for i in held for j in held],
-            "G": [T.diff(i).subs(still) for i in held],
-            "T0": [T.subs(still)],
-            "A": [phi.diff(c) for phi in model.holonomic_constraints for c in x]
-            + [r.diff(i) for r in rows for i in held],
-            "b": [self.explicit(phi) for phi in model.holonomic_constraints] + [r.subs(still) for r in rows],
-        }
-        self.arguments = [*x, *(symbol for symbol, _ in model.parameters), t, *held]
-
-    def in_rates(self, expression):
-        return expression.subs(dict(self.model.quasi_velocities)).doit()
-
-    def explicit(self, phi):
-        """The derivative with respect to the time that is written out."""
-        frozen = {x: sympy.Dummy() for x in self.model.coordinates}
-        return phi.xreplace(frozen).diff(t).xreplace({dummy: x for x, dummy in frozen.items()})
-
-    def __call__(self, name, point):
-        return np.array(sympy.lambdify(self.arguments, self.terms[name], cse=True)(*point), dtype=float)
 
 
 def derived(mechanics, name, point):

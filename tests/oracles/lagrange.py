@@ -78,7 +78,16 @@ class Lagrange:
 
     def _replaced(self, expressions: list[sympy.Expr]) -> list[sympy.Expr]:
         """Plain symbols for functions of time and their derivatives, the highest first."""
-        return [entry.doit().xreplace(self._plain) for entry in expressions]
+        return [_away_from_jumps(entry.doit()).xreplace(self._plain) for entry in expressions]
+
+
+def _away_from_jumps(expression: sympy.Expr) -> sympy.Expr:
+    """Zero for the derivatives of steps, which SymPy carries along."""
+    jumps = [
+        *expression.atoms(sympy.DiracDelta),
+        *(d for d in expression.atoms(sympy.Derivative) if d.expr.has(sympy.sign)),
+    ]
+    return expression.xreplace(dict.fromkeys(jumps, sympy.Integer(0)))
 
 
 def _plain_symbols(model: Model) -> dict[sympy.Expr, sympy.Symbol]:

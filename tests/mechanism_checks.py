@@ -1,0 +1,106 @@
+"""One random mechanism against Lagrange's equations by plain SymPy, in every formulation, at states of both signs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from eigenmotion.codegen import compiler
+
+from eigenmotion import Model, System
+
+from .generation import FORMULATIONS, loaded, relative
+from .kinematics import acceleration
+from .mechanisms import Maker, State
+from .oracles import Lagrange
+from .oracles.direct import Direct
+
+STATES = 6
+LIMIT = 1e-12
+"""Of a difference, in units of the condition of the equations."""
+
+
+@dataclass
+class Counts:
+    """What came of some mechanisms."""
+
+    mechanisms: int = 0
+    systems: int = 0
+    states: int = 0
+    numbers: int = 0
+    wrong: list[str] = field(default_factory=list)
+
+
+class Right:
+    """What plain SymPy says of a model at a state."""
+
+    def __init__(self, model: Model) -> None:
+        self.model, self.direct, self.lagrange = model, Direct(model), Lagrange(model)
+
+    def terms(self, at: State) -> dict[str, np.ndarray]:
+        """M (n, n), A (m, n), b (m,) and the energy."""
+        n, m = self.model.n, self.model.m
+        p = [at.parameters[str(symbol)] for symbol, _ in self.model.parameters]
+        point = [*at.x, *p, at.time, *at.v]
+        found = {name: self.direct(name, point) for name in ("M", "A", "b", "energy")}
+        return found | {"M": found["M"].reshape(n, n), "A": found["A"].reshape(m, n)}
+
+    def condition(self, M: np.ndarray, A: np.ndarray) -> float:
+        """Of the matrix [M A^T; A 0], its rows and columns scaled."""
+        size = np.sqrt(np.diag(M))
+        unit, rows = M / np.outer(size, size), A / size
+        rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+        return float(np.linalg.cond(np.block([[unit, rows.T], [rows, np.zeros((len(A), len(A)))]])))
+
+
+def check(seed: int, counts: Counts, formulations: Iterable[str] = FORMULATIONS, *flags: str) -> None:
+    """Judge the mechanism of one seed."""
+    maker = Maker(seed)
+    model = maker.model()
+    right, states = Right(model), [maker.state() for _ in range(STATES)]
+    counts.mechanisms += 1
+    for formulation in formulations:
+        try:
+            system = loaded(compiler.generate(model, formulation=formulation), *flags)
+            counts.systems += 1
+            for state in states:
+                counts.wrong.extend(f"mechanism {seed}, {formulation}: {fault}"
+                                    for fault in _faults(system, right, state, counts))  # fmt: skip
+        except Exception as error:  # whatever it is, a model that should build and run did not
+            counts.wrong.append(f"mechanism {seed}, {formulation}: {type(error).__name__}: {str(error)[-600:]}")
+
+
+def _faults(system: System, right: Right, at: State, counts: Counts) -> Iterator[str]:
+    terms = right.terms(at)
+    counts.states += 1
+    A, b = system.pfaffian(at.x, at.time, at.parameters)
+    found = {"M": system.mass_matrix(at.x, at.time, at.parameters), "A": A, "b": b,
+             "energy": [system.energy(at.x, at.v, at.time, at.parameters)]}  # fmt: skip
+    yield from _different(found, terms, LIMIT, counts)
+    condition = right.condition(terms["M"], terms["A"])
+    if condition < 1e6:
+        yield from _different(
+            dict(_moved(system, at)), _wanted(system, right, at, terms["M"]), LIMIT * condition, counts
+        )
+
+
+def _moved(system: System, at: State) -> Iterator[tuple[str, np.ndarray]]:
+    """Accelerations and multipliers as they are asked for, and accelerations out of the right-hand side."""
+    a, multipliers = system.acceleration(at.x, at.v, at.time, at.parameters, at.inputs)
+    yield from (("acceleration", a), ("multipliers", multipliers))
+    y = system.state(at.x, at.v, at.time, at.parameters)
+    dy = system.rhs(at.time, y, at.parameters, at.inputs)
+    yield "right-hand side", acceleration(system, at.time, y, dy, at.parameters)
+
+
+def _wanted(system: System, right: Right, at: State, M: np.ndarray) -> dict[str, np.ndarray]:
+    a, multipliers = right.lagrange(at.x, at.v, at.time, at.parameters, at.inputs)
+    return {"acceleration": a, "multipliers": multipliers, "right-hand side": a}
+
+
+def _different(found: dict, wanted: dict, limit: float, counts: Counts) -> Iterator[str]:  # type: ignore[type-arg]
+    for name, numbers in found.items():
+        counts.numbers += np.size(numbers)
+        if not relative(numbers, wanted[name]) <= limit:
+            yield f"{name} {np.ravel(numbers)} for {np.ravel(wanted[name])}, limit {limit:.1e}"
