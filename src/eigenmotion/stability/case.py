@@ -9,6 +9,7 @@ import numpy as np
 
 from ..codegen.model import Model
 from ..names import Vector
+from ..signals import Signal
 from .truth import Truth
 from .variants import UNCONSTRAINED, Variant
 
@@ -32,6 +33,7 @@ class Point:
     conserves : whether T2 - T0 + V is constant here
     turns : (n,) after which a coordinate is the same again, 0: never; None: no coordinate is an angle that may wind
     periods : how many the span holds, 0 where they are few or have no meaning
+    inputs : over the model's defaults
     """
 
     label: str
@@ -45,6 +47,7 @@ class Point:
     conserves: bool = True
     turns: Vector | None = None
     periods: float = 0.0
+    inputs: Mapping[str, Signal] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

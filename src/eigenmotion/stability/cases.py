@@ -1,5 +1,5 @@
 """All cases, by name."""
 
-from . import charts, places, scenes, spans
+from . import charts, kinks, places, scenes, spans
 
-CASES = {case.name: case for case in (*scenes.CASES, *charts.CASES, *places.CASES, *spans.CASES)}
+CASES = {case.name: case for case in (*scenes.CASES, *charts.CASES, *kinks.CASES, *places.CASES, *spans.CASES)}

@@ -108,6 +108,7 @@ def _run(case: Case, point: Point, system: System, variant: Variant, method: str
             x0=point.x0,
             v0=point.v0,
             parameters=point.parameters,
+            inputs=point.inputs,
             method=method,
             rtol=tolerance,
             atol=tolerance * point.units,

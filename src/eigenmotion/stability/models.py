@@ -1,8 +1,9 @@
 """Small mechanisms made to be driven to their limits; each has a parameter that is changed at run time."""
 
 from functools import cache
+from typing import Any
 
-from sympy import Expr, Integer, Matrix, Rational, cos, sin, symbols
+from sympy import Abs, Expr, Integer, Matrix, Max, Rational, cos, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from ..codegen.model import Model, t
@@ -156,6 +157,86 @@ def bent_oscillators() -> Model:
         potential_energy=_HALF * (m_1 * w_1**2 * u**2 + m_2 * w_2**2 * z**2),
         parameters={m_1: 1.0, m_2: 3.0, w_1: 1.0, w_2: 1.4142135623730951, c: 0.8},
         initial={x: 0.5, z.diff(): 1.0},
+    )
+
+
+@cache
+def rooted_oscillators(wide: bool = True) -> Model:
+    """Return the same, bent by z sqrt(z^2 + w^2) / 2 in place of z^2 / 2, or by z |z| / 2 where w is 0."""
+    z = dynamicsymbols("z")
+    c, w = symbols("c w", positive=True)
+    if not wide:
+        return _oscillators("folded_oscillators", c * z * Abs(z) / 2, c * Abs(z), Integer(0), {c: 0.8})
+    bend = c * z * sqrt(z**2 + w**2) / 2
+    return _oscillators("rooted_oscillators", bend, bend.diff(z), Integer(0), {c: 0.8, w: 1.0})
+
+
+@cache
+def kinked_oscillators() -> Model:
+    """Return them bent by z^2 / 2, with forces on u that have a kink (k), a jump (f) or come from outside (a)."""
+    x, z, a = dynamicsymbols("x z a")
+    m_1, c = symbols("m_1 c", positive=True)
+    k, f = symbols("k f", nonnegative=True)
+    bend = c * z**2 / 2
+    u = x + bend
+    V = m_1 * (k * Max(u, 0) ** 2 / 2 + f * Abs(u))
+    values, forces = {c: 0.8, k: 0.0, f: 0.0}, {x: m_1 * a, z: m_1 * a * c * z}
+    return _oscillators("kinked_oscillators", bend, c * z, V, values, forces=forces, inputs={a: 0.0})
+
+
+def _oscillators(name: str, bend: Expr, slope: Expr, V: Expr, more: dict[Expr, float], **given: Any) -> Model:
+    """Return free oscillators u = x + bend(z), bend' = slope, and z, under a potential V besides their own."""
+    x, z = dynamicsymbols("x z")
+    m_1, m_2, w_1, w_2 = symbols("m_1 m_2 w_1 w_2", positive=True)
+    u = x + bend
+    return Model(
+        name=name,
+        coordinates=[x, z],
+        kinetic_energy=_HALF * (m_1 * (x.diff() + slope * z.diff()) ** 2 + m_2 * z.diff() ** 2),
+        potential_energy=_HALF * (m_1 * w_1**2 * u**2 + m_2 * w_2**2 * z**2) + V,
+        parameters={m_1: 1.0, m_2: 3.0, w_1: 1.0, w_2: 1.4142135623730951} | more,
+        initial={x: 0.5, z: 0.1, z.diff(): 1.0},
+        **given,
+    )
+
+
+@cache
+def body_in_cardan_angles() -> Model:
+    """Return a body about a fixed point, turned by psi about z, phi about x, theta about y.
+
+    phi = pi / 2 is no place for it.
+    """
+    psi, phi, theta = dynamicsymbols("psi phi theta")
+    J = symbols("J_1:4", positive=True)
+    weight = symbols("mgl", real=True)
+    omega = (
+        cos(theta) * phi.diff() - sin(theta) * cos(phi) * psi.diff(),
+        sin(phi) * psi.diff() + theta.diff(),
+        sin(theta) * phi.diff() + cos(theta) * cos(phi) * psi.diff(),
+    )
+    return Model(
+        name="body_in_cardan_angles",
+        coordinates=[psi, phi, theta],
+        kinetic_energy=sum((_HALF * j * w**2 for j, w in zip(J, omega, strict=True)), Integer(0)),
+        potential_energy=weight * cos(phi) * cos(theta),
+        parameters=dict(zip(J, (0.05, 0.06, 0.02), strict=True)) | {weight: 0.3},
+    )
+
+
+@cache
+def hung_pendulum() -> Model:
+    """Return a pendulum in x, y [m] that hangs at (x_0, y_0)."""
+    x, y = dynamicsymbols("x y")
+    m, l, g = symbols("m l g", positive=True)
+    x_0, y_0 = symbols("x_0 y_0", real=True)
+    return Model(
+        name="hung_pendulum",
+        coordinates=[x, y],
+        kinetic_energy=_HALF * m * (x.diff() ** 2 + y.diff() ** 2),
+        potential_energy=m * g * (y - y_0),
+        holonomic_constraints=[((x - x_0) ** 2 + (y - y_0) ** 2 - l**2) / (2 * l)],
+        parameters={m: 1.0, l: 1.0, g: 1.0, x_0: 0.0, y_0: 0.0},
+        initial={x: sin(1).evalf(20), y: -cos(1).evalf(20)},
     )
 
 

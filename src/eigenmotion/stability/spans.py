@@ -9,11 +9,11 @@ from ..models import chain as chain_model
 from ..models import slider_crank
 from ..names import Vector
 from .case import Case, Point, power, rows
-from .models import bent_oscillators, cartesian_pendulum, elastic_link
+from .models import bent_oscillators, cartesian_pendulum, elastic_link, hung_pendulum
 from .places import closed_loop
 from .scenes import scale_of, start_of
-from .truth import ClosedForm, Integrated, chain, lagrange
-from .variants import SEVERAL_ROWS, UNSTABILISED, Variant
+from .truth import ClosedForm, Integrated, chain, lagrange, oscillation
+from .variants import CONSTRAINED, SEVERAL_ROWS, UNSTABILISED, Variant
 
 ROWS = 400
 
@@ -29,14 +29,9 @@ def oscillators(periods: float) -> Point:
 def _bent(start: Vector, elapsed: Vector) -> Vector:
     x, z, x_dot, z_dot = start
     c, w = 0.8, (1.0, sqrt(2.0))
-    u, u_dot = _oscillation(x + c * z**2 / 2, x_dot + c * z * z_dot, w[0], elapsed)
-    z_t, z_t_dot = _oscillation(z, z_dot, w[1], elapsed)
+    u, u_dot = oscillation(x + c * z**2 / 2, x_dot + c * z * z_dot, w[0], elapsed)
+    z_t, z_t_dot = oscillation(z, z_dot, w[1], elapsed)
     return np.stack([u - c * z_t**2 / 2, z_t, u_dot - c * z_t * z_t_dot, z_t_dot], axis=1)
-
-
-def _oscillation(a: float, b: float, w: float, t: Vector) -> tuple[Vector, Vector]:
-    c, s = np.cos(w * t), np.sin(w * t)
-    return a * c + b / w * s, b * c - a * w * s
 
 
 def pendulum(periods: float) -> Point:
@@ -59,6 +54,20 @@ def _swing(start: Vector, elapsed: Vector) -> Vector:
     sn, cn, dn, _ = ellipj(np.remainder(elapsed + begin, whole), k**2)
     s, c, rates = 2 * k * sn * dn, 1 - 2 * (k * sn) ** 2, 2 * k * cn
     return np.stack([s, -c, rates * c, rates * s], axis=1)
+
+
+def origin(distance: float) -> Point:
+    """The same, hung so that the mass passes the origin (1), or far from it; in its own direction of both axes."""
+    hung = distance * np.array([0.0, 1.0]) if distance == 1.0 else distance * np.array([1.0, -1.0])
+    x0, v0 = start_of(hung_pendulum())
+    truth = ClosedForm(lambda start, t: _swing_about(hung, start, t), "Jacobi's elliptic functions", own=1e-13)
+    parameters = {"x_0": hung[0], "y_0": hung[1]}
+    return Point(power(distance), parameters, x0 + hung, v0, np.ones(2), 0.0, rows(0.0, 20.0), truth)
+
+
+def _swing_about(hung: Vector, start: Vector, elapsed: Vector) -> Vector:
+    shift = np.concatenate([hung, np.zeros(2)])
+    return _swing(start - shift, elapsed) + shift
 
 
 def lengths_of_link(u: float) -> Point:
@@ -149,6 +158,13 @@ CASES = (
         "periods", _PERIODS, lambda _: cartesian_pendulum(), pendulum,
         variants=(Variant("eigenfactor"), Variant("lagrange"), Variant("lagrange", stabilisation="none")),
         tolerances=_LONG, max_steps=100_000_000, weight=15.0,
+    ),
+    Case(
+        "origin", "Origin",
+        "A pendulum in x and y that hangs elsewhere; 1: its mass passes the origin. Errors count beside the size of "
+        "the coordinates.",
+        "distance [m]", (0.0, 1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6), lambda _: hung_pendulum(), origin,
+        variants=CONSTRAINED, reduced=(1.0, 1e3),
     ),
     Case(
         "lengths", "Unit of length, mixed coordinates",

@@ -97,6 +97,12 @@ def lagrange(model: Model, parameters: Mapping[str, float]) -> Rhs:
     return extended(replace(equations, constants=constants))
 
 
+def oscillation(a: float, b: float, w: float, t: Vector) -> tuple[Vector, Vector]:
+    """Return a cos(w t) + b / w sin(w t) and its rate."""
+    c, s = np.cos(w * t), np.sin(w * t)
+    return a * c + b / w * s, b * c - a * w * s
+
+
 def chain(masses: Vector, lengths: Vector, g: float) -> Rhs:
     """Return f(t, y) of a hanging chain written down by hand: sums of masses below, differences of angles.
 
