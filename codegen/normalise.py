@@ -73,7 +73,7 @@ def expression(given: Any, what: str) -> sympy.Expr:
         raise ModelError(f"{what} contains the imaginary unit. Energies, forces and constraints are real.")
     if value.has(*INFINITE):
         raise ModelError(f"{what} contains an infinite or undefined term. Look for a division by zero in it.")
-    return _exact_exponents(_carried_out(value))
+    return _exact_exponents(_carried_out(_real(value)))
 
 
 def number(given: Any, what: str) -> float:
@@ -97,9 +97,24 @@ def _is_pair(entry: Any) -> bool:
     return isinstance(entry, Sequence) and not isinstance(entry, str) and len(entry) == 2
 
 
+def _real(value: sympy.Expr) -> sympy.Expr:
+    """Take all quantities as real: |z|.diff(t), with z(t) that SymPy takes for complex, becomes sign(z) z.diff(t).
+
+    A sign has the rate 0, but where it jumps.
+    """
+    if not value.has(sympy.re, sympy.im, sympy.conjugate, sympy.sign):
+        return value
+    for part in (sympy.re, sympy.conjugate):
+        value = value.replace(part, lambda inside: inside)
+    value = value.replace(sympy.im, lambda _: sympy.S.Zero)
+    signs = {rate: sympy.S.Zero for rate in value.atoms(sympy.Derivative) if isinstance(rate.expr, sympy.sign)}
+    return value.xreplace(signs)
+
+
 def _carried_out(value: sympy.Expr) -> sympy.Expr:
-    """Carry out derivatives left standing, such as Derivative(L*r, t); rates of functions of time stay."""
-    standing = any(not isinstance(rate.expr, AppliedUndef) for rate in value.atoms(sympy.Derivative))
+    """Carry out derivatives left standing, such as Derivative(L*r, t) and Derivative(r, r); rates in time stay."""
+    rates = value.atoms(sympy.Derivative)
+    standing = any(not isinstance(rate.expr, AppliedUndef) or {*rate.variables} != {t} for rate in rates)
     return value.doit() if standing else value
 
 

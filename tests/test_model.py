@@ -247,3 +247,22 @@ def test_model_files_have_their_name_and_a_drawing(scenario):
     assert "::" in docstring
     assert "Oracle" in docstring
     assert "Coordinate" in docstring
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        (sympy.Abs(r).diff(t), sympy.sign(r) * r.diff()),
+        ((r * sympy.Abs(r)).diff(t) ** 2, (2 * sympy.Abs(r) * r.diff()) ** 2),
+        (sympy.Abs(r * theta).diff(t), sympy.sign(r * theta) * (r * theta).diff(t)),
+        (sympy.Abs(r).diff(r) * r.diff(), sympy.sign(r) * r.diff()),
+        (sympy.sign(r).diff(t) * theta, 0),
+        (sympy.conjugate(r) * sympy.re(theta) + sympy.im(r), r * theta),
+    ],
+)
+def test_coordinates_are_real_whatever_sympy_takes_them_for(written, meant):
+    """In numbers of both signs: |r| sign(r) is r, which SymPy does not see."""
+    ours = changed(forces={r: written}).forces[1]
+    for values in ((0.7, 0.3, -1.1, 2.0), (-0.7, 0.3, 1.1, -2.0)):
+        point = dict(zip((r.diff(), theta.diff(), r, theta), values, strict=True))
+        assert float((ours - meant).xreplace(point)) == pytest.approx(0.0, abs=1e-15)

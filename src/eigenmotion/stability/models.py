@@ -166,9 +166,8 @@ def rooted_oscillators(wide: bool = True) -> Model:
     z = dynamicsymbols("z")
     c, w = symbols("c w", positive=True)
     if not wide:
-        return _oscillators("folded_oscillators", c * z * Abs(z) / 2, c * Abs(z), Integer(0), {c: 0.8})
-    bend = c * z * sqrt(z**2 + w**2) / 2
-    return _oscillators("rooted_oscillators", bend, bend.diff(z), Integer(0), {c: 0.8, w: 1.0})
+        return _oscillators("folded_oscillators", c * z * Abs(z) / 2, Integer(0), {c: 0.8})
+    return _oscillators("rooted_oscillators", c * z * sqrt(z**2 + w**2) / 2, Integer(0), {c: 0.8, w: 1.0})
 
 
 @cache
@@ -181,18 +180,18 @@ def kinked_oscillators() -> Model:
     u = x + bend
     V = m_1 * (k * Max(u, 0) ** 2 / 2 + f * Abs(u))
     values, forces = {c: 0.8, k: 0.0, f: 0.0}, {x: m_1 * a, z: m_1 * a * c * z}
-    return _oscillators("kinked_oscillators", bend, c * z, V, values, forces=forces, inputs={a: 0.0})
+    return _oscillators("kinked_oscillators", bend, V, values, forces=forces, inputs={a: 0.0})
 
 
-def _oscillators(name: str, bend: Expr, slope: Expr, V: Expr, more: dict[Expr, float], **given: Any) -> Model:
-    """Return free oscillators u = x + bend(z), bend' = slope, and z, under a potential V besides their own."""
+def _oscillators(name: str, bend: Expr, V: Expr, more: dict[Expr, float], **given: Any) -> Model:
+    """Return free oscillators u = x + bend(z) and z under a potential V besides their own."""
     x, z = dynamicsymbols("x z")
     m_1, m_2, w_1, w_2 = symbols("m_1 m_2 w_1 w_2", positive=True)
     u = x + bend
     return Model(
         name=name,
         coordinates=[x, z],
-        kinetic_energy=_HALF * (m_1 * (x.diff() + slope * z.diff()) ** 2 + m_2 * z.diff() ** 2),
+        kinetic_energy=_HALF * (m_1 * u.diff(t) ** 2 + m_2 * z.diff() ** 2),
         potential_energy=_HALF * (m_1 * w_1**2 * u**2 + m_2 * w_2**2 * z**2) + V,
         parameters={m_1: 1.0, m_2: 3.0, w_1: 1.0, w_2: 1.4142135623730951} | more,
         initial={x: 0.5, z: 0.1, z.diff(): 1.0},
