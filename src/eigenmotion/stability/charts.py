@@ -1,17 +1,16 @@
 """The cases of singular places of the coordinates: motions that are regular, seen in charts that are not."""
 
 from math import asin, cos, pi, sin, sqrt
-from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..models import heavy_top
 from ..names import Vector
-from ..report.extended import Extended
+from .bodies import body_rows, body_start, upwards
 from .case import Case, Point, power, rows
 from .models import body_in_cardan_angles, polar_on_cart
-from .truth import FINE, ClosedForm, Integrated
+from .truth import ClosedForm
 
 _TOP = {"J": 0.05, "J3": 0.02, "m": 1.0, "l": 0.2, "g": 0.0}
 _TURN = 2 * pi
@@ -82,10 +81,10 @@ def _euler(R: Rotation, omega: Vector) -> Vector:
 def cardan(miss: float) -> Point:
     """A heavy body of three different inertias that passes gimbal lock of its angles; rows after the passage."""
     angles = np.array([0.3, pi / 2 - miss, 0.2])
-    at_passage = np.concatenate([_quaternion(angles), _cardan_axes(angles[2]).T @ [0.0, 1.0, 3.0]])
-    begin = _BODY.rows(at_passage, np.array([0.5, 0.0]), FINE)[-1]
+    at_passage = body_start(angles, _cardan_axes(angles[2]).T @ [0.0, 1.0, 3.0])
+    begin = body_rows(_INERTIA, at_passage, np.array([0.5, 0.0]))[-1]
     start = _cardan(begin)
-    truth = ClosedForm(_heavy_body, _BODY.how.replace("equations", "Euler's equations in quaternions,"))
+    truth = ClosedForm(_heavy_body, "Euler's equations in quaternions, in extended precision")
     turns = np.array([_TURN, 0.0, _TURN])
     return Point(power(miss), {}, start[:3], start[3:], np.ones(3), 0.0, rows(0.75, 1.0), truth, turns=turns)
 
@@ -93,8 +92,7 @@ def cardan(miss: float) -> Point:
 def _heavy_body(start: Vector, elapsed: Vector) -> Vector:
     _, phi, theta, psi_dot, phi_dot, theta_dot = start
     omega = _cardan_axes(theta).T @ [phi_dot, sin(phi) * psi_dot + theta_dot, cos(phi) * psi_dot]
-    rows = _BODY.rows(np.concatenate([_quaternion(start[:3]), omega]), elapsed, FINE)
-    return np.array([_cardan(row) for row in rows])
+    return np.array([_cardan(row) for row in body_rows(_INERTIA, body_start(start[:3], omega), elapsed)])
 
 
 def _cardan_axes(theta: float) -> Vector:
@@ -103,26 +101,10 @@ def _cardan_axes(theta: float) -> Vector:
     return np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
 
 
-def _quaternion(angles: Vector) -> Vector:
-    return np.roll(Rotation.from_euler("ZXY", angles).as_quat(), 1)
-
-
-def _euler_equations(time: Any, z: Extended) -> Extended:  # noqa: ARG001, nothing depends on it
-    """(q, omega)' of a heavy body with a fixed point, omega in body axes; q is a unit quaternion but for errors."""
-    (a, b, c, d), omega = z[:4], z[4:]
-    up = np.array([2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d])
-    torque = _WEIGHT * np.array([up[1], -up[0], 0 * a])
-    rate = np.array([
-        -b * omega[0] - c * omega[1] - d * omega[2], a * omega[0] + c * omega[2] - d * omega[1],
-        a * omega[1] - b * omega[2] + d * omega[0], a * omega[2] + b * omega[1] - c * omega[0],
-    ]) / 2  # fmt: skip
-    return np.concatenate([rate, (np.cross(_INERTIA * omega, omega) + torque) / _INERTIA])
-
-
 def _cardan(z: Vector) -> Vector:
     """Return psi, phi, theta and their rates of (q, omega)."""
     (a, b, c, d), omega = z[:4], z[4:]
-    up = np.array([2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d])
+    up = upwards(z)
     psi = np.arctan2(-2 * (b * c - a * d), a * a - b * b + c * c - d * d)
     phi, theta = np.arctan2(up[1], np.hypot(up[0], up[2])), np.arctan2(-up[0], up[2])
     phi_dot, along, across = _cardan_axes(theta) @ omega
@@ -130,8 +112,7 @@ def _cardan(z: Vector) -> Vector:
     return np.array([psi, phi, theta, psi_dot, phi_dot, along - up[1] * psi_dot])
 
 
-_INERTIA, _WEIGHT = np.array([0.05, 0.06, 0.02], dtype=np.longdouble), 0.3  # of the model
-_BODY = Integrated(_euler_equations, np.ones(7))
+_INERTIA = np.array([0.05, 0.06, 0.02])  # of the model
 _MISSES = tuple(10.0**-e for e in range(1, 10))
 
 CASES = (
