@@ -7,7 +7,7 @@ READY  := $(VENV)/.ready
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
 TYPES  := build/types/eigenmotion
 
-.PHONY: demo test check lint types generated regenerate bench clean
+.PHONY: demo test fuzz check lint types generated regenerate bench clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -18,6 +18,10 @@ demo: $(READY)
 # PYTEST_ARGS="-k name" runs a part
 test: $(READY)
 	$(BIN)/pytest -n auto $(PYTEST_ARGS)
+
+# Nightly: random expressions and mechanisms by the thousand; FUZZ_ARGS="--trees 100 --mechanisms 3" takes fewer
+fuzz: $(READY)
+	$(BIN)/python -m tests.fuzz $(FUZZ_ARGS)
 
 check: lint types generated
 

@@ -1,4 +1,4 @@
-"""Random mechanisms: M(x) positive definite, of polynomials and sines; every formulation against NumPy."""
+"""Random mechanisms: of polynomials and sines against NumPy, and as users write them against plain SymPy."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -12,6 +12,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, System, t
 
+from . import mechanism_checks
 from .generation import FORMULATIONS, relative, system_for
 from .kinematics import acceleration
 
@@ -189,3 +190,13 @@ def test_every_formulation_moves_alike(number):
         assert np.abs(run.constraint_residual).max(initial=0.0) < 1e-12
         ends.append(np.concatenate([run.x[:, -1], run.v[:, -1]]))
     assert max(relative(end, ends[-1], 1.0) for end in ends) < 1e-9
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # NumPy passes through the roots a Piecewise does not choose
+@pytest.mark.parametrize("seed", range(20))
+def test_mechanisms_with_roots_and_absolute_values_agree_with_lagranges_equations(seed):
+    """One formulation each; `make fuzz` takes all of them, and more mechanisms."""
+    counts = mechanism_checks.Counts()
+    mechanism_checks.check(seed, counts, [FORMULATIONS[seed % len(FORMULATIONS)]], "-O0")
+    assert counts.wrong == []
+    assert counts.numbers > counts.states > 0

@@ -31,7 +31,10 @@ class Direct:
             "energy": [T + model.potential_energy],
         }
         arguments = [*x, *(symbol for symbol, _ in model.parameters), t, *held]
-        self._functions = {name: sympy.lambdify(arguments, entries, cse=True) for name, entries in self.terms.items()}
+        self._functions = {
+            name: sympy.lambdify(arguments, [sympy.sympify(entry).doit() for entry in entries], cse=True)
+            for name, entries in self.terms.items()
+        }
 
     def __call__(self, name: str, point: Sequence[float]) -> np.ndarray:
         """Return the entries of one term at x, parameters, t, v."""
