@@ -99,6 +99,37 @@ def test_what_varies_in_one_part_of_space_only_is_not_taken_for_constant(factor)
     assert mechanics.x[0] in mechanics.M[0, 0].free_symbols
 
 
+@pytest.mark.parametrize("sign", [-1, 1])
+@pytest.mark.parametrize("size", [sympy.sqrt(q1**2), sympy.sqrt((q1 - 3) ** 2) + 3, sympy.Abs(q1)])
+def test_terms_that_vanish_for_one_sign_are_kept(size, sign):
+    """In M, G, and rows alike."""
+    factor = size - sign * q1
+    T = half * m * ((1 + factor) * q1.diff() ** 2 + q2.diff() ** 2) + factor * q2.diff()
+    mechanics = derive(model(kinetic_energy=T, nonholonomic_constraints=[q2.diff() + factor * q1.diff() + factor]))
+    held = mechanics.x[0]
+    for entry in (mechanics.M[0, 0], mechanics.G[1], mechanics.A[0, 0], mechanics.b[0]):
+        assert held in entry.free_symbols
+
+
+def test_a_kinetic_energy_in_pieces_is_quadratic():
+    T = half * sympy.Piecewise((m * q1.diff() ** 2, q1 > a), (2 * m * q1.diff() ** 2, True)) + half * q2.diff() ** 2
+    mechanics = derive(model(kinetic_energy=T))
+    assert [mechanics.M[0, 0].subs({mechanics.x[0]: at, a: 1}) for at in (0, 2)] == [2 * m, m]
+
+
+def test_a_kinetic_energy_in_pieces_of_velocity_is_not():
+    with pytest.raises(ModelError, match="second degree"):
+        model(kinetic_energy=sympy.Piecewise((q1.diff() ** 2, q1.diff() > 0), (0, True)) + q2.diff() ** 2)
+
+
+def test_derivatives_with_respect_to_coordinates_are_carried_out():
+    real = dynamicsymbols("r1", real=True)
+    force = -sympy.Derivative(real * sympy.Abs(real), real)
+    given = Model(name="probe", coordinates=[real], kinetic_energy=real.diff() ** 2 / 2, forces=[force])
+    mechanics = derive(given)
+    assert mechanics.Q[0].subs(mechanics.x[0], -2) == -4
+
+
 def test_a_term_linear_in_a_velocity_that_cancels_is_gone():
     T = half * m * ((q1.diff() + a) ** 2 - 2 * a * q1.diff() + q2.diff() ** 2)
     mechanics = derive(model(kinetic_energy=T))

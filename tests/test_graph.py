@@ -16,7 +16,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Rational, cos, exp, log, sin, sqrt, symbols, tan
 
+from .tree_checks import unclean
+from .trees import Meaning
+
 SYMBOLS = x, y, z, p, q = symbols("x y z p q", positive=True)
+u, w = symbols("u w")
 BY_NAME = {symbol.name: symbol for symbol in SYMBOLS}
 POINT = dict(zip(SYMBOLS, map(mpmath.mpf, ("0.71", "1.13", "1.62", "0.87", "1.41")), strict=True))
 mpmath.mp.dps = 30
@@ -159,6 +163,83 @@ def test_roots_of_squares_keep_their_sign(bench, expression):
                 value(expression))  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    "merged",
+    [
+        lambda g, S, r: g.mul(g.power(S, Fraction(1, 2)), g.power(S, Fraction(1, 2)), r),
+        lambda g, S, r: g.power(g.mul(g.power(S, Fraction(1, 2)), r), 2),
+        lambda g, S, r: g.mul(g.power(S, Fraction(3, 2)), g.power(S, Fraction(-1, 2)), r),
+        lambda g, S, r: g.add(g.mul(g.power(g.mul(g.power(S, Fraction(1, 2)), g.symbol("p")), 2), r), r),
+    ],
+)
+@pytest.mark.parametrize("inner", [4 + x**2, 2 * x * y, x**2, 2 + 2 * cos(x), sympy.Integer(3), -3 * p])
+def test_a_merged_power_opens_what_it_closed(bench, merged, inner):
+    """sqrt(S) sqrt(S) is S, with a coefficient and factors of its own."""
+    graph = bench.graph
+    merged(graph, bench.node(inner / 4), graph.symbol("z"))
+    assert list(unclean(graph)) == []
+
+
+@pytest.mark.parametrize(
+    ("base", "inner", "outer"),
+    [
+        ("x", 2, Fraction(1, 2)),
+        ("x", 3, Fraction(1, 3)),
+        ("x", Fraction(3, 2), Fraction(2, 3)),
+        ("x", -1, Fraction(1, 2)),
+    ],
+)
+def test_powers_of_powers_that_depend_on_the_sign_stay(bench, base, inner, outer):
+    graph = bench.graph
+    symbol = graph.symbol(base)
+    assert graph.power(graph.power(symbol, inner), outer) != graph.power(symbol, inner * outer)
+
+
+def test_powers_of_numbers(bench):
+    power, number = bench.graph.power, bench.graph.number
+    assert power(number(2), Fraction(3, 2)) == bench.graph.scale(power(number(2), Fraction(1, 2)), 2)
+    assert power(power(number(2), Fraction(1, 2)), 2) == number(2)
+    assert power(number(0), Fraction(1, 2)) == number(0)
+    for exponent in (-1, Fraction(-1, 2)):
+        with pytest.raises(ZeroDivisionError):
+            power(number(0), exponent)
+
+
+PIECES = [
+    sympy.Piecewise((sqrt(x - 3) ** 5, x > 3), (x**2, True)),
+    sympy.Piecewise((log(x - 3), x > 3), (y, x > 2), (x * y, True)),
+    z * sympy.Piecewise((sympy.Piecewise((log(x - 3), x > 4), (sqrt(x - 2), True)), x > 3), (x**3, True)) ** 2,
+]
+
+
+@pytest.mark.parametrize("pieces", PIECES)
+def test_a_piece_that_is_not_chosen_may_be_undefined(bench, pieces):
+    root = bench.node(pieces)
+    found = [Tangent(bench.graph, {"x": bench.graph.one})(root), *gradient(bench.graph, root, ["x"])]
+    meaning = Meaning(bench.graph, {symbol.name: float(at) for symbol, at in POINT.items()})
+    assert all(same(meaning(node), value(pieces.diff(x))) for node in found)
+
+
+def test_where_no_piece_holds_the_derivative_is_undefined_too(bench):
+    root = bench.node(sympy.Piecewise((x**2, x > 3)))
+    meaning = Meaning(bench.graph, {"x": 0.7})
+    assert mpmath.isnan(meaning(Tangent(bench.graph, {"x": bench.graph.one})(root)))
+    assert mpmath.isnan(meaning(gradient(bench.graph, root, ["x"])[0]))
+
+
+@pytest.mark.parametrize(("given", "right"), [((), 0.5), ((1,), 1), ((0,), 0)])
+def test_the_step_at_zero(bench, given, right):
+    node = bench.node(sympy.Heaviside(x - y, *given, evaluate=False))
+    assert Meaning(bench.graph, {"x": 2.0, "y": 2.0})(node) == right
+
+
+@pytest.mark.parametrize("left", [0, 2])
+def test_conditions_on_numbers_come_back(bench, left):
+    graph = bench.graph
+    choice = graph.call("select", graph.call("<", graph.number(left), graph.one), graph.symbol("x"), graph.symbol("y"))
+    assert bench.back(choice) == (x if left < 1 else y)
+
+
 def test_operands_come_before_what_is_made_of_them(bench):
     bench.node(sin(x + y) * exp(x * y) / sqrt(z + p))
     graph = bench.graph
@@ -210,6 +291,35 @@ def test_what_only_seems_to_vanish_is_kept(bench, alive):
 
 def test_undefined_is_not_zero(bench):
     assert not Zeros(bench.graph)(bench.node(sympy.acosh(x - 9)))
+
+
+@pytest.mark.parametrize(
+    "alive",
+    [
+        sqrt(u**2) - u,
+        sqrt(u**2) / u - 1,
+        1 + sqrt((u - 3) ** 2) / (u - 3),
+        sqrt((u - 1000) ** 2) + u - 1000,
+        (u**3) ** Rational(1, 3) - u,
+        sqrt(u * w) - sqrt(u) * sqrt(w),
+        sqrt(u**2 * w**2) - u * w,
+        sqrt(2 + 2 * cos(u)) - 2 * cos(u / 2),
+        (sqrt(u**2) + u) * (sqrt(w**2) - w),
+        sympy.asin(sin(u)) - u,
+        sympy.atan(tan(u)) - u,
+        sympy.atan(u) + sympy.atan(1 / u) - sympy.pi.evalf() / 2,
+        log(u**2) - 2 * log(u),
+    ],
+)
+def test_what_vanishes_for_some_signs_only_is_kept(bench, alive):
+    assert not Zeros(bench.graph)(bench.node(alive))
+
+
+def test_parameters_declared_positive_count_as_such(bench):
+    root = bench.node(sqrt(u * w**2) - sqrt(u) * w)
+    assert not Zeros(bench.graph)(root)
+    assert not Zeros(bench.graph, {"u": 1})(root)
+    assert Zeros(bench.graph, {"u": 1, "w": 1})(root)
 
 
 # --- sums of angles ---------------------------------------------------------------------------------------------------
