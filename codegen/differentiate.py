@@ -92,7 +92,10 @@ class _Reverse:
         return tuple(result[source] for source in self._sources)
 
     def _of_choice(self, node: Node) -> list[Node]:
-        return [_chosen(self.graph, node, lambda piece, k=k: self(piece)[k]) for k in range(len(self._sources))]
+        def along(source: int) -> Node:
+            return _chosen(self.graph, node, lambda piece: self(piece)[source])
+
+        return list(map(along, range(len(self._sources))))
 
 
 def _above(graph: Graph, nodes: Sequence[Node], sources: set[Node]) -> set[Node]:

@@ -80,8 +80,8 @@ class Point:
             value = self._symbol(operands[0])
             return value, abs(value)
         if kind is Kind.SUM:
-            value = sum(float(factor) * known[child][0] for child, factor in operands)
-            return value, sum(abs(float(factor)) * known[child][1] for child, factor in operands)
+            total: Value = sum((float(factor) * known[child][0] for child, factor in operands), 0.0)
+            return total, sum(abs(float(factor)) * known[child][1] for child, factor in operands)
         if kind is Kind.PRODUCT:
             powers = [self._power(child, power) for child, power in operands]
             return math.prod(value for value, _ in powers), math.prod(size for _, size in powers)
