@@ -28,7 +28,8 @@ from eigenmotion.report.measure import Budget, Judge, Measurement, measure
 from eigenmotion.report.recommend import Curve, curves
 from eigenmotion.report.reference import Reference
 from eigenmotion.report.solvers import OUR_TOLERANCES, Motion, Scene, compiled_solvers
-from eigenmotion.toolchain import EXTENSION_SUFFIX, BuildError, toolchain
+from eigenmotion.errors import BuildError
+from eigenmotion.toolchain import EXTENSION_SUFFIX, toolchain
 
 build_module = importlib.import_module("eigenmotion.build")
 

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from .simulate import simulate as simulate
     from .solution import Solution as Solution
     from .system import System as System
-    from .toolchain import BuildError as BuildError
-    from .toolchain import CompilerNotFoundError as CompilerNotFoundError
+    from .errors import BuildError as BuildError
+    from .errors import CompilerNotFoundError as CompilerNotFoundError
 
 _HOME = {
-    "BuildError": ".toolchain",
-    "CompilerNotFoundError": ".toolchain",
+    "BuildError": ".errors",
+    "CompilerNotFoundError": ".errors",
     "Event": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",

@@ -12,7 +12,8 @@ from ..codegen.lower import FORMULATIONS
 from ..codegen.model import Model, ModelError
 from ..order import order
 from ..system import System
-from ..toolchain import EXTENSION_SUFFIX, BuildError, CompilerNotFoundError, toolchain
+from ..errors import BuildError, CompilerNotFoundError
+from ..toolchain import EXTENSION_SUFFIX, toolchain
 
 
 @dataclass(frozen=True, slots=True)

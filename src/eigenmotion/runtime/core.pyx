@@ -111,6 +111,14 @@ cdef class Prepared:
         pairs = ", ".join(f"{name}={value:g}" for name, value in zip(self.model.parameters, self.parameters))
         return f"<parameters of {self.model.name}: {pairs}>"
 
+    def __reduce__(self):
+        """Prepared anew where it is loaded."""
+        return _prepared, (self.model, self.parameters)
+
+
+def _prepared(CompiledModel model not None, parameters):
+    return model.prepare(np.array(parameters, dtype=np.float64))
+
 
 cdef class CompiledModel:
     """One `em_model`. The capsule must be named "eigenmotion.em_model" and point at a constant that outlives it."""
@@ -122,6 +130,8 @@ cdef class CompiledModel:
     cdef readonly tuple quasi_velocities, event_kinds
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
+    cdef public object recipe
+    """Returns, in any process, the System of this model; None where there is no way to it but the capsule."""
 
     def __cinit__(self, capsule):
         self.model = <const em_model *> PyCapsule_GetPointer(capsule, b"eigenmotion.em_model")
@@ -156,6 +166,13 @@ cdef class CompiledModel:
         self.initial_x, self.initial_v = constants(c.initial_x, c.n), constants(c.initial_v, c.n)
         self.initial_y = constants(c.initial_y, c.n) if c.initial_y != NULL else None
         self.scales = constants(c.scales, c.n)
+
+    def __reduce__(self):
+        """As the way to make it."""
+        if self.recipe is None:
+            raise TypeError(f"{self.name} was made from a capsule alone, so another process cannot make it; "
+                            "what eigenmotion.build returns can be pickled")
+        return _compiled, (self.recipe,)
 
     cdef failure(self, em_fault *fault):
         stop = _REASONS[<int> fault.status]
@@ -431,6 +448,10 @@ cdef class CompiledModel:
                     error = fabs(entry - product)
                 largest = max(largest, fabs(entry))
         return error / largest
+
+
+def _compiled(recipe):
+    return recipe().compiled
 
 
 cdef int poll(void *argument) noexcept with gil:

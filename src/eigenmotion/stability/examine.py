@@ -15,7 +15,7 @@ from ..runtime import EvaluationError, StopReason
 from ..simulate import simulate
 from ..solution import Solution
 from ..system import System
-from ..toolchain import BuildError
+from ..errors import BuildError
 from .case import EXPLICIT, Case, Point
 from .indicators import indicators
 from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
