@@ -151,9 +151,12 @@ def of_a_user(folder, rights):
     cache.entry("things", cache.key("there"), fill)
     for place in (folder, *folder.rglob("*")):
         os.chown(place, 12345, 12345)
-    folder.chmod(rights)
+    places = [folder, *(place for place in folder.iterdir() if place.is_dir())]
+    for place in reversed(places):
+        place.chmod(rights)
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
-    folder.chmod(0o700)
+    for place in places:
+        place.chmod(0o700)
     assert done.returncode == 0, done.stderr
     return done.stdout.split()
 
