@@ -23,6 +23,8 @@ from eigenmotion.build import cached_sources, compiled, load, make
 from eigenmotion.order import order
 from eigenmotion.toolchain import OPTIMISED, Toolchain, toolchain
 
+from .hand_written import bead
+
 ROOT = Path(__file__).parents[1]
 PENDULUM = ROOT / "models" / "pendulum.py"
 
@@ -169,9 +171,7 @@ def test_a_warning_is_no_failure():
     """What a compiler of tomorrow finds to say is nothing that whoever runs a model could mend."""
     idle = "\nstatic int idle(int n) { int unset[2]; if (n) unset[0] = 1; return unset[0] < (unsigned)n; }\n"
     sources = cached_sources(order(swing()))
-    careless = tuple(
-        replace(file, text=file.text + idle) if file.name == "swing.c" else file for file in sources.files
-    )
+    careless = tuple(replace(file, text=file.text + idle) if file.name == "swing.c" else file for file in sources.files)
     assert load(compiled(replace(sources, files=careless), toolchain())).n == 1
 
 
@@ -251,6 +251,21 @@ def test_copies_of_a_system_are_the_system():
     assert copy.copy(system) is system
     assert too.parameters == prepared.parameters
     assert same.simulate((0.0, 0.1), parameters=too).success
+
+
+@pytest.mark.parametrize("method", ["dop853", "rk34", "Radau"])
+def test_dense_output_travels(method):
+    system, t = em.build(swing(), flags="-O0"), np.linspace(0.0, 1.0, 7)
+    found = system.simulate((0.0, 1.0), method=method, dense_output=True)
+    assert (pickle.loads(pickle.dumps(found.sol))(t) == found.sol(t)).all()
+    twin = copy.deepcopy(found)
+    assert (twin.sol(t) == found.sol(t)).all()
+    assert (twin.sol.ts == found.sol.ts).all()
+
+
+def test_a_system_without_a_way_to_it_says_so():
+    with pytest.raises(TypeError, match=r"bead was made from a capsule.*eigenmotion\.build"):
+        pickle.dumps(bead())
 
 
 def test_a_module_of_a_folder_pickles_by_its_name(tmp_path):

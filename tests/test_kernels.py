@@ -124,7 +124,10 @@ def test_products_and_measures(compiled):
             run(name, C, s, found)
             near(found, matrix @ b)
         other = s * (1.0 + 1e-3 * random.normal(size=n))
-        near(run("factor_error", M, C, other), np.abs(np.outer(s, s) / np.outer(other, other) * np.eye(n) - np.eye(n)).max())
+        near(
+            run("factor_error", M, C, other),
+            np.abs(np.outer(s, s) / np.outer(other, other) * np.eye(n) - np.eye(n)).max(),
+        )
         pairs = [(i, j) for i in range(n) for j in range(i)]
         near(min((run("gap", s), 9.0)),
              min([abs(s[i] ** 2 - s[j] ** 2) / max(s[i], s[j]) ** 2 for i, j in pairs], default=9.0))  # fmt: skip
@@ -150,7 +153,11 @@ def test_rates_of_eigenfactors(compiled):
         C_dot, s_dot, loads = np.zeros((n, n)), np.zeros(n), random.normal(size=n)
         found = loads.copy()
         run("delta_rates", rows, C, s, C.T @ mu @ C, C_dot, s_dot, found)
-        near(C_dot, -right @ C), near(s_dot, np.diag(mu) / (2 * s)), near(found[rows], np.linalg.solve(Delta, loads[rows]))
+        (
+            near(C_dot, -right @ C),
+            near(s_dot, np.diag(mu) / (2 * s)),
+            near(found[rows], np.linalg.solve(Delta, loads[rows])),
+        )
         Adot, Y, rate = (random.normal(size=(n, n)) for _ in range(3))
         found = rate.copy()
         run("add_delta_rate", Adot, Y, mu, found)

@@ -491,6 +491,10 @@ cdef class Run:
     cdef object pending
 
     def __cinit__(self, task, int method):
+        if task is not None:
+            self.begin(task, method)
+
+    cdef begin(self, task, int method):
         cdef em_run *run = &self.run
         cdef CompiledModel model = task.model
         cdef Prepared prepared = task.prepared
@@ -590,6 +594,15 @@ cdef class Run:
         """(n_dense + 1,) ends of the steps kept for dense output."""
         return np.array([*[self.run.dense_steps[k].t for k in range(self.run.n_dense)], self.run.t_reached])
 
+    def __reduce__(self):
+        """As its interpolants: what a run keeps for dense output."""
+        cdef em_run *run = &self.run
+        cdef Py_ssize_t width = EM_DENSE_COEFFICIENTS * self.model.n_state * sizeof(double)
+        steps = (<char *> run.dense_steps)[:run.n_dense * sizeof(em_dense_step)] if run.n_dense else b""
+        table = (<char *> run.dense_table)[:run.n_dense * width] if run.n_dense else b""
+        times = run.t_start, run.t_end, run.t_reached
+        return _kept, (self.held[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table)
+
     def interpolate(self, t):
         """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
         cdef Py_ssize_t i, k = len(t)
@@ -611,3 +624,22 @@ cdef class Run:
             else:
                 high = middle
         return low
+
+
+def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
+          bytes steps, bytes table):
+    """A run that is over, of which there are the interpolants."""
+    cdef Run made = Run.__new__(Run, None, method)
+    cdef em_run *run = &made.run
+    made.model, made.held = prepared.model, [prepared]
+    run.model, run.prepared, run.method = prepared.model.model, prepared.c, <em_method> method
+    run.stabilise, run.least_norm = stabilise, least_norm
+    run.t_start, run.t_end, run.t_reached = times
+    run.dense_steps = <em_dense_step *> calloc(count + 1, sizeof(em_dense_step))
+    run.dense_table = <double *> calloc(len(table) + 1, 1)
+    if run.dense_steps == NULL or run.dense_table == NULL:
+        raise MemoryError
+    memcpy(run.dense_steps, <char *> steps, len(steps))
+    memcpy(run.dense_table, <char *> table, len(table))
+    run.n_dense = count
+    return made
