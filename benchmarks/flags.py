@@ -20,7 +20,7 @@ from eigenmotion import Model, build
 
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 PACKED = "-ftree-slp-vectorize"
-ROUNDS, CALLS = 31, 20_000
+ROUNDS, CALLS = 101, 20_000
 AT = {"rtol": 1e-9, "atol": 1e-9}
 
 

@@ -4,7 +4,6 @@ GCC 12 once ranked the rows of each Delta of four rows wrongly where it vectoris
 """
 
 import ctypes
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -13,8 +12,9 @@ import pytest
 
 from eigenmotion.toolchain import INCLUDE, STANDARD, toolchain
 
+from .generation import COMPILERS
+
 SOURCE = Path(__file__).parent / "kernels" / "kernels.c"
-COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 SIZES = range(1, 9)
 TINY = 1e-11
 LEAST_NORM = 4
@@ -202,11 +202,11 @@ def test_solutions_of_delta(compiled):
             continue
         B = random.normal(size=(n, n + 1))
         B[-1] = random.choice([0.0, -2.0]) * B[0]
-        Delta, rhs = B @ B.T, B @ random.normal(size=n + 1)
-        assert run("rank_of", np.tril(Delta)) == n - 1
+        singular, rhs = B @ B.T, B @ random.normal(size=n + 1)
+        assert run("rank_of", np.tril(singular)) == n - 1
         for name, flags in (("solve_delta", [LEAST_NORM]), ("least_norm", [])):
             found = rhs.copy()
-            run(name, np.tril(Delta), found, *flags)
-            right = np.linalg.lstsq(Delta, rhs, rcond=1e-10)[0]
+            run(name, np.tril(singular), found, *flags)
+            right = np.linalg.lstsq(singular, rhs, rcond=1e-10)[0]
             assert np.abs(found - right).max() < 1e-7 * max(1.0, np.abs(right).max())
-        assert run("solve_delta", np.tril(Delta), rhs.copy(), 0) == -1
+        assert run("solve_delta", np.tril(singular), rhs.copy(), 0) == -1

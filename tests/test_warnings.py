@@ -1,10 +1,9 @@
 """Generated code gives no warning, at the flags that users have, with any compiler: over many small mechanisms.
 
-Users never see warnings; what they would say is looked at here, for it is where a compiler reads code otherwise than we.
+Users never see warnings; what they would say is looked at here: there a compiler reads the code otherwise than we do.
 """
 
 import os
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -16,9 +15,8 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.toolchain import INCLUDE, toolchain
 
-from .generation import STRICT
+from .generation import COMPILERS, STRICT
 
-COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 SHAPES = [(n, m) for n in range(1, 5) for m in range(min(n, 3) + 1)]
 SEEDS = range(int(os.environ.get("EIGENMOTION_SEEDS", "1")))
 OPTIONS = [{"formulation": name} for name in FORMULATIONS] + [
@@ -30,7 +28,7 @@ q, r = dynamicsymbols("q r")
 
 
 def shapeless(n: int, m: int, seed: int) -> em.Model:
-    """A mechanism with terms of many kinds at random places: constant and varying blocks, rows that vanish somewhere."""
+    """A mechanism with terms of many kinds at random places: blocks that vary or do not, rows that vanish somewhere."""
     random = sympy.core.random.rng
     random.seed(1000 * seed + 10 * n + m)
     x, k = dynamicsymbols(f"x:{n}"), sympy.symbols("k", positive=True)
@@ -80,7 +78,7 @@ def warnings_of(model: em.Model, folder: Path, compiler: str, **options: str) ->
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("formulation", ["eigenfactor", "inverse"])
 @pytest.mark.parametrize("name", KNOWN)
 def test_models_that_once_gave_one(name, formulation, compiler, tmp_path):
     assert not warnings_of(KNOWN[name], tmp_path, compiler, formulation=formulation)

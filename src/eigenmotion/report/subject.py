@@ -10,9 +10,9 @@ from ..build import compile_in, load
 from ..codegen.derive import derive
 from ..codegen.lower import FORMULATIONS
 from ..codegen.model import Model, ModelError
+from ..errors import BuildError, CompilerNotFoundError
 from ..order import order
 from ..system import System
-from ..errors import BuildError, CompilerNotFoundError
 from ..toolchain import EXTENSION_SUFFIX, toolchain
 
 
