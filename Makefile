@@ -1,4 +1,5 @@
-# What a newcomer runs: `make demo`. What CI runs: `make test` and `make check`. Needs python3, a C compiler and make.
+# What a newcomer runs: `make demo`. What CI runs: `make test` and `make check`; at night: `make nightly`.
+# Needs python3, a C compiler and make.
 
 PYTHON ?= python3
 VENV   ?= .venv
@@ -7,7 +8,7 @@ READY  := $(VENV)/.ready
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
 TYPES  := build/types/eigenmotion
 
-.PHONY: demo test fuzz check lint types generated regenerate bench clean
+.PHONY: demo test fuzz nightly check lint types generated regenerate bench clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -19,9 +20,17 @@ demo: $(READY)
 test: $(READY)
 	$(BIN)/pytest -n auto $(PYTEST_ARGS)
 
-# Nightly: random expressions and mechanisms by the thousand; FUZZ_ARGS="--trees 100 --mechanisms 3" takes fewer
+# Random expressions and mechanisms by the thousand; FUZZ_ARGS="--trees 100 --mechanisms 3" takes fewer
 fuzz: $(READY)
 	$(BIN)/python -m tests.fuzz $(FUZZ_ARGS)
+
+# Longer sweeps, and the whole suite with every compiler there is
+nightly: fuzz
+	EIGENMOTION_SEEDS=14 $(BIN)/pytest -n auto tests/test_warnings.py
+	for compiler in gcc clang; do \
+	    command -v $$compiler > /dev/null || { echo "skipped: the suite with $$compiler, which is not here"; continue; }; \
+	    CC=$$compiler $(BIN)/pytest -n auto $(PYTEST_ARGS) || exit 1; \
+	done
 
 check: lint types generated
 
@@ -52,7 +61,7 @@ clean:
 
 # The environment, remade when what it is made from changes.
 $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.pyx src/eigenmotion/runtime/*.pxd) \
-          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_linear em_start)
+          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_linear em_start em_trigonometry)
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot]'
 	touch $@

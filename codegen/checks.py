@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from .model import Model
 
 
+LONGEST_NAME = 200
+"""File systems take 255 bytes, of which an extension module's suffix and a file on its way into place need some."""
+
+
 def check_name(name: Any) -> None:
     """Raise unless the name serves as file, module and symbol prefix, in C and in Python."""
     if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or keyword.iskeyword(name):
@@ -25,8 +29,15 @@ def check_name(name: Any) -> None:
             f"Model {name!r}: its name becomes that of a file, a Python module and a prefix in C. "
             "Use letters, digits and underscores, not starting with a digit, and no keyword of Python."
         )
-    if name in ("em", "eigenmotion") or name.startswith("em_"):
-        raise ModelError(f"Model {name!r}: the runtime's own files and types are called so. Choose another name.")
+    if len(name) > LONGEST_NAME:
+        raise ModelError(
+            f"Model {name!r}: its name has {len(name)} characters, and those of its files are longer. "
+            f"Use at most {LONGEST_NAME}."
+        )
+    if name.startswith("__"):
+        raise ModelError(f"Model {name!r}: names with two underscores in front belong to C and Python. Choose another.")
+    if name in ("cython", "em", "eigenmotion") or name.startswith("em_"):
+        raise ModelError(f"Model {name!r}: what it is built with has that name. Choose another.")
 
 
 def check(model: Model) -> None:
@@ -104,13 +115,21 @@ def _check_names(model: Model) -> None:
             other, first = seen[name]
             raise ModelError(_clash(kind, name, other, same=symbol == first))
         seen[name] = (kind, symbol)
+        _check_text(kind, name)
     for what, entries in (("outputs", model.outputs), ("events", model.events)):
         for name in (entry[0] for entry in entries):
             if not isinstance(name, str) or not name:
                 raise ModelError(f"{what} has an entry named {name!r}. Name it by a text.")
+            _check_text(what, name)
     for what, names in _keys(model):
         for name in sorted({name for name in names if names.count(name) > 1}):
             raise ModelError(f"{what} has two entries for {name!r}. Keep one.")
+
+
+def _check_text(what: str, name: str) -> None:
+    """Raise where a name cannot be written to a file and read back from C."""
+    if "\0" in name or any("\ud800" <= char <= "\udfff" for char in name):
+        raise ModelError(f"{what} has an entry named {name!r}, with a character that no text of C holds. Rename it.")
 
 
 def _clash(kind: str, name: str, other: str, same: bool) -> str:

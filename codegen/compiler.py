@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import astuple
 
 from .derive import derive
 from .emit import Sources, emit
@@ -88,7 +89,9 @@ def _check(what: str, value: str, known: tuple[str, ...]) -> None:
 
 
 def _origin(model: Model, choices: Choices) -> str:
-    return f"eigenmotion generate {model.name}.py --formulation {choices.formulation}"
+    """Say how these files come about where the model is of no file."""
+    chosen = zip(("formulation", "close_eigenvalues", "schur"), astuple(choices), strict=True)
+    return f"eigenmotion.build(<Model {model.name}>, {', '.join(f'{name}={value!r}' for name, value in chosen)})"
 
 
 def _hash(model: Model, choices: Choices) -> str:

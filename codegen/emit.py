@@ -13,7 +13,7 @@ from jinja2 import meta
 from .program import Program
 
 TEMPLATES = {"h": "model.h.jinja", "c": "model.c.jinja", "pyx": "module.pyx.jinja"}
-ESCAPES = str.maketrans({"\\": r"\\", '"': r"\"", "?": r"\?", "\n": r"\n", "\t": r"\t"})
+ESCAPES = {"\\": r"\\", '"': r"\"", "?": r"\?", "\n": r"\n", "\t": r"\t"}
 BEHIND_THE_STAMP = 3
 """Lines of a file that its body hash does not cover."""
 
@@ -61,7 +61,7 @@ def emit(program: Program, origin: str, input_hash: str) -> Sources:
 
 def _stamped(suffix: str, text: str, origin: str, input_hash: str) -> str:
     opening, closing = ("# ", "") if suffix == "pyx" else ("/* ", " */")
-    lines = (origin, f"input sha256:{input_hash}", f"body sha256:{_digest(text)}")
+    lines = (commented(origin), f"input sha256:{input_hash}", f"body sha256:{_digest(text)}")
     return "".join(f"{opening}{line}{closing}\n" for line in lines) + text
 
 
@@ -97,12 +97,26 @@ def environment() -> jinja2.Environment:
         autoescape=False,
     )
     made.filters["quoted"] = quoted
+    made.filters["commented"] = commented
     return made
 
 
 def quoted(text: str) -> str:
     r"""Return a text as C writes it between quotation marks: names such as \theta are the user's to choose."""
-    return text.translate(ESCAPES)
+    return "".join(ESCAPES.get(char) or (char if char.isprintable() else _octal(char)) for char in text)
+
+
+def _octal(char: str) -> str:
+    return "".join(f"\\{byte:03o}" for byte in char.encode())
+
+
+def commented(text: str) -> str:
+    r"""Return a text as it may stand in a comment of C or Cython: on one line, and without an end of the comment.
+
+    What cannot be seen, among it what turns the direction of writing, is spelled out: \n, \u202e.
+    """
+    seen = "".join(char if char.isprintable() else char.encode("unicode_escape").decode() for char in text)
+    return seen.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 
 
 def _load(name: str) -> str | None:

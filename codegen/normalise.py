@@ -86,6 +86,8 @@ def number(given: Any, what: str) -> float:
     """
     try:
         value = float(given.evalf(30) if isinstance(given, sympy.Expr) else given)
+    except OverflowError as error:
+        raise ModelError(f"{what} is beyond the largest number a double holds, 1.8e308.") from error
     except (TypeError, ValueError) as error:
         raise ModelError(f"{what} is {given!r}. Give a real number: it may be changed at run time.") from error
     if not math.isfinite(value):

@@ -15,6 +15,8 @@ C_WORDS = frozenset(
     "ceil fabs isnan isfinite memcpy memset malloc free y0 y1 yn j0 j1 jn gamma".split()
 )
 TEMPORARIES = re.compile(r"[cz]_\d+|(?i:em)_.*|model_.*|EIGENMOTION_H")
+MACROS = re.compile(r"(DBL|FLT|LDBL|DECIMAL|FP|MATH|HUGE|EXIT|RAND|MB|M)_\w+|math_errhandling")
+"""Of the C library: replaced wherever they stand, also where a variable has the name."""
 INNER = frozenset("i j k L r sum row column product stretch turn".split())
 """What templates declare in inner scopes only: a user's symbol of that name is not needed there."""
 COMMENT = re.compile(r"/\*.*?\*/|\{#.*?#\}", re.DOTALL)
@@ -44,5 +46,6 @@ def is_reserved(identifier: str) -> bool:
         or identifier in words
         or keyword.iskeyword(identifier)
         or TEMPORARIES.fullmatch(identifier) is not None
+        or MACROS.fullmatch(identifier) is not None
         or numbered.fullmatch(identifier) is not None
     )

@@ -1,6 +1,6 @@
 # eigenmotion generate chaplygin_sleigh.py
 # input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e
-# body sha256:75e129edc206249a53ab6b2e2f57a5ee6b50b7d93486a63d3a76b9d358d43e63
+# body sha256:b2f12360cf882c8e88caf74568b7e0e3f78ddfcaa968002766db55dd8a39d8bd
 # cython: language_level=3
 """chaplygin_sleigh, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,10 +9,15 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-cdef extern from "chaplygin_sleigh.h":
+# what chaplygin_sleigh.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model chaplygin_sleigh_model;
+    """
     ctypedef struct em_model:
         pass
     const em_model chaplygin_sleigh_model
 
 
-system = System(PyCapsule_New(<void *>&chaplygin_sleigh_model, "eigenmotion.em_model", NULL))
+system = System(PyCapsule_New(<void *>&chaplygin_sleigh_model, "eigenmotion.em_model", NULL), __name__)

@@ -1,6 +1,6 @@
 # eigenmotion generate dual_link.py
 # input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0
-# body sha256:23f31166585f3e692c419c8da4a94543a1479ac68dfe622bb36b742c2d49f04b
+# body sha256:f05b7911c70e5eefd1489f4c4dff5dc00983cd8ba810a115c71f7a81be166b96
 # cython: language_level=3
 """dual_link, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,10 +9,15 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-cdef extern from "dual_link.h":
+# what dual_link.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model dual_link_model;
+    """
     ctypedef struct em_model:
         pass
     const em_model dual_link_model
 
 
-system = System(PyCapsule_New(<void *>&dual_link_model, "eigenmotion.em_model", NULL))
+system = System(PyCapsule_New(<void *>&dual_link_model, "eigenmotion.em_model", NULL), __name__)

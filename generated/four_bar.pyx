@@ -1,6 +1,6 @@
 # eigenmotion generate four_bar.py
 # input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4
-# body sha256:65712e7bb12fd96083e2730537367d00421fd88c397d91e8a760174b59fa556c
+# body sha256:b9878d8f96c30fe541bf67f8249ed731817346ee39ab32598ba10afb7a28baf3
 # cython: language_level=3
 """four_bar, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,10 +9,15 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-cdef extern from "four_bar.h":
+# what four_bar.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model four_bar_model;
+    """
     ctypedef struct em_model:
         pass
     const em_model four_bar_model
 
 
-system = System(PyCapsule_New(<void *>&four_bar_model, "eigenmotion.em_model", NULL))
+system = System(PyCapsule_New(<void *>&four_bar_model, "eigenmotion.em_model", NULL), __name__)

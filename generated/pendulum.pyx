@@ -1,6 +1,6 @@
 # eigenmotion generate pendulum.py
 # input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b
-# body sha256:5aefb83399097e17c1a56e5aaad4ccdee8fa18ffbb3b611a3c519c00cbcd3abe
+# body sha256:09037d51b2b2b2550ff8094f27bf8bb2ad11c1611dea9c9fa59879e08f99317b
 # cython: language_level=3
 """pendulum, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,10 +9,15 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-cdef extern from "pendulum.h":
+# what pendulum.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model pendulum_model;
+    """
     ctypedef struct em_model:
         pass
     const em_model pendulum_model
 
 
-system = System(PyCapsule_New(<void *>&pendulum_model, "eigenmotion.em_model", NULL))
+system = System(PyCapsule_New(<void *>&pendulum_model, "eigenmotion.em_model", NULL), __name__)

@@ -1,6 +1,6 @@
 # eigenmotion generate polar_particle.py
 # input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd
-# body sha256:5470eb4fc0595f4155247e9500c4bded1114c52b2602329f3a0b5db9780e5405
+# body sha256:1ffd528941677918bda82f9db62249b8698defcc0d76634f3e7906e1533800b6
 # cython: language_level=3
 """polar_particle, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,10 +9,15 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-cdef extern from "polar_particle.h":
+# what polar_particle.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model polar_particle_model;
+    """
     ctypedef struct em_model:
         pass
     const em_model polar_particle_model
 
 
-system = System(PyCapsule_New(<void *>&polar_particle_model, "eigenmotion.em_model", NULL))
+system = System(PyCapsule_New(<void *>&polar_particle_model, "eigenmotion.em_model", NULL), __name__)

@@ -1,6 +1,6 @@
 # eigenmotion generate rigid_body.py
 # input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33
-# body sha256:50ad0d2a7058b0bca3fe210a694b3b08dfead855a0d32e3624396b5822149927
+# body sha256:5f2a51a5c5845f285aebf9ea11d9072b896760d2e6fb5b9bab00ef6cda1f6441
 # cython: language_level=3
 """rigid_body, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,10 +9,15 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-cdef extern from "rigid_body.h":
+# what rigid_body.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model rigid_body_model;
+    """
     ctypedef struct em_model:
         pass
     const em_model rigid_body_model
 
 
-system = System(PyCapsule_New(<void *>&rigid_body_model, "eigenmotion.em_model", NULL))
+system = System(PyCapsule_New(<void *>&rigid_body_model, "eigenmotion.em_model", NULL), __name__)

@@ -1,6 +1,6 @@
 # eigenmotion generate spatial_arm.py
 # input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53
-# body sha256:ed6a0e3fc60fec08892dd77e3307ef4502a90659f861d1efcea2490b6b0afcbe
+# body sha256:e9dd28d1d362b6d16753ffec3b8f93f8e71d237b0f3d7f541b1da0649a55086f
 # cython: language_level=3
 """spatial_arm_3, compiled: `system` is its System (eigenfactor)."""
 
@@ -9,10 +9,15 @@ from cpython.pycapsule cimport PyCapsule_New
 from eigenmotion.system import System
 
 
-cdef extern from "spatial_arm_3.h":
+# what spatial_arm_3.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model spatial_arm_3_model;
+    """
     ctypedef struct em_model:
         pass
     const em_model spatial_arm_3_model
 
 
-system = System(PyCapsule_New(<void *>&spatial_arm_3_model, "eigenmotion.em_model", NULL))
+system = System(PyCapsule_New(<void *>&spatial_arm_3_model, "eigenmotion.em_model", NULL), __name__)

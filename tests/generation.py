@@ -1,6 +1,7 @@
 """Generated C straight into a System: compiled strictly, loaded without Cython, kept in the cache by content."""
 
 import ctypes
+import shutil
 import subprocess
 from collections.abc import Iterable, Iterator
 from functools import cache
@@ -20,6 +21,8 @@ MODELS = Path(__file__).parents[1] / "models"
 NAMES = tuple(sorted(path.stem for path in MODELS.glob("*.py") if path.stem != "__init__"))
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
 FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC", "-shared")
+COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
+"""Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
 
 __all__ = ["FORMULATIONS", "NAMES", "STRICT", "model_of", "relative", "states", "system_for", "system_of"]

@@ -1,4 +1,7 @@
-"""What users run, compiled at the default flags: compilers have rearranged such code wrongly."""
+"""What users run, compiled at the default flags: compilers have rearranged such code wrongly.
+
+What it is made of is in `test_kernels`.
+"""
 
 import numpy as np
 import pytest
@@ -7,7 +10,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 
-from .generation import MODELS, NAMES, system_of
+from .generation import COMPILERS, MODELS, NAMES, system_of
 
 
 def held_chain(m: int) -> em.Model:
@@ -30,10 +33,11 @@ def held_chain(m: int) -> em.Model:
     )
 
 
+@pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("m", [2, 3, 4, 5])
-def test_eigenfactors_of_delta(m):
+def test_eigenfactors_of_delta(m, compiler):
     """At each step's end they are those of A M^-1 A^T, also in the order in which GCC 12 once mixed its entries up."""
-    system = em.build(held_chain(m), schur="eigenfactor")
+    system = em.build(held_chain(m), schur="eigenfactor", compiler=compiler)
     run = system.simulate((0.0, 0.2), rtol=1e-9, atol=1e-9)
     assert run.success, run.message
     for x, y in zip(run.x.T, run.y.T, strict=True):
@@ -43,9 +47,10 @@ def test_eigenfactors_of_delta(m):
         assert np.abs(C.T * s**2 @ C - Delta).max() < 1e-13
 
 
+@pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("name", NAMES)
-def test_runs_are_those_of_code_that_is_hardly_optimised(name):
-    quick, plain = em.build(MODELS / f"{name}.py"), system_of(name)
+def test_runs_are_those_of_code_that_is_hardly_optimised(name, compiler):
+    quick, plain = em.build(MODELS / f"{name}.py", compiler=compiler), system_of(name)
     runs = [system.simulate((0.0, 0.5), rtol=1e-10, atol=1e-10) for system in (quick, plain)]
     assert all(run.success for run in runs)
     scale = 1.0 + np.abs(runs[1].x[:, -1]).max()

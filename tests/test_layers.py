@@ -2,7 +2,9 @@
 
 import ast
 import importlib.util
+import re
 import sys
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -69,6 +71,24 @@ def test_runtime_extension_imports_nothing_of_ours():
     named = [line.split()[1] for line in text.splitlines() if line.startswith(("from ", "import ", "cimport "))]
     assert named
     assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
+
+
+def included(header: str, folder: Path) -> set[str]:
+    """A header, and those of ours that it includes, directly or not."""
+    text = (folder / header).read_text(encoding="utf-8")
+    return {header}.union(*(included(name, folder) for name in re.findall(r'^#include "(\w+\.h)"', text, re.MULTILINE)))
+
+
+def test_the_runtime_is_built_anew_when_a_header_of_it_changes():
+    """The lists of pyproject.toml and of the Makefile hold each header that core.pyx includes, and no other."""
+    runtime = PACKAGES["eigenmotion"] / "runtime"
+    first = re.findall(r'extern from "(\w+\.h)"', (runtime / "core.pxd").read_text(encoding="utf-8"))
+    needed = set().union(*(included(name, runtime / "include") for name in first))
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    (extension,) = project["tool"]["setuptools"]["ext-modules"]
+    assert {Path(path).name for path in extension["depends"]} == needed
+    rule = (ROOT / "Makefile").read_text(encoding="utf-8").partition("include/%.h,")[2].partition(")")[0]
+    assert {f"{name}.h" for name in rule.split()} == needed
 
 
 def test_nothing_imports_the_command_line():

@@ -1,6 +1,7 @@
 """load_model: finding, running and refusing model files."""
 
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -98,6 +99,29 @@ def test_a_mistake_is_named_with_its_line(write, text, at, words):
     assert words in str(caught.value)
 
 
+@pytest.mark.parametrize("given", [None, 3, b"", [], "", "\0", "a" * 5000, "."])
+def test_what_is_no_file(given):
+    with pytest.raises(em.ModelError):
+        em.load_model(given)
+    with pytest.raises(em.ModelError):
+        em.build(given)
+
+
+@pytest.mark.parametrize("content", [b"\xff\xfe", b"x = '\xe9'", b"a\0b", b"# coding: nonsense\n", b"1" * 5000])
+def test_a_file_that_is_no_python(tmp_path, content):
+    path = tmp_path / "scene.py"
+    path.write_bytes(content)
+    with pytest.raises(em.ModelError, match=r"scene\.py"):
+        em.load_model(path)
+
+
+def test_numbers_beyond_a_double(write):
+    with pytest.raises(em.ModelError, match="largest number"):
+        em.load_model(write("model = " + MODEL.format(name="scene").replace("1.0", "10**400")))
+    with pytest.raises(em.ModelError, match="n=1111"):
+        em.load_model(write("seen = []" + FUNCTION), n="1" * 5000)
+
+
 def test_a_missing_file(tmp_path):
     with pytest.raises(em.ModelError, match="no such file"):
         em.load_model(tmp_path / "absent.py")
@@ -110,7 +134,22 @@ def test_neighbours_can_be_imported_and_nothing_stays_behind(write, tmp_path):
     assert dict(em.load_model(path).parameters).popitem()[1] == 2.0
     assert sys.path == before
     assert not list(tmp_path.glob("__pycache__/scene*"))
-    sys.modules.pop("neighbour_of_scene")
+    assert "neighbour_of_scene" not in sys.modules
+
+
+def test_each_model_imports_its_own_neighbour(tmp_path):
+    """Also of one name, and in threads at once: sys.path is the whole process's."""
+    text = HEAD + "import time\ntime.sleep(0.01)\nfrom neighbour import MASS\n"
+    paths = [tmp_path / str(k) / "scene.py" for k in range(8)]
+    for k, path in enumerate(paths):
+        path.parent.mkdir()
+        path.with_name("neighbour.py").write_text(f"MASS = {k}.5\n")
+        path.write_text(text + "model = " + MODEL.format(name="scene").replace("1.0", "MASS"))
+    before = list(sys.path)
+    with ThreadPoolExecutor(4) as pool:
+        models = list(pool.map(em.load_model, paths))
+    assert [dict(model.parameters).popitem()[1] for model in models] == [k + 0.5 for k in range(8)]
+    assert sys.path == before
 
 
 def test_an_edit_is_seen_at_once(write):

@@ -6,14 +6,15 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
-from eigenmotion.toolchain import CHECKED, INCLUDE, OPTIMISED, run, toolchain
+from eigenmotion.toolchain import INCLUDE, STANDARD, run, toolchain
 
 TIMER, COUNTER = (Path(__file__).with_name(name) for name in ("right_hand_side.c", "operations.cpp"))
 
 
 def timer(name: str, work: Path) -> Callable[[int], float]:
     """Link the timer with NAME.o of a folder; return calls -> nanoseconds a call."""
-    command = (*toolchain().command, *CHECKED, *OPTIMISED, f"-DMODEL={name}_model", f"-I{INCLUDE}")
+    tools = toolchain()
+    command = (*tools.command, *STANDARD, *tools.optimised, f"-DMODEL={name}_model", f"-I{INCLUDE}")
     run((*command, f"{name}.o", str(TIMER), "-lm", "-o", "timer"), work)
 
     def nanoseconds(calls: int) -> float:

@@ -11,21 +11,21 @@ import numpy as np
 
 from eigenmotion import Model
 from eigenmotion.order import order
-from eigenmotion.toolchain import CHECKED, INCLUDE, OPTIMISED, run, toolchain
+from eigenmotion.toolchain import INCLUDE, STANDARD, run, toolchain
 
 HERE = Path(__file__).parent
 
 
-def right_hand_side(model: Model, formulation: str, folder: Path) -> Callable[[int], float]:
+def right_hand_side(model: Model, formulation: str, folder: Path, *flags: str) -> Callable[[int], float]:
     """Compile the model with the timer; return calls -> nanoseconds a call."""
     work = generated(model, folder / formulation, formulation=formulation)
-    program = compiled(work, model.name, (f"{model.name}.c",), "right_hand_side.c")
+    program = compiled(work, model.name, (f"{model.name}.c",), "right_hand_side.c", *flags)
     return lambda calls: float(_said(program, calls))
 
 
 def generated(model: Model, work: Path, **options: str) -> Path:
     """Write the sources of a model into a new folder."""
-    work.mkdir()
+    work.mkdir(parents=True)
     for file in order(model, **options).sources().files:
         (work / file.name).write_text(file.text)
     return work
@@ -33,8 +33,9 @@ def generated(model: Model, work: Path, **options: str) -> Path:
 
 def compiled(work: Path, name: str, sources: Iterable[str], main: str, *flags: str) -> Path:
     """Compile a program of this folder with the model of that name; return the program."""
-    flags = (*CHECKED, *OPTIMISED, f"-DMODEL={name}_model", *flags, f"-I{INCLUDE}")
-    run((*toolchain().command, *flags, *sources, str(HERE / main), "-lm", "-o", "program"), work)
+    tools = toolchain()
+    flags = (*STANDARD, *tools.optimised, f"-DMODEL={name}_model", *flags, f"-I{INCLUDE}")
+    run((*tools.command, *flags, *sources, str(HERE / main), "-lm", "-o", "program"), work)
     return work / "program"
 
 
@@ -69,7 +70,7 @@ class Runner:
     @classmethod
     def by_hand(cls, name: str, source: str, work: Path, *flags: str) -> Runner:
         """Compile a model written by hand in this folder."""
-        work.mkdir()
+        work.mkdir(parents=True)
         return cls(compiled(work, name, (str(HERE / source),), "run.c", *flags))
 
     def outcome(self, t_end: float, tolerance: float, *parameters: float) -> Outcome:

@@ -15,17 +15,17 @@ if TYPE_CHECKING:
     from .codegen.model import ModelError as ModelError
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
+    from .errors import BuildError as BuildError
+    from .errors import CompilerNotFoundError as CompilerNotFoundError
     from .loading import load_model as load_model
     from .runtime import StopReason as StopReason
     from .simulate import simulate as simulate
     from .solution import Solution as Solution
     from .system import System as System
-    from .toolchain import BuildError as BuildError
-    from .toolchain import CompilerNotFoundError as CompilerNotFoundError
 
 _HOME = {
-    "BuildError": ".toolchain",
-    "CompilerNotFoundError": ".toolchain",
+    "BuildError": ".errors",
+    "CompilerNotFoundError": ".errors",
     "Event": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",

@@ -4,7 +4,7 @@ import logging
 import shutil
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from functools import cache
+from functools import cache, partial
 from importlib.machinery import ExtensionFileLoader, ModuleSpec
 from importlib.metadata import version
 from importlib.util import module_from_spec
@@ -14,16 +14,18 @@ from tempfile import TemporaryDirectory
 from threading import Lock
 from types import ModuleType
 
-from .cache import entry, key
+from .cache import LOCATION, entry, guarded, key
 from .codegen.emit import SourceFile, Sources, body_hash
 from .codegen.model import Model
+from .errors import BuildError, FolderError
 from .files import write
 from .order import Order, order
 from .system import System
-from .toolchain import EXTENSION_SUFFIX, INCLUDE, BuildError, Toolchain, run, toolchain
+from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, run, toolchain
 
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
+GLUE = "glue"
 
 
 def build(
@@ -35,6 +37,7 @@ def build(
     output: str | PathLike[str] | None = None,
     compiler: str | None = None,
     flags: str | None = None,
+    **keywords: object,
 ) -> System:
     """Generate, compile and import; what was built before is taken from the cache.
 
@@ -52,16 +55,28 @@ def build(
         A folder that gets the sources and the compiled module as well.
     compiler, flags
         C compiler and flags after ours; else $CC and $EIGENMOTION_CFLAGS.
+    **keywords
+        Arguments of the file's function `model`: `build("chain.py", n=8)`. Those named as one above: see `load_model`.
 
     Raises
     ------
     ModelError
-        The model has a mistake.
+        The model has a mistake, or takes no such keyword.
     BuildError
-        The compiler refused the code; carries its words. CompilerNotFoundError where there is none.
+        The compiler refused the code; carries its words. CompilerNotFoundError where there is none, FolderError where
+        the cache or `output` cannot be written to.
     """
-    wanted = order(model, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
-    return load(make(wanted, toolchain(compiler, flags), None if output is None else Path(output)))
+    wanted = order(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
+    folder = None if output is None else _folder(output)
+    return system_of(wanted, compiler, flags, folder)
+
+
+def system_of(wanted: Order, compiler: str | None = None, flags: str | None = None, output: Path | None = None
+              ) -> System:  # fmt: skip
+    """Return the System of an order, which pickles as that order."""
+    system = load(make(wanted, toolchain(compiler, flags), output))
+    system.compiled.recipe = partial(system_of, wanted, compiler, flags)
+    return system
 
 
 def make(wanted: Order, tools: Toolchain, output: Path | None = None) -> Path:
@@ -72,16 +87,32 @@ def make(wanted: Order, tools: Toolchain, output: Path | None = None) -> Path:
     sources = cached_sources(wanted)
     binary = compiled(sources, tools)
     if output is not None:
-        for file in sources.files:
-            write(output / file.name, file.text.encode())
-        write(output / binary.name, binary.read_bytes())
+        with guarded():
+            module = binary.read_bytes()
+        _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
     return binary
+
+
+def _folder(output: object) -> Path:
+    try:
+        return Path(output)  # type: ignore[arg-type]
+    except TypeError as error:
+        raise FolderError(f"output is {output!r}: give the path of a folder") from error
+
+
+def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
+    try:
+        for name, content in files:
+            write(folder / name, content)
+    except (OSError, ValueError) as error:
+        raise FolderError(f"cannot write to the output folder {folder}: {error}") from error
 
 
 def cached_sources(wanted: Order) -> Sources:
     """Return the sources of an order, derived unless the same generator did so before."""
     folder = entry("sources", wanted.question, lambda folder: _generate(wanted, folder))
-    files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
+    with guarded():
+        files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
     return Sources(wanted.model.name, files)
 
 
@@ -98,7 +129,11 @@ def load(binary: Path) -> System:
     stem = binary.name.removesuffix(EXTENSION_SUFFIX)
     name = f"_eigenmotion_{binary.parent.name}.{stem}"
     with _loading:
-        system: object = (sys.modules.get(name) or _import(name, binary)).system
+        try:
+            system: object = (sys.modules.get(name) or _import(name, binary)).system
+        except ImportError as error:
+            raise BuildError(f"{binary} cannot be loaded: {error}. Code must be allowed to run from there; "
+                             f"${LOCATION} names another folder") from error  # fmt: skip
     if not isinstance(system, System):
         raise BuildError(f"{binary}: `system` is a {type(system).__name__}, not a System")
     return system
@@ -120,9 +155,12 @@ def _generate(wanted: Order, folder: Path) -> None:
 
 
 def compile_in(sources: Sources, tools: Toolchain, folder: Path) -> None:
-    """Compile in a folder of its own, for compilers leave files about, and keep the module only."""
+    """Compile in a folder of its own, for compilers leave files about, and keep the module only.
+
+    It lies in the one that gets the module: what a build that is killed leaves behind goes with that.
+    """
     _log.info("compiling %s", sources.name)
-    with TemporaryDirectory(prefix="eigenmotion-") as place:
+    with TemporaryDirectory(prefix="work-", dir=folder) as place:
         work = Path(place)
         for file in sources.files:
             (work / file.name).write_text(file.text, encoding="utf-8")
@@ -132,8 +170,12 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path) -> None:
 
 
 def _compile_in(work: Path, name: str, tools: Toolchain) -> None:
-    """NAME.c, and beside it NAME.pyx -> NAME_module.c (Cython would put it onto NAME.c), into one module."""
-    glue = f"{name}_module"
+    """NAME.c, and NAME.pyx -> glue/NAME.c, into one module.
+
+    In a folder of its own, what Cython writes finds Python's headers also where NAME is `Python` or `code`.
+    """
+    glue = f"{GLUE}/{name}"
+    (work / GLUE).mkdir()
     with ThreadPoolExecutor(max_workers=1) as pool:
         model = pool.submit(tools.compile_model, work, name)
         run((sys.executable, "-P", "-m", "cython", "-3", "--module-name", name, f"{name}.pyx", "-o", f"{glue}.c"), work)

@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from .codegen.emit import Sources, body_hash, stamp
+from .codegen.emit import Sources, body_hash, commented, stamp
 from .order import Order
 
 _COMMENT = re.compile(r"# (.+)|/\* (.+) \*/")
@@ -65,7 +65,7 @@ def _doubt(path: Path, order: Order, wanted: str) -> str:
         return "has no header of ours"
     if header.input_hash != wanted:
         return "was generated from another model or with other options"
-    head = (order.origin, f"input sha256:{wanted}", f"body sha256:{body_hash(text)}")
+    head = (commented(order.origin), f"input sha256:{wanted}", f"body sha256:{body_hash(text)}")
     return "" if _comments(text, len(head)) == head else "was edited by hand, or made by another command"
 
 

@@ -1,18 +1,23 @@
 """Model files: run one, and hand over the `model` it defines."""
 
 import inspect
+import os
+import stat
 import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
+from threading import RLock
 from types import ModuleType
 from typing import TypeVar
 
 from .codegen.model import Model, ModelError
 
 T = TypeVar("T")
+_loading = RLock()
+"""What a model file imports is found by way of sys.path, and that is the whole process's."""
 _TRUTH = {"1": True, "true": True, "yes": True, "on": True, "0": False, "false": False, "no": False, "off": False}
 
 
@@ -31,10 +36,8 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     ModelError
         The file is not there, fails (says where), defines no `model`, or knows no such keyword.
     """
-    file = Path(path)
-    if not file.is_file():
-        raise ModelError(f"{file}: no such file" if not file.exists() else f"{file}: not a file")
-    with _importable(file.parent):
+    file = _file(path)
+    with _loading, _importable(file.parent):
         found = _guarded(file, lambda: _run(file)).get("model")
         if isinstance(found, Model):
             return _without(file, found, keywords)
@@ -49,6 +52,21 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     return built
 
 
+def _file(path: object) -> Path:
+    """Return the path of a file that is there."""
+    try:
+        file = Path(path)  # type: ignore[arg-type]
+        if stat.S_ISREG(file.stat().st_mode):
+            return file
+    except TypeError as error:
+        raise ModelError(f"{path!r} is neither a Model nor the path of a file that defines one") from error
+    except FileNotFoundError as error:
+        raise ModelError(f"{file}: no such file") from error
+    except (OSError, ValueError) as error:
+        raise ModelError(f"{str(file)!r}: {getattr(error, 'strerror', None) or error}") from error
+    raise ModelError(f"{file}: not a file")
+
+
 def _run(file: Path) -> dict[str, object]:
     """Execute the file's text (never a byte code cache of it) and return its names."""
     module = ModuleType(f"_eigenmotion_model_{file.stem}")
@@ -59,13 +77,25 @@ def _run(file: Path) -> dict[str, object]:
 
 @contextmanager
 def _importable(folder: Path) -> Iterator[None]:
-    """Let a model file import its neighbours, after everything installed; sys.path is as before when it is done."""
-    before = list(sys.path)
-    sys.path.append(str(folder.resolve()))
+    """Let a model file import its neighbours, after everything installed; they are read anew with the next file.
+
+    Neither the folder nor they stay: the `geometry` beside one model is not the one beside another.
+    """
+    place = str(folder.resolve())
+    before = set(sys.modules)
+    sys.path.append(place)
     try:
         yield
     finally:
-        sys.path[:] = before
+        if place in sys.path:
+            del sys.path[len(sys.path) - 1 - sys.path[::-1].index(place)]
+        if place not in sys.path:
+            for name in [name for name in set(sys.modules) - before if _lies_in(sys.modules[name], place)]:
+                del sys.modules[name]
+
+
+def _lies_in(module: ModuleType, place: str) -> bool:
+    return (getattr(module, "__file__", None) or "").startswith(os.path.join(place, ""))  # noqa: PTH118
 
 
 def _guarded(file: Path, action: Callable[[], T]) -> T:
@@ -123,7 +153,7 @@ def _parsed(file: Path, name: str, value: object, default: object) -> object:
         return value
     try:
         return _TRUTH[value.lower()] if isinstance(default, bool) else type(default)(value)  # type: ignore[call-arg]
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise ModelError(f"{file}: {name}={value} is not {_article(default)} as the default {default!r} is") from error
 
 

@@ -1,21 +1,24 @@
 """What to generate: a model, the options that shape its code, and the command that a header states."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib.metadata import version
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 from os import PathLike
 from pathlib import Path
 
-import sympy
-
 from .cache import key
 from .codegen.compiler import explain, generate, input_hash
 from .codegen.emit import Sources
-from .codegen.model import Model
+from .codegen.model import Model, ModelError
 from .loading import load_model
+from .names import unknown
 
 SUFFIXES = (".h", ".c", ".pyx")
+OPTIONS = ("formulation", "close_eigenvalues", "schur", "output", "compiler", "flags")
+"""Of `build`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +67,7 @@ class Order:
 
 def order(
     source: Model | str | PathLike[str],
-    definitions: dict[str, str] | None = None,
+    definitions: Mapping[str, object] | None = None,
     *,
     formulation: str = "eigenfactor",
     close_eigenvalues: str = "bounded",
@@ -72,19 +75,26 @@ def order(
 ) -> Order:
     """Order the code of a model, or of the model that the file `source` defines.
 
+    Parameters
+    ----------
+    definitions
+        Arguments of the file's function `model`.
+
     Raises
     ------
     ModelError
-        The file or the model has a mistake.
+        The file or the model has a mistake, or takes no such arguments.
     """
     options = {"formulation": formulation, "close_eigenvalues": close_eigenvalues, "schur": schur}
-    if isinstance(source, Model):
-        return Order(source, **options)
     given = definitions or {}
+    if isinstance(source, Model):
+        if given:
+            raise ModelError(f"model {source.name}: {unknown('option', given, OPTIONS)} A Model takes no keywords.")
+        return Order(source, **options)
     return Order(load_model(source, **given), **options, origin=_command(Path(source).name, given, options))
 
 
-def _command(file: str, definitions: dict[str, str], options: dict[str, str]) -> str:
+def _command(file: str, definitions: Mapping[str, object], options: Mapping[str, str]) -> str:
     """Write the command that generates these files, without what it takes by default and without folders."""
     defaults = Order.__dataclass_fields__
     words = ["eigenmotion", "generate", file]
@@ -96,9 +106,9 @@ def _command(file: str, definitions: dict[str, str], options: dict[str, str]) ->
 
 @cache
 def generator() -> str:
-    """Hash of the generator: its Python, its templates, and SymPy's version."""
+    """Hash of the generator: its Python, its templates, and the versions of SymPy and Jinja."""
     texts = [text for package in ("eigenmotion.codegen", "eigenmotion.templates") for text in _texts(files(package))]
-    return key(sympy.__version__, *texts)
+    return key(version("sympy"), version("jinja2"), *texts)
 
 
 def _texts(folder: Traversable) -> list[bytes]:

@@ -1,6 +1,7 @@
 """A run: its options, the checks before it, and its result."""
 
 from collections.abc import Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -8,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from .codegen.model import ModelError
 from .error_estimate import with_error_estimate
-from .names import unknown
+from .names import Vector, unknown
 from .options import OptionError, Task, choice, least_norm_of, rows_at, span, step_limits, tolerances
 from .runtime import CompiledModel, EvaluationError, Run
 from .solution import DenseOutput, Solution
@@ -127,8 +128,13 @@ def _run(task: Task, method: str) -> Solution:
     found = _simulate_compiled(task, _COMPILED[method]) if method in _COMPILED else simulate_stiff(task, method)
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in
-        found["sol"] = DenseOutput(found.t, lambda t: np.repeat(row, len(t), axis=0))
+        found["sol"] = DenseOutput(found.t, partial(_standing, row))
     return found
+
+
+def _standing(row: Vector, t: Vector) -> Vector:
+    """Return the one row (1, n_state) there is at every t (k,)."""
+    return np.repeat(row, len(t), axis=0)
 
 
 def _prepared(system: "System", parameters: Any) -> Any:

@@ -149,8 +149,11 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     __str__ = __repr__
 
     def __reduce__(self) -> tuple[Callable[[dict[str, Any]], "Solution"], tuple[dict[str, Any]]]:
-        """Give copies in other processes every field but `sol`, whose memory is the run's."""
-        return _restored, ({name: value for name, value in self.items() if name != "sol"} | {"sol": None},)
+        """Give copies in other processes every field; `sol` where they can make the model, which it needs."""
+        fields = dict(self.items())
+        if self._rows is not None and self._rows.model.recipe is None:
+            fields["sol"] = None
+        return _restored, (fields,)
 
 
 def _restored(fields: dict[str, Any]) -> Solution:

@@ -7,7 +7,7 @@ add a fast variable wherever axes turn, for nothing that x does not know (docs/t
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from typing import Any
 
@@ -176,10 +176,15 @@ def _published(task: Task, t: Vector, z: Vector) -> Vector:
     return model.state_rows(t, x, v, task.prepared)
 
 
+def _between(task: Task, interpolant: OdeSolution, t: Vector) -> Vector:
+    """Return y (k, n_state) at t (k,) from what gives z (2 n, k) there."""
+    return _published(task, t, interpolant(t).T)
+
+
 def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -> Solution:
     t, z = np.array(progress.t), np.array(progress.z)
     between = OdeSolution(t, progress.pieces) if progress.pieces else None
-    sol = DenseOutput(t, lambda at: _published(task, at, between(at).T)) if task.dense and between else None
+    sol = DenseOutput(t, partial(_between, task, between)) if task.dense and between else None
     if task.t_eval is not None:
         reached = np.abs(task.t_eval - task.t_start) <= abs(t[-1] - task.t_start)
         t_eval = task.t_eval[reached]

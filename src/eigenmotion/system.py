@@ -1,6 +1,8 @@
 """One compiled model, in Python's terms."""
 
 from collections.abc import Mapping
+from functools import partial
+from importlib import import_module
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -20,6 +22,10 @@ Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
 Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
 
 
+def _of_module(name: str) -> Any:
+    return import_module(name).system
+
+
 class System:
     """The functions of one compiled model. Immutable; threads may share it.
 
@@ -32,12 +38,15 @@ class System:
     ----------
     capsule
         A PyCapsule "eigenmotion.em_model", as generated modules make it.
+    module
+        Name of the importable module whose `system` this is; as that it pickles, unless `build` knows better.
     """
 
     __slots__ = ("_compiled", "_defaults", "_inputs", "_layout")
 
-    def __init__(self, capsule: object) -> None:
+    def __init__(self, capsule: object, module: str | None = None) -> None:
         self._compiled = CompiledModel(capsule)
+        self._compiled.recipe = module and partial(_of_module, module)
         self._defaults = self._compiled.prepare(self._compiled.parameter_defaults)
         self._inputs = bind({}, self._compiled.inputs, self._compiled.input_defaults)
         self._layout = {name: slice(start, start + length) for name, start, length in self._compiled.layout}
@@ -45,6 +54,11 @@ class System:
     def __repr__(self) -> str:
         c = self._compiled
         return f"<System {c.name}: n={c.n}, m={c.m}, {c.n_state} states, {c.formulation}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle as the model and its options: built, or found in the cache, where it is loaded."""
+        self._compiled.__reduce__()  # says why where there is no way
+        return self._compiled.recipe, ()
 
     @property
     def name(self) -> str:

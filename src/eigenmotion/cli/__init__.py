@@ -18,6 +18,7 @@ COMMANDS = {
     "run": "Simulate a model; print a summary, draw it, save it.",
     "report": "Measure error against run time, and recommend.",
     "stability": "Drive every formulation and method to its limits.",
+    "cache": "Show where compiled models are kept, and clear it.",
 }
 DONE, MISTAKE, FAILURE, INTERRUPTED = 0, 2, 3, 130
 

@@ -5,7 +5,8 @@ import platform
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from ..toolchain import OPTIMISED, BuildError, run, toolchain
+from ..errors import BuildError
+from ..toolchain import run, toolchain
 
 _PACKAGES = ("eigenmotion", "numpy", "scipy", "sympy", "heyoka", "casadi")
 
@@ -17,7 +18,7 @@ def machine() -> dict[str, str]:
         "processor": _processor(),
         "cores": str(os.cpu_count()),
         "compiler": _compiler(tools.command),
-        "flags": " ".join((*OPTIMISED, *tools.flags)),
+        "flags": " ".join((*tools.optimised, *tools.flags)),
         "Python": platform.python_version(),
         **{name: found for name in _PACKAGES if (found := _version(name))},
     }

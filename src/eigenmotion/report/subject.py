@@ -10,9 +10,10 @@ from ..build import compile_in, load
 from ..codegen.derive import derive
 from ..codegen.lower import FORMULATIONS
 from ..codegen.model import Model, ModelError
+from ..errors import BuildError, CompilerNotFoundError
 from ..order import order
 from ..system import System
-from ..toolchain import EXTENSION_SUFFIX, BuildError, CompilerNotFoundError, toolchain
+from ..toolchain import EXTENSION_SUFFIX, toolchain
 
 
 @dataclass(frozen=True, slots=True)

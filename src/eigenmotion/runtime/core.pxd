@@ -67,6 +67,7 @@ cdef extern from "eigenmotion.h" nogil:
         em_rows rows
         em_rows *events
         em_dense_step *dense_steps
+        double *dense_table
         size_t n_dense
         long n_rhs
         long n_steps

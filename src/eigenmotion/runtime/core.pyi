@@ -1,3 +1,4 @@
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -43,6 +44,7 @@ class CompiledModel:
     initial_y: Vector | None
     scales: Vector
     conserves_energy: bool
+    recipe: Callable[[], Any] | None
     def __init__(self, capsule: object) -> None: ...
     def prepare(self, values: ArrayLike) -> Prepared: ...
     def rhs(

@@ -111,6 +111,14 @@ cdef class Prepared:
         pairs = ", ".join(f"{name}={value:g}" for name, value in zip(self.model.parameters, self.parameters))
         return f"<parameters of {self.model.name}: {pairs}>"
 
+    def __reduce__(self):
+        """Prepared anew where it is loaded."""
+        return _prepared, (self.model, self.parameters)
+
+
+def _prepared(CompiledModel model not None, parameters):
+    return model.prepare(np.array(parameters, dtype=np.float64))
+
 
 cdef class CompiledModel:
     """One `em_model`. The capsule must be named "eigenmotion.em_model" and point at a constant that outlives it."""
@@ -122,6 +130,8 @@ cdef class CompiledModel:
     cdef readonly tuple quasi_velocities, event_kinds
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
+    cdef public object recipe
+    """Returns, in any process, the System of this model; None where there is no way to it but the capsule."""
 
     def __cinit__(self, capsule):
         self.model = <const em_model *> PyCapsule_GetPointer(capsule, b"eigenmotion.em_model")
@@ -156,6 +166,13 @@ cdef class CompiledModel:
         self.initial_x, self.initial_v = constants(c.initial_x, c.n), constants(c.initial_v, c.n)
         self.initial_y = constants(c.initial_y, c.n) if c.initial_y != NULL else None
         self.scales = constants(c.scales, c.n)
+
+    def __reduce__(self):
+        """As the way to make it."""
+        if self.recipe is None:
+            raise TypeError(f"{self.name} was made from a capsule alone, so another process cannot make it; "
+                            "what eigenmotion.build returns can be pickled")
+        return _compiled, (self.recipe,)
 
     cdef failure(self, em_fault *fault):
         stop = _REASONS[<int> fault.status]
@@ -433,6 +450,10 @@ cdef class CompiledModel:
         return error / largest
 
 
+def _compiled(recipe):
+    return recipe().compiled
+
+
 cdef int poll(void *argument) noexcept with gil:
     """Non-zero where a signal asks for the end of the run. Other exceptions of a handler are raised after it."""
     cdef Run run = <Run> argument
@@ -470,6 +491,10 @@ cdef class Run:
     cdef object pending
 
     def __cinit__(self, task, int method):
+        if task is not None:
+            self.begin(task, method)
+
+    cdef begin(self, task, int method):
         cdef em_run *run = &self.run
         cdef CompiledModel model = task.model
         cdef Prepared prepared = task.prepared
@@ -569,6 +594,15 @@ cdef class Run:
         """(n_dense + 1,) ends of the steps kept for dense output."""
         return np.array([*[self.run.dense_steps[k].t for k in range(self.run.n_dense)], self.run.t_reached])
 
+    def __reduce__(self):
+        """As its interpolants: what a run keeps for dense output."""
+        cdef em_run *run = &self.run
+        cdef Py_ssize_t width = EM_DENSE_COEFFICIENTS * self.model.n_state * sizeof(double)
+        steps = (<char *> run.dense_steps)[:run.n_dense * sizeof(em_dense_step)] if run.n_dense else b""
+        table = (<char *> run.dense_table)[:run.n_dense * width] if run.n_dense else b""
+        times = run.t_start, run.t_end, run.t_reached
+        return _kept, (self.held[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table)
+
     def interpolate(self, t):
         """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
         cdef Py_ssize_t i, k = len(t)
@@ -590,3 +624,22 @@ cdef class Run:
             else:
                 high = middle
         return low
+
+
+def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
+          bytes steps, bytes table):
+    """A run that is over, of which there are the interpolants."""
+    cdef Run made = Run.__new__(Run, None, method)
+    cdef em_run *run = &made.run
+    made.model, made.held = prepared.model, [prepared]
+    run.model, run.prepared, run.method = prepared.model.model, prepared.c, <em_method> method
+    run.stabilise, run.least_norm = stabilise, least_norm
+    run.t_start, run.t_end, run.t_reached = times
+    run.dense_steps = <em_dense_step *> calloc(count + 1, sizeof(em_dense_step))
+    run.dense_table = <double *> calloc(len(table) + 1, 1)
+    if run.dense_steps == NULL or run.dense_table == NULL:
+        raise MemoryError
+    memcpy(run.dense_steps, <char *> steps, len(steps))
+    memcpy(run.dense_table, <char *> table, len(table))
+    run.n_dense = count
+    return made

@@ -11,11 +11,11 @@ import numpy as np
 
 from ..build import build
 from ..codegen.model import Model, ModelError
+from ..errors import BuildError
 from ..runtime import EvaluationError, StopReason
 from ..simulate import simulate
 from ..solution import Solution
 from ..system import System
-from ..toolchain import BuildError
 from .case import EXPLICIT, Case, Point
 from .indicators import indicators
 from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged

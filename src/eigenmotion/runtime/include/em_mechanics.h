@@ -119,7 +119,7 @@ EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least
 
 /* x, v <- the nearest state in the mass metric that satisfies the constraints on positions and velocities. */
 EM_COLD int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
-    if (N_POSITIONS && em_newton(t, x, c, 50, least_norm, fault) < 0) return -1;
+    if (N_POSITIONS > 0 && em_newton(t, x, c, 50, least_norm, fault) < 0) return -1;
     if (N_ROWS == 0) return 0;
     em_root root;
     double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
@@ -204,7 +204,7 @@ typedef int em_rate(const void *with, double t, const double *z, double *rate, e
 EM_COLD int em_differentiate(em_rate *rate, const void *with, int size, double t, const double *z, double *J,
                              em_fault *fault) {
     static const double at[4] = {-2.0, -1.0, 1.0, 2.0}, weight[4] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0};
-    double moved[N_STATE + 2 * N], f[N_STATE + 2 * N], largest = 0.0;
+    double moved[N_STATE + 2 * N], f[N_STATE + 2 * N] = {0.0}, largest = 0.0;
     memcpy(moved, z, (size_t)size * sizeof *z);
     memset(J, 0, sizeof *J * (size_t)size * (size_t)size);
     for (int k = 0; k < size; ++k) largest = fmax(largest, fabs(z[k]));
