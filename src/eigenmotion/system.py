@@ -6,7 +6,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .codegen.model import ModelError
+from .codegen.normalise import ModelError, number
 from .consistent import ConsistentState, Projection
 from .names import Vector, overlay
 from .options import least_norm_of
@@ -179,7 +179,7 @@ class System:
         EvaluationError
             M is not positive definite at x0; names the coordinate.
         """
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         return self._compiled.state(t, *self.start(x0, v0, t, c), c)
 
     def start(
@@ -189,7 +189,7 @@ class System:
 
         v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0.
         """
-        c = self._compiled
+        c, t = self._compiled, number(t, "t")
         if x0 is None and v0 is None and c.initial_y is None:
             return self.initial
         x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
@@ -236,11 +236,11 @@ class System:
 
     def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
-        return self._compiled.mass_matrix(t, self._x(x), self.prepare(parameters))
+        return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))
 
     def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
-        return self._compiled.mass_matrix_gradient(t, self._x(x), self.prepare(parameters))
+        return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))
 
     def jacobian(
         self,
@@ -270,20 +270,20 @@ class System:
         EvaluationError
             Eigenvalues of one block coincide: C has no derivative there.
         """
-        prepared, c = self.prepare(parameters), self._compiled
-        rows = np.asarray(x, dtype=np.float64).reshape(1, c.n)
-        (C,), (s,) = c.eigenfactor_rows(np.array([t]), rows, prepared)
+        prepared, c, t, x = self.prepare(parameters), self._compiled, number(t, "t"), self._x(x)
+        (C,), (s,) = c.eigenfactor_rows(np.array([t]), x[None], prepared)
         return eigenfactor_gradient(c.mass_matrix_gradient(t, x, prepared), C, s, c.scales, self.blocks)
 
     def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return J = d eta / dx at fixed xdot, (n, n) (23)."""
+        x, v = self.start(x, v, t, parameters)
         gradient = self.eigenfactor_gradient(x, t, parameters)
-        eta = gradient.s * (gradient.C @ (np.asarray(v, dtype=float) / self._compiled.scales))
+        eta = gradient.s * (gradient.C @ (v / self._compiled.scales))
         return eta_sensitivity(gradient, eta)
 
     def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
         """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
-        return self._compiled.pfaffian(t, self._x(x), self.prepare(parameters))
+        return self._compiled.pfaffian(number(t, "t"), self._x(x), self.prepare(parameters))
 
     def acceleration(
         self,
@@ -302,7 +302,7 @@ class System:
         EvaluationError
             M is singular, or constraint rows depend on each other and "least_norm" was not asked for.
         """
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         x, v = self.start(x, v, t, c)
         least_norm = least_norm_of(dependent_constraints)
         return self._compiled.acceleration(t, x, v, c, self._signals(inputs, t), least_norm)
@@ -325,7 +325,7 @@ class System:
         EvaluationError
             Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
         """
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         nearest = Projection(self._compiled, c, t, least_norm_of(dependent_constraints))
         return nearest(*self.start(x0, v0, t, c))
 
@@ -338,12 +338,12 @@ class System:
         return float(self._energies(x, v, t, parameters) @ (1.0, 0.0, -1.0, 1.0))
 
     def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> Vector:
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         x, v = self.start(x, v, t, c)
-        rows = self._compiled.energy_rows(np.array([t], dtype=float), x[None], v[None], c)
+        rows = self._compiled.energy_rows(np.array([t]), x[None], v[None], c)
         return np.asarray(rows[0])
 
-    def _x(self, x: ArrayLike) -> Vector:
+    def _x(self, x: Coordinates) -> Vector:
         return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
 
     simulate = simulate  # the function as a method, with its options
