@@ -309,7 +309,7 @@ def test_an_implicit_method_that_is_missing_is_named(monkeypatch):
     monkeypatch.setattr("eigenmotion.report.solvers.find_spec", lambda name: None)
     solvers, absent = implicit_solvers([system_of("pendulum"), system_of("pendulum", "lagrange")], Scene(1.0, {}))
     assert [solver.label for solver in solvers] == ["lagrange Radau", "lagrange BDF", "lagrange LSODA"]
-    assert absent == [("cvode", "not installed (pip install 'eigenmotion[stiff]')")]
+    assert absent == [("CVODE", "not installed (pip install 'eigenmotion[stiff]')")]
     (solver, *_), _ = implicit_solvers([system_of("pendulum")], Scene(1.0, {}))
     assert solver.label == "eigenfactor Radau"
 

@@ -55,10 +55,12 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
     ModelError
         Not one of the known words; lists them.
     """
-    word = str(given).lower()
-    if word not in known:
-        raise ModelError(unknown(what, [str(given)], tuple(known)))
-    return known[word]
+    if not isinstance(given, str):
+        raise ModelError(f"{what} is {shown(given)}, not one of the words {', '.join(known)}")
+    if given.lower() not in known:
+        spelt = [value if isinstance(value, str) else word for word, value in known.items()]
+        raise ModelError(unknown(what, [given], spelt))
+    return known[given.lower()]
 
 
 def least_norm_of(dependent_constraints: str) -> bool:

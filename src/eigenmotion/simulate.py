@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .system import System
 
 _COMPILED = {"rk34": 0, "dopri5": 1, "dop853": 2}  # em_method
-_METHODS = {name: name for name in (*_COMPILED, *METHODS)}
+_METHODS = {name.lower(): name for name in (*_COMPILED, *METHODS)}
 _STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
