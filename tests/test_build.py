@@ -1,11 +1,11 @@
 """Sources -> compiled System: the cache, two at once, and failures that say why."""
 
 import importlib.machinery
+import importlib
 import os
 import shutil
 import subprocess
 import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -55,12 +55,12 @@ def test_a_model_becomes_a_system(own_cache):
     assert len(entries(own_cache, "binaries")) == 1
 
 
-def test_a_built_model_is_not_built_again(own_cache):
+def test_a_built_model_is_not_built_again(own_cache, monkeypatch):
     em.build(swing())
     before = entries(own_cache, "binaries"), entries(own_cache, "sources")
-    start = time.perf_counter()
+    monkeypatch.setattr(importlib.import_module("eigenmotion.build"), "compile_in", None)
+    monkeypatch.setattr("eigenmotion.order.generate", None)
     em.build(swing())
-    assert time.perf_counter() - start < 0.2
     assert (entries(own_cache, "binaries"), entries(own_cache, "sources")) == before
 
 
@@ -113,7 +113,7 @@ def test_two_processes_build_the_same_model_at_once(own_cache):
         subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         for _ in range(2)
     ]
-    answers = [process.communicate(timeout=120) for process in started]
+    answers = [process.communicate(timeout=1200) for process in started]
     assert [process.returncode for process in started] == [0, 0], answers
     assert answers[0] == answers[1]
     assert len(entries(own_cache, "binaries")) == 1
