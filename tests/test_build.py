@@ -1,7 +1,7 @@
 """Sources -> compiled System: the cache, two at once, and failures that say why."""
 
-import importlib.machinery
 import importlib
+import importlib.machinery
 import os
 import shutil
 import subprocess

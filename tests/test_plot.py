@@ -33,7 +33,7 @@ def springs(count: int) -> em.System:
     x = dynamicsymbols(f"theta_1:{count + 1}")
     rates = sum(q.diff() ** 2 for q in x) / 2
     V = sum(k * q**2 for k, q in enumerate(x)) / 2
-    initial = {q: 1 for q in x}
+    initial = dict.fromkeys(x, 1)
     return system_for(
         em.Model(name="springs", coordinates=x, kinetic_energy=rates, potential_energy=V, initial=initial), "lagrange"
     )

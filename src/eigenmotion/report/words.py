@@ -4,7 +4,6 @@ from .examine import Findings
 from .measure import Measurement
 from .solvers import OURS
 
-
 STEADY = 1.25
 """Quartiles of repeated calls lie closer than this on a machine that does nothing else."""
 
@@ -81,8 +80,8 @@ def _spread(best: Measurement) -> tuple[str, ...]:
     if high <= STEADY * low:
         return ()
     words = (
-        f"The times spread: the upper quartile of this run is {high / low:.2g} times the lower one, as where others use "
-        "the machine. Measure again on a quiet one before you choose by them."
+        f"The times spread: the upper quartile of this run is {high / low:.2g} times the lower one, as where others "
+        "use the machine. Measure again on a quiet one before you choose by them."
     )
     return (words,)
 
