@@ -18,20 +18,25 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 
 
-class Finite(click.FloatRange):
-    """A number that is not infinite, nor NaN, which no range of click's excludes."""
+class Finite(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions of click only
+    """A number that is neither infinite nor NaN, which click's own would be."""
 
     name = "number"
 
+    def __init__(self, *, above_zero: bool = False) -> None:
+        self._above_zero = above_zero
+
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         """Read it."""
-        number = float(super().convert(value, param, ctx))
+        number = float(click.FLOAT.convert(value, param, ctx))
         if not isfinite(number):
             self.fail(f"{value!r} is not a finite number.", param, ctx)
+        if self._above_zero and number <= 0:
+            self.fail(f"{value!r} is not above 0.", param, ctx)
         return number
 
 
-ABOVE_ZERO = Finite(min=0, min_open=True)
+ABOVE_ZERO = Finite(above_zero=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +62,7 @@ class Shape:
 def define(command: Command) -> Command:
     """Add -D."""
     option = click.option("-D", "define", multiple=True, metavar="NAME=VALUE",
-                          help="Set an argument of the model's function.")  # fmt: skip
+                          help="Set an argument of the model's function, as -D n=10.")  # fmt: skip
     return option(command)
 
 
