@@ -104,8 +104,8 @@ def real(given: Any, what: str) -> float:
     ModelError
         A text, a truth value, a complex number, an array, or too large for a float; shows it.
     """
-    if type(given) is float:
-        return given
+    if isinstance(given, float):  # NumPy's double is one
+        return float(given)
     if not _is_real(given):
         raise ModelError(f"{what} is {shown(given)}, not a real number.")
     try:

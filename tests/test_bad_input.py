@@ -24,6 +24,7 @@ q, r, u = dynamicsymbols("q r u")
 k, c = sympy.symbols("k c")
 OURS = (em.ModelError, EvaluationError)
 HUGE = 10**400
+INFINITE = ("nan", "inf", "sympy nan", "sympy inf")
 START: dict[str, Any] = {"x": [0.5, 0.0], "v": [0.0, 0.0]}
 BEGIN: dict[str, Any] = {"x0": [0.5, 0.0], "v0": [0.0, 0.0]}
 PLACE: dict[str, Any] = {"x": [0.5, 0.0]}
@@ -148,6 +149,12 @@ def of_system() -> Iterator[Case]:
                     kind,
                     lambda name=name, given=fine | {argument: value}: getattr(system(), name)(**given),
                 )
+    y = system().state()
+    for name in ("rhs", "jacobian"):
+        for kind, value in no_numbers(*INFINITE).items():
+            yield name, "t", kind, lambda name=name, value=value: getattr(system(), name)(value, y)
+        for kind, value in no_vectors(len(y), *INFINITE, *(f"of {kind}" for kind in INFINITE)).items():
+            yield name, "y", kind, lambda name=name, value=value: getattr(system(), name)(0.0, value)
     for kind, value in (no_vectors(2) | no_mappings("k")).items():
         yield "prepare", "parameter", kind, lambda value=value: system().prepare(value)
     for kind, value in (no_vectors(1, "of mapping") | no_mappings("u")).items():

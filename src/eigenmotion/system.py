@@ -6,11 +6,11 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .codegen.normalise import ModelError, number
+from .codegen.normalise import ModelError, number, real
 from .consistent import ConsistentState, Projection
-from .names import Vector, overlay
+from .names import Vector, overlay, vector
 from .options import least_norm_of
-from .runtime import CompiledModel, Prepared
+from .runtime import CompiledModel, EvaluationError, Prepared
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .signals import Inputs, Signal, bind
 from .simulate import simulate
@@ -18,6 +18,7 @@ from .velocities import initial_rates
 
 Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
 Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
+_DOUBLE = np.dtype(np.float64)  # NumPy has one object of it
 
 
 class System:
@@ -226,8 +227,13 @@ class System:
             M is singular, constraint rows depend on each other, or eigenvalues of one block coincide; names which.
         """
         c = self._defaults if parameters is None else self.prepare(parameters)
+        if not (isinstance(t, float) and type(y) is np.ndarray and y.dtype is _DOUBLE):  # what solvers hand over passes
+            t, y = self._place(t, y)
         u = None if inputs is None else self._signals(inputs, t)
-        return self._compiled.rhs(t, y, c, u, out)
+        try:
+            return self._compiled.rhs(t, y, c, u, out)
+        except (TypeError, ValueError, OverflowError) as error:
+            raise _ours(error) from error
 
     def _signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
         if isinstance(inputs, Mapping) and any(isinstance(u, tuple | list | Signal) for u in inputs.values()):
@@ -258,9 +264,11 @@ class System:
         EvaluationError
             As `rhs`.
         """
-        return self._compiled.jacobian(
-            t, np.asarray(y, dtype=float), self.prepare(parameters), self._signals(inputs, t)
-        )
+        t, y = self._place(t, y)
+        try:
+            return self._compiled.jacobian(t, y, self.prepare(parameters), self._signals(inputs, t))
+        except (TypeError, ValueError, OverflowError) as error:
+            raise _ours(error) from error
 
     def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
         """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
@@ -343,7 +351,16 @@ class System:
         rows = self._compiled.energy_rows(np.array([t]), x[None], v[None], c)
         return np.asarray(rows[0])
 
+    def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
+        """Return t and y (n_state,) as numbers; infinite ones and NaN, which solvers try, are for the equations."""
+        return real(t, "t"), vector(y, "y")
+
     def _x(self, x: Coordinates) -> Vector:
         return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
 
     simulate = simulate  # the function as a method, with its options
+
+
+def _ours(error: Exception) -> Exception:
+    """Return what the compiled functions raised, as an error of ours: they know none but their own."""
+    return error if isinstance(error, EvaluationError | ModelError) else ModelError(str(error))
