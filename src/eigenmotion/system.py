@@ -18,7 +18,6 @@ from .velocities import initial_rates
 
 Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
 Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
-_DOUBLE = np.dtype(np.float64)  # NumPy has one object of it
 
 
 class System:
@@ -227,12 +226,11 @@ class System:
             M is singular, constraint rows depend on each other, or eigenvalues of one block coincide; names which.
         """
         c = self._defaults if parameters is None else self.prepare(parameters)
-        if not (isinstance(t, float) and type(y) is np.ndarray and y.dtype is _DOUBLE):  # what solvers hand over passes
-            t, y = self._place(t, y)
         u = None if inputs is None else self._signals(inputs, t)
         try:
             return self._compiled.rhs(t, y, c, u, out)
-        except (TypeError, ValueError, OverflowError) as error:
+        except (TypeError, ValueError, OverflowError) as error:  # afterwards: solvers call this in a loop
+            self._place(t, y)
             raise _ours(error) from error
 
     def _signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
