@@ -6,6 +6,7 @@ import io
 import json
 import re
 import time
+from contextlib import redirect_stdout
 from dataclasses import replace
 from types import SimpleNamespace
 from xml.etree import ElementTree
@@ -578,11 +579,20 @@ def test_order_and_cost_of_a_made_up_curve():
 
 
 @pytest.fixture(scope="module")
-def folder(found, tmp_path_factory):
+def called(found, tmp_path_factory) -> SimpleNamespace:
+    """What the command asked for, said and wrote, given what was found."""
     pytest.importorskip("matplotlib")
-    folder = tmp_path_factory.mktemp("report")
-    write_report([found], folder)
-    return folder
+    asked, said, folder = [], io.StringIO(), tmp_path_factory.mktemp("report") / "out"
+    with pytest.MonkeyPatch.context() as patch, redirect_stdout(said):
+        patch.setattr(cli, "examine", lambda model, ask, progress: asked.append((model.name, ask)) or found)
+        model = str(MODELS / "dual_link.py")
+        assert main(["report", model, "-o", str(folder), "--error", "1e-6", "--t-end", "3"]) == 0
+    return SimpleNamespace(asked=asked, said=said.getvalue(), folder=folder)
+
+
+@pytest.fixture(scope="module")
+def folder(called):
+    return called.folder
 
 
 def test_the_files(folder):
@@ -664,20 +674,10 @@ def test_the_advice_in_words(found):
 # --- the command
 
 
-def test_the_command_writes_and_advises(found, monkeypatch, tmp_path, capsys):
-    asked = []
-
-    def made(model: em.Model, ask: Ask, progress: object) -> Findings:
-        asked.append((model.name, ask))
-        return found
-
-    monkeypatch.setattr(cli, "examine", made)
-    arguments = ["report", str(MODELS / "dual_link.py"), "-o", str(tmp_path / "out"), "--error", "1e-6", "--t-end", "3"]
-    assert main(arguments) == 0
-    assert asked == [("dual_link", Ask(error=1e-6, t_end=3.0))]
-    output = capsys.readouterr().out
-    assert "formulation" in output
-    assert (tmp_path / "out" / "report.html").is_file()
+def test_the_command_writes_and_advises(called):
+    assert called.asked == [("dual_link", Ask(error=1e-6, t_end=3.0))]
+    assert "formulation" in called.said
+    assert (called.folder / "report.html").is_file()
 
 
 def test_the_command_sets_arguments_of_models(found, monkeypatch, tmp_path, capsys):
