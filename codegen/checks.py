@@ -10,7 +10,7 @@ from sympy.core.function import AppliedUndef
 
 from .contents import check_symbols, declared
 from .degree import has_degree
-from .normalise import ModelError, name_of, nearest, t
+from .normalise import ModelError, name_of, nearest, shown, t
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -20,13 +20,14 @@ if TYPE_CHECKING:
 
 LONGEST_NAME = 200
 """File systems take 255 bytes, of which an extension module's suffix and a file on its way into place need some."""
+_LARGEST_SCALE = 1e50  # two of them, a mass and their squares stay within the range of a double
 
 
 def check_name(name: Any) -> None:
     """Raise unless the name serves as file, module and symbol prefix, in C and in Python."""
     if not isinstance(name, str) or not name.isidentifier() or not name.isascii() or keyword.iskeyword(name):
         raise ModelError(
-            f"Model {name!r}: its name becomes that of a file, a Python module and a prefix in C. "
+            f"Model {shown(name)}: its name becomes that of a file, a Python module and a prefix in C. "
             "Use letters, digits and underscores, not starting with a digit, and no keyword of Python."
         )
     if len(name) > LONGEST_NAME:
@@ -42,7 +43,8 @@ def check_name(name: Any) -> None:
 
 def check(model: Model) -> None:
     """Raise ModelError at the first mistake found."""
-    _check_functions_of_time(model)
+    check_functions_of_time("inputs", [u for u, _ in model.inputs])
+    check_functions_of_time("quasi_velocities", [y for y, _ in model.quasi_velocities])
     _check_parameters(model)
     _check_names(model)
     _check_initial(model)
@@ -83,27 +85,29 @@ def _expanded(model: Model) -> list[tuple[sympy.Expr, sympy.Expr]]:
     return [(y, sympy.expand(expression)) for y, expression in model.quasi_velocities]
 
 
-def _check_functions_of_time(model: Model) -> None:
-    kinds = (
-        ("coordinates", model.coordinates),
-        ("inputs", [u for u, _ in model.inputs]),
-        ("quasi_velocities", [y for y, _ in model.quasi_velocities]),
-    )
-    for kind, symbols in kinds:
-        for symbol in symbols:
-            if not isinstance(symbol, AppliedUndef) or symbol.args != (t,):
-                raise ModelError(
-                    f"{kind} contains {symbol!r}, which is not a function of time. "
-                    f"Make it with dynamicsymbols({str(name_of(symbol))!r})."
-                )
-    if not model.coordinates:
+def check_functions_of_time(kind: str, symbols: Iterable[Any]) -> None:
+    """Raise unless each is a function of time, as coordinates, inputs and quasi-velocities are; a mechanism has some.
+
+    Raises
+    ------
+    ModelError
+        One is not; shows it, and says how to make it.
+    """
+    for symbol in symbols:
+        if not isinstance(symbol, AppliedUndef) or symbol.args != (t,):
+            name = name_of(symbol) if isinstance(symbol, sympy.Symbol) else symbol if isinstance(symbol, str) else "q"
+            raise ModelError(
+                f"{kind} contains {shown(symbol)}, which is not a function of time. "
+                f"Make it with dynamicsymbols({name!r})."
+            )
+    if kind == "coordinates" and not symbols:
         raise ModelError("coordinates is empty. A mechanism has at least one.")
 
 
 def _check_parameters(model: Model) -> None:
     for symbol, _ in model.parameters:
         if not isinstance(symbol, sympy.Symbol):
-            raise ModelError(f"parameters contains {symbol!r}, which is not a Symbol. Make it with sympy.symbols.")
+            raise ModelError(f"parameters contains {shown(symbol)}, which is not a Symbol. Make it with sympy.symbols.")
 
 
 def _check_names(model: Model) -> None:
@@ -119,7 +123,7 @@ def _check_names(model: Model) -> None:
     for what, entries in (("outputs", model.outputs), ("events", model.events)):
         for name in (entry[0] for entry in entries):
             if not isinstance(name, str) or not name:
-                raise ModelError(f"{what} has an entry named {name!r}. Name it by a text.")
+                raise ModelError(f"{what} has an entry named {shown(name)}. Name it by a text.")
             _check_text(what, name)
     for what, names in _keys(model):
         for name in sorted({name for name in names if names.count(name) > 1}):
@@ -152,9 +156,9 @@ def _check_initial(model: Model) -> None:
     quasi = [y for y, _ in model.quasi_velocities]
     allowed = {*model.coordinates, *model.rates, *quasi}
     for key, _ in model.initial:
-        if key not in allowed:
+        if not isinstance(key, sympy.Basic) or key not in allowed:
             hint = nearest(name_of(key), map(name_of, allowed))
-            raise ModelError(f"initial has a value for {key!r}, which is neither a coordinate nor a rate.{hint}")
+            raise ModelError(f"initial has a value for {shown(key)}, which is neither a coordinate nor a rate.{hint}")
     given = {key for key, _ in model.initial}
     if given & set(model.rates) and given & set(quasi):
         raise ModelError("initial gives both rates and quasi-velocities. Give the velocities in one of the two.")
@@ -164,6 +168,11 @@ def _check_scales(model: Model) -> None:
     for x, scale in zip(model.coordinates, model.scales, strict=True):
         if scale <= 0:
             raise ModelError(f"scales[{name_of(x)}] is {scale}. A scale is the positive unit of a coordinate.")
+        if not 1 / _LARGEST_SCALE <= scale <= _LARGEST_SCALE:
+            raise ModelError(
+                f"scales[{name_of(x)}] is {scale}. The equations multiply scales: keep them between "
+                f"{1 / _LARGEST_SCALE:g} and {_LARGEST_SCALE:g}, or choose other units of the coordinate."
+            )
 
 
 def _check_quasi_velocities(model: Model) -> None:

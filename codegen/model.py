@@ -10,10 +10,23 @@ import sympy
 
 from . import checks
 from .canonical import canonical_text
-from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, t
+from .normalise import (
+    MULTIPLIER,
+    ModelError,
+    expression,
+    name_of,
+    nearest,
+    number,
+    pairs_of,
+    sequence_of,
+    shown,
+    t,
+    truth,
+)
 
 __all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
 
+_MOST_ROWS = 1_000_000
 Pairs = Mapping[Any, Any] | Sequence[tuple[Any, Any]]
 
 
@@ -25,8 +38,8 @@ def multiplier(row: int) -> sympy.Expr:
     row
         0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model.
     """
-    if not isinstance(row, int) or row < 0:
-        raise ModelError(f"multiplier({row!r}): the row of a constraint is counted 0, 1, 2, ...")
+    if not isinstance(row, int) or isinstance(row, bool) or not 0 <= row <= _MOST_ROWS:
+        raise ModelError(f"multiplier({shown(row)}): the row of a constraint is counted 0, 1, 2, ...")
     return MULTIPLIER(sympy.Integer(row))
 
 
@@ -40,8 +53,10 @@ class Event:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "expression", expression(self.expression, "The expression of an event"))
-        if self.direction not in (-1, 0, 1):
-            raise ModelError(f"The direction of an event is 1 (upwards), -1 (downwards) or 0, not {self.direction!r}.")
+        given = self.direction
+        if not isinstance(given, int) or isinstance(given, bool) or given not in (-1, 0, 1):
+            raise ModelError(f"The direction of an event is 1 (upwards), -1 (downwards) or 0, not {shown(given)}.")
+        object.__setattr__(self, "terminal", truth(self.terminal, "terminal of an event"))
 
 
 @dataclass(frozen=True, slots=True, init=False)
@@ -109,9 +124,9 @@ class Model:
                 object.__setattr__(self, field, value)
             checks.check(self)
         except ModelError as error:
-            if str(error).startswith(f"Model {name!r}"):
+            if str(error).startswith(f"Model {shown(name)}"):
                 raise
-            raise ModelError(f"Model {name!r}: {error}") from error.__cause__
+            raise ModelError(f"Model {shown(name)}: {error}") from error.__cause__
 
     @property
     def n(self) -> int:
@@ -169,6 +184,7 @@ class Model:
 def _normalised(given: dict[str, Any]) -> dict[str, Any]:
     """Return the fields of a Model from the arguments of its constructor."""
     coordinates = sequence_of(given["coordinates"], "coordinates")
+    checks.check_functions_of_time("coordinates", coordinates)
     rows = {
         kind: tuple(expression(row, f"{kind}[{k}]") for k, row in enumerate(sequence_of(given[kind], kind)))
         for kind in ("holonomic_constraints", "nonholonomic_constraints")
@@ -222,5 +238,5 @@ def _by_coordinate(given: Mapping[Any, Any], coordinates: tuple[Any, ...], what:
     for key in given:
         if key not in coordinates:
             hint = nearest(name_of(key), map(name_of, coordinates))
-            raise ModelError(f"{what} has an entry for {key!r}, which is not a coordinate.{hint}")
+            raise ModelError(f"{what} has an entry for {shown(key)}, which is not a coordinate.{hint}")
     return given

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import difflib
 import math
+import numbers
+import reprlib
 from collections.abc import Iterable, Mapping, Sequence, Set
 from typing import Any
 
@@ -16,10 +18,20 @@ t: sympy.Symbol = dynamicsymbols._t
 
 MULTIPLIER = sympy.Function("multiplier", real=True)
 INFINITE = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo)
+_SHORT = reprlib.Repr()
+_SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 60
 
 
 class ModelError(ValueError):
     """A mistake in a model. The message names the model, the symbol and the remedy."""
+
+
+def shown(given: object) -> str:
+    """Return what was given, as Python writes it, on one line and not longer than fits into a message."""
+    try:
+        return " ".join(_SHORT.repr(given).split())
+    except Exception:  # whatever an object of the user's does when it is asked; an int of a million digits, too
+        return f"of type {type(given).__name__}"
 
 
 def name_of(symbol: sympy.Basic) -> str:
@@ -42,7 +54,7 @@ def pairs_of(given: Any, what: str) -> tuple[tuple[Any, Any], ...]:
     if isinstance(given, Mapping):
         return tuple(given.items())
     if isinstance(given, Set) or not isinstance(given, Sequence) or any(not _is_pair(entry) for entry in given):
-        raise ModelError(f"{what} must be a mapping or a sequence of pairs, not {given!r}.")
+        raise ModelError(f"{what} must be a mapping or a sequence of pairs, not {shown(given)}.")
     return tuple((key, value) for key, value in given)
 
 
@@ -50,9 +62,12 @@ def sequence_of(given: Any, what: str) -> tuple[Any, ...]:
     """Return a sequence as a tuple; sets and mappings have no order a model could rely on and are refused."""
     if isinstance(given, sympy.MatrixBase):
         return tuple(given)
-    if isinstance(given, (str, Mapping, Set)) or not isinstance(given, Iterable):
-        raise ModelError(f"{what} must be a list or tuple, not {given!r}: their order is that of the state.")
-    return tuple(given)
+    if isinstance(given, (str, bytes, Mapping, Set)) or not isinstance(given, Iterable):
+        raise ModelError(f"{what} must be a list or tuple, not {shown(given)}: their order is that of the state.")
+    try:
+        return tuple(given)
+    except TypeError as error:  # what only looks like a sequence, as a class or an array without dimensions
+        raise ModelError(f"{what} must be a list or tuple, not {shown(given)}.") from error
 
 
 def expression(given: Any, what: str) -> sympy.Expr:
@@ -65,34 +80,77 @@ def expression(given: Any, what: str) -> sympy.Expr:
     """
     try:
         value = sympy.sympify(given, strict=True)
-    except (sympy.SympifyError, TypeError) as error:
-        raise ModelError(f"{what} is {given!r}, which is not a SymPy expression. Build it from symbols.") from error
+    except Exception as error:  # SymPy's own, and what it trips over in containers
+        raise ModelError(
+            f"{what} is {shown(given)}, which is not a SymPy expression. Build it from symbols."
+        ) from error
     if not isinstance(value, sympy.Expr) or isinstance(value, sympy.MatrixBase) or value.is_Matrix:
-        raise ModelError(f"{what} is {value!r}, which is not a scalar expression.")
-    if value.has(sympy.I):
+        raise ModelError(f"{what} is {shown(given)}, which is not a scalar expression.")
+    if value.has(sympy.I) or isinstance(given, complex):
         raise ModelError(f"{what} contains the imaginary unit. Energies, forces and constraints are real.")
     if value.has(*INFINITE):
         raise ModelError(f"{what} contains an infinite or undefined term. Look for a division by zero in it.")
+    for constant in value.atoms(sympy.Number):
+        if _is_lost(constant):
+            raise ModelError(f"{what} contains {shown(constant)}, beyond the range of a double. Choose other units.")
     return _exact_exponents(_carried_out(_real(value)))
 
 
-def number(given: Any, what: str) -> float:
-    """Return a finite float; SymPy numbers such as pi/6 are rounded once.
+def real(given: Any, what: str) -> float:
+    """Return a number as a float, infinite and NaN too; SymPy numbers such as pi/6 are rounded once.
 
     Raises
     ------
     ModelError
-        It is no real number, or it is infinite or not a number.
+        A text, a truth value, a complex number, an array, or too large for a float; shows it.
     """
+    if isinstance(given, float):  # NumPy's double is one
+        return float(given)
+    if not _is_real(given):
+        raise ModelError(f"{what} is {shown(given)}, not a real number.")
     try:
         value = float(given.evalf(30) if isinstance(given, sympy.Expr) else given)
     except OverflowError as error:
-        raise ModelError(f"{what} is beyond the largest number a double holds, 1.8e308.") from error
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{what} is {given!r}. Give a real number: it may be changed at run time.") from error
-    if not math.isfinite(value):
-        raise ModelError(f"{what} is {value}. Give a finite number.")
+        raise ModelError(f"{what} is {shown(given)}, beyond the range of a double.") from error
+    except (TypeError, ValueError, ArithmeticError) as error:
+        raise ModelError(f"{what} is {shown(given)}, not a real number.") from error
+    if math.isinf(value) and given != value:
+        raise ModelError(f"{what} is {shown(given)}, beyond the range of a double.")
     return value
+
+
+def number(given: Any, what: str) -> float:
+    """Return a finite float; as `real`, but infinities and NaN are refused too."""
+    value = real(given, what)
+    if not math.isfinite(value):
+        raise ModelError(f"{what} is {value}, not a finite number.")
+    return value
+
+
+def truth(given: Any, what: str) -> bool:
+    """Return True or False; 1 and 0 serve too."""
+    is_numpy = getattr(getattr(given, "dtype", None), "kind", "") == "b" and not getattr(given, "ndim", 0)
+    if not ((isinstance(given, int) and given in (0, 1)) or is_numpy):
+        raise ModelError(f"{what} is {shown(given)}; give True or False.")
+    return bool(given)
+
+
+def _is_real(given: Any) -> bool:
+    """Say whether `float` may be asked: it reads texts, takes truth values for numbers, and drops imaginary parts."""
+    if isinstance(given, (bool, str, bytes, bytearray)) or getattr(given, "ndim", 0) != 0:
+        return False
+    if isinstance(given, numbers.Complex) and not isinstance(given, (numbers.Real, sympy.Expr)):
+        return False
+    return getattr(getattr(given, "dtype", None), "kind", "f") in "fiuO"
+
+
+def _is_lost(constant: sympy.Number) -> bool:
+    """Say whether a constant is infinite, or 0, as a double only."""
+    try:
+        value = float(constant)
+    except OverflowError:
+        return True
+    return math.isinf(value) or (value == 0.0 and not constant.is_zero)
 
 
 def _is_pair(entry: Any) -> bool:

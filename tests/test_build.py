@@ -127,7 +127,7 @@ def test_two_processes_build_the_same_model_at_once(own_cache):
         subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         for _ in range(2)
     ]
-    answers = [process.communicate(timeout=120) for process in started]
+    answers = [process.communicate(timeout=1200) for process in started]
     assert [process.returncode for process in started] == [0, 0], answers
     assert answers[0] == answers[1]
     assert len(entries(own_cache, "binaries")) == 1

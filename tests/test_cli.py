@@ -1,5 +1,7 @@
 """The command line: what it writes, says and answers."""
 
+import io
+import logging
 import os
 import re
 import subprocess
@@ -13,6 +15,7 @@ import numpy as np
 import pytest
 
 from eigenmotion.cli import main
+from eigenmotion.cli.progress import bar, clock
 
 ROOT = Path(__file__).parents[1]
 MODELS = ROOT / "models"
@@ -235,6 +238,24 @@ def test_run_saves_and_draws(scene, capsys):
         (["run", "scene.py", "--method", "euler"], "euler"),
         (["run", "scene.py", "--save", "a.xlsx"], "known endings are .npz, .csv"),
         (["run", "scene.py", "--plot", "absent/a.png"], "there is no folder"),
+        (["run", "scene.py", "--save", "/proc/a.npz"], "--save /proc: nothing can be written there"),
+        (["run", "scene.py", "--plot", "/proc/a.png"], "--plot /proc: nothing can be written there"),
+        (["run", "scene.py", "--plot", ""], "--plot"),
+        *((["run", "scene.py", option, "nan"], f"'{option}'") for option in ("--t-end", "--rtol", "--atol")),
+        (["run", "scene.py", "--t-end", "1e400"], "'--t-end'"),
+        (["run", "scene.py", "--rtol", "-1e-6"], "rtol is -1e-06"),
+        (["run", "scene.py", "--atol", "-1"], "atol of 'angle' is -1"),
+        (["run", "scene.py", "--method", ""], "known: rk34, dopri5, dop853, Radau, BDF, LSODA, CVODE"),
+        *((["run", "scene.py", "--set", text], f"--set {text}") for text in ("", "=", "g", "g=", "=1", "g=1j")),
+        (["run", "scene.py", "--set", "g=1e400"], "'g' is not a finite number"),
+        (["run", "scene.py", "-D", "="], "-D =: expected NAME=VALUE"),
+        (["run", "", "--t-end", "1"], "not a file"),
+        (["run", "."], "not a file"),
+        (["generate", "scene.py", "-o", "scene.py/a"], "scene.py/a: Not a directory"),
+        (["report", "scene.py", "-o", "scene.py/a"], "-o scene.py/a: nothing can be written there"),
+        (["report", "scene.py", "--error", "nan"], "'--error'"),
+        (["report", "scene.py", "--t-end", "inf"], "'--t-end'"),
+        (["stability", "-o", "scene.py/a"], "-o scene.py/a: nothing can be written there"),
     ],
 )
 def test_the_users_mistakes_answer_2(scene, capsys, arguments, words):
@@ -292,16 +313,54 @@ def test_help_does_not_wait_for_sympy():
     assert done.stdout.splitlines()[-1] == "set()"
 
 
-def test_help_comes_at_once():
-    times = []
-    for _ in range(3):
-        start = time.perf_counter()
-        subprocess.run([sys.executable, "-m", "eigenmotion", "--help"], capture_output=True, check=True)
-        times.append(time.perf_counter() - start)
-    assert min(times) < 0.4
-
-
-@pytest.mark.parametrize("name", ["generate", "build", "explain", "run"])
+@pytest.mark.parametrize("name", ["generate", "build", "explain", "run", "report"])
 def test_every_command_has_help(name, capsys):
     assert main([name, "--help"]) == 0
     assert "MODEL" in capsys.readouterr().out
+
+
+def test_run_takes_inputs(tmp_path, monkeypatch, capsys):
+    """A body of mass 1 pushed by a force of 3 N: x = v0 t + 3 t^2 / 2."""
+    monkeypatch.chdir(tmp_path)
+    Path("pushed.py").write_text(
+        "from sympy.physics.mechanics import dynamicsymbols\n"
+        "from eigenmotion import Model\n"
+        'q, u = dynamicsymbols("q u")\n'
+        'model = Model(name="pushed", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, forces=[u], inputs={u: 0})\n'
+    )
+    assert main(["run", "pushed.py", "--t-end", "2", "--set", "u=3", "--set", "q'=1"]) == 0
+    final = capsys.readouterr().out.splitlines()[-1].split()
+    assert [float(word) for word in final[1:]] == pytest.approx([8.0, 7.0], rel=1e-12)
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_long_stages_show_their_seconds_and_leave_no_trace(monkeypatch):
+    screen, log = Terminal(), logging.getLogger("eigenmotion")
+    monkeypatch.setattr(sys, "stderr", screen)
+    with clock(patience=0.0):
+        log.info("compiling %s", "swing")
+        while "compiling swing ... 0 s" not in screen.getvalue():
+            time.sleep(0.01)
+    assert screen.getvalue().endswith("\r\x1b[K")
+    assert not log.handlers
+
+
+def test_nothing_is_shown_of_what_is_quick_or_of_which_nobody_watches(monkeypatch):
+    for screen, patience in ((Terminal(), 1e9), (io.StringIO(), 0.0)):
+        monkeypatch.setattr(sys, "stderr", screen)
+        with clock(patience):
+            logging.getLogger("eigenmotion").info("compiling")
+            time.sleep(0.05)
+        assert screen.getvalue() == ""
+
+
+def test_bars_show_what_comes_next(monkeypatch):
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    with bar("swing") as progress:
+        progress(0.5, "time, round 3 of 9")
+    assert "time, round 3 of 9" in sys.stderr.getvalue()
+    assert "100%" in sys.stderr.getvalue()

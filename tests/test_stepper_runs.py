@@ -230,9 +230,11 @@ def test_a_long_run_is_interrupted_within_a_tenth_of_a_second(build: Build) -> N
     slow = "for (volatile int i = 0; i < 400000; ++i) {}" + PENDULUM.rhs
     for compiled in (build(PENDULUM), build(Mechanism(rhs=slow))):
         calls: list[float] = []
+        busy = [time.process_time()]  # does not go on while others have the processor
 
-        def poll(calls: list[float] = calls) -> int:
+        def poll(calls: list[float] = calls, busy: list[float] = busy) -> int:
             calls.append(time.perf_counter())
+            busy.append(time.process_time())
             return len(calls) == 4
 
         begun = time.perf_counter()
@@ -240,16 +242,16 @@ def test_a_long_run_is_interrupted_within_a_tenth_of_a_second(build: Build) -> N
         assert result.status == INTERRUPTED
         assert len(calls) == 4
         assert min(np.diff([begun, *calls])) > 0.015
-        assert np.median(np.diff([begun, *calls])) < 0.1
+        assert np.median(np.diff(busy)) < 0.1
         assert 0.0 < result.run.t_reached < 1e9
 
 
 def test_rows_without_end_are_interrupted_too(build: Build) -> None:
     times = np.linspace(0.0, 1.0, 3_000_000)
-    begun = time.perf_counter()
+    begun = time.process_time()
     result = simulate(build(PENDULUM), [2.0, 0.0], (0.0, 1.0), t_eval=times, first_step=1.0, poll=lambda: 1)
     assert result.status == INTERRUPTED
-    assert time.perf_counter() - begun < 0.2
+    assert time.process_time() - begun < 0.2
     assert result.t.size < times.size
 
 

@@ -13,7 +13,7 @@ import eigenmotion as em
 from .models_table import BY_NAME
 
 HAS_SUNDIALS = importlib.util.find_spec("sksundae") is not None
-METHODS = ("Radau", "BDF", "LSODA") + ("cvode",) * HAS_SUNDIALS
+METHODS = ("Radau", "BDF", "LSODA") + ("CVODE",) * HAS_SUNDIALS
 
 
 def complex_like_differences(fun, y):

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .errors import CompilerNotFoundError as CompilerNotFoundError
     from .loading import load_model as load_model
     from .runtime import StopReason as StopReason
+    from .signals import Signal as Signal
     from .simulate import simulate as simulate
     from .solution import Solution as Solution
     from .system import System as System
@@ -29,6 +30,7 @@ _HOME = {
     "Event": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
+    "Signal": ".signals",
     "Solution": ".solution",
     "StopReason": ".runtime",
     "System": ".system",

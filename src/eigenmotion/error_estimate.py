@@ -26,7 +26,7 @@ Run = Callable[[Task, str], Solution]
 
 TIGHTER, TIGHTER_ACROSS = 1e-2, 1e-4
 FINEST = 3e-14  # rtol: below, the stepper's own error estimate is rounding
-COMPILED_CHECK, STIFF_CHECK = "dop853", "radau"
+COMPILED_CHECK, STIFF_CHECK = "dop853", "Radau"
 
 
 @dataclass(frozen=True, slots=True)

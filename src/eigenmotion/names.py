@@ -1,6 +1,6 @@
 """Values given by name: overlaid on defaults, with unknown names refused in words that help."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from math import isfinite
 from typing import Any
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .codegen.model import ModelError
+from .codegen.normalise import ModelError, real, shown
 
 Vector = NDArray[np.float64]
 
@@ -27,18 +27,26 @@ def unknown(what: str, names: Iterable[str], known: Sequence[str]) -> str:
     return f"unknown {what} {', '.join(repr(name) for name in wrong)}; known: {listed}.{hint}"
 
 
+def by_spelling(given: Mapping[Any, Any], what: str, spelling: Callable[[object], str] = spelled) -> dict[str, Any]:
+    """Return the mapping with its keys as strings; none may be there twice, by its name and as a symbol."""
+    spelt = {spelling(key): value for key, value in given.items()}
+    if len(spelt) < len(given):
+        raise ModelError(f"{what}: one of {', '.join(map(repr, spelt))} is given twice, by name and as a symbol")
+    return spelt
+
+
 def by_name(given: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[str, Any]:
     """Return the mapping with its keys as strings.
 
     Raises
     ------
     ModelError
-        A key is not among `known`; names it, the known ones and the nearest.
+        A key is not among `known` (names it, the known ones and the nearest), or given twice.
     """
-    named = {spelled(key): value for key, value in given.items()}
-    if wrong := named.keys() - set(known):
+    spelt = by_spelling(given, what)
+    if wrong := spelt.keys() - set(known):
         raise ModelError(unknown(what, wrong, known))
-    return named
+    return spelt
 
 
 def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], defaults: Vector, what: str) -> Vector:
@@ -54,9 +62,9 @@ def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], d
         return values
     if isinstance(given, Mapping):
         for name, value in by_name(given, names, what).items():
-            values[list(names).index(name)] = _number(value, what, name)
+            values[list(names).index(name)] = real(value, f"{what} {name!r}")
     else:
-        values = _array(given, what)
+        values = vector(given, what)
     if values.shape != (len(names),):
         raise ModelError(f"{what}: an array of shape {values.shape}, but {len(names)} are needed: {', '.join(names)}")
     if not all(map(isfinite, values.tolist())):  # quicker than NumPy for as many numbers as a mechanism has
@@ -64,15 +72,29 @@ def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], d
     return values
 
 
-def _number(value: object, what: str, name: str) -> float:
+def vector(given: object, what: str) -> Vector:
+    """Return real numbers as a new float64 array, whatever its shape; infinite ones and NaN too.
+
+    Raises
+    ------
+    ModelError
+        Ragged, of texts, truth values, complex numbers or objects, masked, or beyond a double; shows it.
+    """
+    if type(given) is np.ndarray and given.dtype == np.float64:
+        return given.copy()
     try:
-        return float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{what} {name!r} is {value!r}, not a number") from error
+        array = np.asarray(given)
+    except Exception as error:  # ragged, or what an object of the user's raises
+        raise ModelError(f"{what} is {shown(given)}, not an array of numbers") from error
+    if array.dtype.kind == "O" and array.ndim:  # SymPy's numbers, fractions
+        numbers = [real(value, f"{what}[{k}]") for k, value in enumerate(array.flat)]
+        return np.array(numbers, dtype=np.float64).reshape(array.shape)
+    if array.dtype.kind not in "fiu" or _has_truths(given) or np.ma.isMaskedArray(given):
+        raise ModelError(f"{what} is {shown(given)}, not an array of numbers")
+    with np.errstate(over="ignore"):  # of long doubles: infinite ones are refused where they are read
+        return np.array(array, dtype=np.float64)
 
 
-def _array(given: ArrayLike, what: str) -> Vector:
-    try:
-        return np.array(given, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{what}: {given!r} is neither a mapping of names nor an array of numbers") from error
+def _has_truths(given: object) -> bool:
+    """Say whether a list holds True or False: in NumPy's eyes they are 1 and 0 beside numbers."""
+    return isinstance(given, list | tuple) and any(isinstance(value, bool | np.bool_) for value in given)

@@ -1,18 +1,19 @@
 """What a run is asked to do, checked before it starts."""
 
 from collections.abc import Mapping
-from math import isfinite
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .codegen.model import ModelError
-from .names import Vector, overlay, unknown
+from .codegen.normalise import ModelError, number, real, shown
+from .names import Vector, overlay, unknown, vector
 from .runtime import CompiledModel, Prepared
 from .signals import Inputs
 
 DEFAULT_ATOL = 1e-9
+MOST_STEPS = 10**15
+"""Each of them counted exactly as a double; at a nanosecond a step, twelve days."""
 _DEPENDENT = {"refuse": False, "least_norm": True}
 
 
@@ -54,10 +55,12 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
     ModelError
         Not one of the known words; lists them.
     """
-    word = str(given).lower()
-    if word not in known:
-        raise ModelError(unknown(what, [str(given)], tuple(known)))
-    return known[word]
+    if not isinstance(given, str):
+        raise ModelError(f"{what} is {shown(given)}, not one of the words {', '.join(known)}")
+    if given.lower() not in known:
+        spelt = [value if isinstance(value, str) else word for word, value in known.items()]
+        raise ModelError(unknown(what, [given], spelt))
+    return known[given.lower()]
 
 
 def least_norm_of(dependent_constraints: str) -> bool:
@@ -69,19 +72,17 @@ def least_norm_of(dependent_constraints: str) -> bool:
 def span(t_span: tuple[float, float]) -> tuple[float, float]:
     """Return start and end: two finite numbers."""
     try:
-        start, end = map(float, t_span)
+        start, end = t_span
     except (TypeError, ValueError) as error:
-        raise ModelError(f"t_span is {t_span!r}, not a pair of numbers (start, end)") from error
-    if not (isfinite(start) and isfinite(end)):
-        raise ModelError(f"t_span ({start}, {end}) is not finite")
-    return start, end
+        raise ModelError(f"t_span is {shown(t_span)}, not a pair of numbers (start, end)") from error
+    return number(start, "the start of t_span"), number(end, "the end of t_span")
 
 
 def rows_at(t_eval: ArrayLike | None, start: float, end: float) -> Vector | None:
     """Return t_eval (k,), strictly sorted in the direction of time and inside the span."""
     if t_eval is None:
         return None
-    times = np.array(t_eval, dtype=np.float64)
+    times = vector(t_eval, "t_eval")
     if times.ndim != 1:
         raise ModelError(f"t_eval has shape {times.shape}, but must be one-dimensional")
     inside = (times >= min(start, end)) & (times <= max(start, end))
@@ -101,7 +102,7 @@ def tolerances(
 ) -> tuple[float, Vector]:
     """Return rtol and atol (n,); coordinates missing from a mapping get 1e-9."""
     absolute = _absolute(model, atol)
-    relative = _number(rtol, "rtol")
+    relative = real(rtol, "rtol")
     if not (0 <= relative < 1):
         raise ModelError(f"rtol is {relative}, but must be at least 0 and less than 1")
     least = min(absolute.tolist())
@@ -115,31 +116,22 @@ def tolerances(
 
 
 def _absolute(model: CompiledModel, atol: float | Mapping[Any, float] | ArrayLike) -> Vector:
-    if not isinstance(atol, int | float) and (isinstance(atol, Mapping) or np.ndim(atol)):
+    if isinstance(atol, Mapping | list | tuple) or getattr(atol, "ndim", 0) != 0:
         return overlay(atol, model.coordinates, np.full(model.n, DEFAULT_ATOL), "coordinate of atol")
-    value = _number(atol, "atol")
-    if not isfinite(value):
-        raise ModelError(f"atol is {value}, not a finite number")
     absolute = np.empty(model.n)
-    absolute.fill(value)
+    absolute.fill(number(atol, "atol"))
     return absolute
 
 
 def step_limits(first_step: float | None, max_step: float, max_steps: int, length: float) -> tuple[float, float, int]:
     """Return first_step (0: chosen), max_step and max_steps."""
-    first = 0.0 if first_step is None else _number(first_step, "first_step")
+    first = 0.0 if first_step is None else real(first_step, "first_step")
     if first_step is not None and not (0 < first <= length):
         raise ModelError(f"first_step is {first}, but must be above 0 and at most the length of t_span, {length:g}")
-    longest = _number(max_step, "max_step")
+    longest = real(max_step, "max_step")
     if not longest > 0:
         raise ModelError(f"max_step is {longest}, but must be above 0")
-    if isinstance(max_steps, bool) or int(max_steps) != max_steps or max_steps < 1:
-        raise ModelError(f"max_steps is {max_steps!r}, but must be a whole number of at least 1")
-    return first, longest, int(max_steps)
-
-
-def _number(value: Any, what: str) -> float:
-    try:
-        return float(value)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{what} is {value!r}, not a number") from error
+    most = real(max_steps, "max_steps")
+    if not (1 <= most <= MOST_STEPS and most.is_integer()):
+        raise ModelError(f"max_steps is {shown(max_steps)}, but must be a whole number from 1 to {MOST_STEPS:.0e}")
+    return first, longest, int(most)

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from .codegen.model import ModelError
-from .names import Vector, by_name
+from .codegen.normalise import ModelError, number, shown
+from .names import Vector, by_name, vector
 
 Compiled: TypeAlias = tuple[int, Vector, NDArray[np.float64]]
 _KINDS = {"hold": 1, "linear": 2, "cubic": 3}  # em_signal_kind
@@ -41,12 +41,12 @@ class Signal:
 
     def __post_init__(self) -> None:
         for name in ("times", "values"):
-            numbers = np.array(getattr(self, name), dtype=np.float64)
+            numbers = vector(getattr(self, name), f"{name} of a signal")
             numbers.flags.writeable = False  # runs read them where they are
             object.__setattr__(self, name, numbers)
         times, values = np.asarray(self.times), np.asarray(self.values)
-        if self.kind not in _KINDS:
-            raise ModelError(f"a signal's kind is one of {', '.join(_KINDS)}, not {self.kind!r}")
+        if not isinstance(self.kind, str) or self.kind not in _KINDS:
+            raise ModelError(f"a signal's kind is one of {', '.join(_KINDS)}, not {shown(self.kind)}")
         if times.ndim != 1 or times.shape != values.shape:
             raise ModelError(f"a signal needs as many values {values.shape} as times {times.shape}, one-dimensional")
         if times.size < (1 if self.kind == "hold" else 2):
@@ -129,7 +129,7 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
         An unknown name, or a value that is none of these; names it.
     """
     if not isinstance(given, Mapping):
-        raise ModelError(f"inputs is {type(given).__name__}, not a mapping name -> number, (times, values) or Signal")
+        raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values) or Signal")
     named = by_name(given, names, "input")
     return Inputs(tuple(_signal(named.get(name, default), name) for name, default in zip(names, defaults, strict=True)))
 
@@ -137,15 +137,11 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
 def _signal(given: Any, name: str) -> float | Signal:
     if isinstance(given, Signal):
         return given
+    if not isinstance(given, tuple | list):
+        return number(given, f"input {name!r}: a number, a pair (times, values) or a Signal is needed; what is given")
+    if len(given) != 2:
+        raise ModelError(f"input {name!r} is {shown(given)}: neither a number, a pair (times, values) nor a Signal")
     try:
-        if isinstance(given, tuple | list):
-            times, values = given
-            return Signal(times, values)
-        value = float(given)
+        return Signal(*given)
     except ModelError as error:
         raise ModelError(f"input {name!r}: {error}") from error
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"input {name!r} is neither a number, a pair (times, values) nor a Signal") from error
-    if not np.isfinite(value):
-        raise ModelError(f"input {name!r} is {value}, not a finite number")
-    return value

@@ -2,12 +2,12 @@
 
 from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Never
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .codegen.model import ModelError
+from .codegen.normalise import ModelError, shown, truth
 from .error_estimate import with_error_estimate
 from .names import Vector, unknown
 from .options import OptionError, Task, choice, least_norm_of, rows_at, span, step_limits, tolerances
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .system import System
 
 _COMPILED = {"rk34": 0, "dopri5": 1, "dop853": 2}  # em_method
-_METHODS = {name: name for name in (*_COMPILED, *METHODS)}
+_METHODS = {name.lower(): name for name in (*_COMPILED, *METHODS)}
 _STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
@@ -32,7 +32,7 @@ _OPTIONS = (
 def simulate(
     system: "System",
     t_span: tuple[float, float],
-    *,
+    *positional: Never,
     x0: Mapping[Any, float] | ArrayLike | None = None,
     v0: Mapping[Any, float] | ArrayLike | None = None,
     parameters: Any = None,
@@ -96,8 +96,7 @@ def simulate(
     ModelError
         Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
     """
-    if misspelt:
-        raise OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
+    _check_call(system, positional, misspelt)
     chosen = choice(method, _METHODS, "method")
     start, end = span(t_span)
     relative, absolute = tolerances(system.compiled, rtol, atol)
@@ -108,7 +107,7 @@ def simulate(
     project = choice(stabilisation, _STABILISATIONS, "stabilisation")
     task = Task(
         system.compiled, prepared, signals, start, end, y, relative, absolute,
-        rows_at(t_eval, start, end), bool(dense_output), first, longest, most, project,
+        rows_at(t_eval, start, end), truth(dense_output, "dense_output"), first, longest, most, project,
         least_norm_of(dependent_constraints),
     )  # fmt: skip
     if estimate_error is False:
@@ -117,9 +116,27 @@ def simulate(
     return with_error_estimate(task, chosen, checker, chosen in _COMPILED, _run)
 
 
+def _check_call(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> None:
+    """Refuse what Python would take, or refuse in words that do not help."""
+    if not _is_system(system):
+        raise OptionError(
+            f"simulate: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
+            "first: simulate(em.build(model), t_span)"
+        )
+    if positional:
+        words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
+        raise OptionError(f"simulate: everything after t_span is given by keyword; did you mean {words}?")
+    if misspelt:
+        raise OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
+
+
+def _is_system(given: object) -> bool:
+    return isinstance(getattr(given, "compiled", None), CompiledModel)
+
+
 def _checker(given: Any) -> "System":
-    if not isinstance(getattr(given, "compiled", None), CompiledModel):
-        raise OptionError(f"estimate_error is {given!r}; give True, False, or a System in another formulation")
+    if not _is_system(given):
+        raise OptionError(f"estimate_error is {shown(given)}; give True, False, or a System in another formulation")
     checker: System = given
     return checker
 

@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import OptimizeResult
 
-from .names import Vector
+from .codegen.normalise import ModelError
+from .names import Vector, vector
 from .runtime import StopReason
 from .trajectory import Trajectory
 
@@ -55,14 +56,14 @@ class DenseOutput:
 
         Raises
         ------
-        ValueError
+        ModelError
             A t outside [t_min, t_max]: a run says nothing about times it did not reach.
         """
-        times = np.asarray(t, dtype=np.float64)
+        times = vector(t, "t")
         if times.ndim > 1:
-            raise ValueError(f"t has shape {times.shape}, but must be a number or one-dimensional")
+            raise ModelError(f"t has shape {times.shape}, but must be a number or one-dimensional")
         if times.size and not (self.t_min <= times.min() and times.max() <= self.t_max):
-            raise ValueError(f"t is outside the interval of the run, [{self.t_min:.9g}, {self.t_max:.9g}]")
+            raise ModelError(f"t is outside the interval of the run, [{self.t_min:.9g}, {self.t_max:.9g}]")
         rows = self._rows_at(np.atleast_1d(times))
         return rows.T if times.ndim else rows[0]
 

@@ -23,7 +23,7 @@ from .sundials import Cvode
 from .trajectory import Trajectory
 from .watch import Function, Watch
 
-METHODS: dict[str, Callable[..., Any]] = {"radau": Radau, "bdf": BDF, "lsoda": LSODA, "cvode": Cvode}
+METHODS: dict[str, Callable[..., Any]] = {"Radau": Radau, "BDF": BDF, "LSODA": LSODA, "CVODE": Cvode}
 
 
 @dataclass(slots=True)

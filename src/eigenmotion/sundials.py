@@ -18,7 +18,7 @@ def _cvode() -> Any:
         from sksundae.cvode import CVODE  # noqa: PLC0415  (an optional package)
     except ImportError as error:
         raise ModelError(
-            "method 'cvode' needs SUNDIALS: pip install 'eigenmotion[stiff]', or use Radau, BDF or LSODA"
+            "method CVODE needs SUNDIALS: pip install 'eigenmotion[stiff]', or use Radau, BDF or LSODA"
         ) from error
     return CVODE
 

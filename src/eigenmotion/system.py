@@ -8,11 +8,11 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .codegen.model import ModelError
+from .codegen.normalise import ModelError, number, real
 from .consistent import ConsistentState, Projection
-from .names import Vector, overlay
+from .names import Vector, overlay, vector
 from .options import least_norm_of
-from .runtime import CompiledModel, Prepared
+from .runtime import CompiledModel, EvaluationError, Prepared
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .signals import Inputs, Signal, bind
 from .simulate import simulate
@@ -46,7 +46,7 @@ class System:
 
     def __init__(self, capsule: object, module: str | None = None) -> None:
         self._compiled = CompiledModel(capsule)
-        self._compiled.recipe = module and partial(_of_module, module)
+        self._compiled.recipe = partial(_of_module, module) if module else None
         self._defaults = self._compiled.prepare(self._compiled.parameter_defaults)
         self._inputs = bind({}, self._compiled.inputs, self._compiled.input_defaults)
         self._layout = {name: slice(start, start + length) for name, start, length in self._compiled.layout}
@@ -193,7 +193,7 @@ class System:
         EvaluationError
             M is not positive definite at x0; names the coordinate.
         """
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         return self._compiled.state(t, *self.start(x0, v0, t, c), c)
 
     def start(
@@ -203,7 +203,7 @@ class System:
 
         v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0.
         """
-        c = self._compiled
+        c, t = self._compiled, number(t, "t")
         if x0 is None and v0 is None and c.initial_y is None:
             return self.initial
         x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
@@ -241,7 +241,11 @@ class System:
         """
         c = self._defaults if parameters is None else self.prepare(parameters)
         u = None if inputs is None else self._signals(inputs, t)
-        return self._compiled.rhs(t, y, c, u, out)
+        try:
+            return self._compiled.rhs(t, y, c, u, out)
+        except (TypeError, ValueError, OverflowError) as error:  # afterwards: solvers call this in a loop
+            self._place(t, y)
+            raise _ours(error) from error
 
     def _signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
         if isinstance(inputs, Mapping) and any(isinstance(u, tuple | list | Signal) for u in inputs.values()):
@@ -250,11 +254,11 @@ class System:
 
     def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
-        return self._compiled.mass_matrix(t, self._x(x), self.prepare(parameters))
+        return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))
 
     def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
-        return self._compiled.mass_matrix_gradient(t, self._x(x), self.prepare(parameters))
+        return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))
 
     def jacobian(
         self,
@@ -272,9 +276,11 @@ class System:
         EvaluationError
             As `rhs`.
         """
-        return self._compiled.jacobian(
-            t, np.asarray(y, dtype=float), self.prepare(parameters), self._signals(inputs, t)
-        )
+        t, y = self._place(t, y)
+        try:
+            return self._compiled.jacobian(t, y, self.prepare(parameters), self._signals(inputs, t))
+        except (TypeError, ValueError, OverflowError) as error:
+            raise _ours(error) from error
 
     def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
         """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
@@ -284,20 +290,20 @@ class System:
         EvaluationError
             Eigenvalues of one block coincide: C has no derivative there.
         """
-        prepared, c = self.prepare(parameters), self._compiled
-        rows = np.asarray(x, dtype=np.float64).reshape(1, c.n)
-        (C,), (s,) = c.eigenfactor_rows(np.array([t]), rows, prepared)
+        prepared, c, t, x = self.prepare(parameters), self._compiled, number(t, "t"), self._x(x)
+        (C,), (s,) = c.eigenfactor_rows(np.array([t]), x[None], prepared)
         return eigenfactor_gradient(c.mass_matrix_gradient(t, x, prepared), C, s, c.scales, self.blocks)
 
     def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return J = d eta / dx at fixed xdot, (n, n) (23)."""
+        x, v = self.start(x, v, t, parameters)
         gradient = self.eigenfactor_gradient(x, t, parameters)
-        eta = gradient.s * (gradient.C @ (np.asarray(v, dtype=float) / self._compiled.scales))
+        eta = gradient.s * (gradient.C @ (v / self._compiled.scales))
         return eta_sensitivity(gradient, eta)
 
     def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
         """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
-        return self._compiled.pfaffian(t, self._x(x), self.prepare(parameters))
+        return self._compiled.pfaffian(number(t, "t"), self._x(x), self.prepare(parameters))
 
     def acceleration(
         self,
@@ -316,7 +322,7 @@ class System:
         EvaluationError
             M is singular, or constraint rows depend on each other and "least_norm" was not asked for.
         """
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         x, v = self.start(x, v, t, c)
         least_norm = least_norm_of(dependent_constraints)
         return self._compiled.acceleration(t, x, v, c, self._signals(inputs, t), least_norm)
@@ -339,7 +345,7 @@ class System:
         EvaluationError
             Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
         """
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         nearest = Projection(self._compiled, c, t, least_norm_of(dependent_constraints))
         return nearest(*self.start(x0, v0, t, c))
 
@@ -352,12 +358,21 @@ class System:
         return float(self._energies(x, v, t, parameters) @ (1.0, 0.0, -1.0, 1.0))
 
     def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> Vector:
-        c = self.prepare(parameters)
+        c, t = self.prepare(parameters), number(t, "t")
         x, v = self.start(x, v, t, c)
-        rows = self._compiled.energy_rows(np.array([t], dtype=float), x[None], v[None], c)
+        rows = self._compiled.energy_rows(np.array([t]), x[None], v[None], c)
         return np.asarray(rows[0])
 
-    def _x(self, x: ArrayLike) -> Vector:
+    def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
+        """Return t and y (n_state,) as numbers; infinite ones and NaN, which solvers try, are for the equations."""
+        return real(t, "t"), vector(y, "y")
+
+    def _x(self, x: Coordinates) -> Vector:
         return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
 
     simulate = simulate  # the function as a method, with its options
+
+
+def _ours(error: Exception) -> Exception:
+    """Return what the compiled functions raised, as an error of ours: they know none but their own."""
+    return error if isinstance(error, EvaluationError | ModelError) else ModelError(str(error))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .codegen.model import ModelError
-from .names import Vector, overlay, spelled, unknown
+from .names import Vector, by_spelling, overlay, spelled, unknown
 from .runtime import CompiledModel, Prepared
 
 _SINGULAR = 1e14  # a condition number of P beyond which no digit of xdot = P^-1 y is right
@@ -51,7 +51,7 @@ def initial_rates(
     """
     if not isinstance(v0, Mapping):
         return _default(model, c, t, x) if v0 is None else overlay(v0, model.coordinates, model.initial_v, "v0")
-    given = {_name(key): value for key, value in v0.items()}
+    given = by_spelling(v0, "v0", _name)
     quasi = given.keys() & set(model.quasi_velocities)
     if not quasi:
         _check_names(model, given)

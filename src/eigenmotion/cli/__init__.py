@@ -1,6 +1,5 @@
 """The command line: `eigenmotion COMMAND ...`, and what its exit codes mean."""
 
-import logging
 import os
 import sys
 import traceback
@@ -59,7 +58,6 @@ def program() -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
-    _report_progress()
     try:
         code: object = program.main(arguments, prog_name="eigenmotion", standalone_mode=False)
         sys.stdout.flush()
@@ -72,14 +70,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Exception as error:
         return _failed(error)
     return code if isinstance(code, int) else DONE
-
-
-def _report_progress() -> None:
-    """Tell what takes long, where somebody is watching."""
-    log = logging.getLogger("eigenmotion")
-    if sys.stderr.isatty() and not log.handlers:
-        log.addHandler(logging.StreamHandler())
-        log.setLevel(logging.INFO)
 
 
 def _failed(error: Exception) -> int:
@@ -101,6 +91,8 @@ def _exit_code(error: Exception) -> int:
 
 
 def _words(error: Exception) -> str:
+    if isinstance(error, OSError) and error.filename and error.strerror:
+        return f"{error.filename}: {error.strerror}"
     if isinstance(error, em.BuildError | em.ModelError | OSError):
         return str(error)
     return f"{type(error).__name__}: {error} (internal; EIGENMOTION_DEBUG=1 shows where)"

@@ -9,6 +9,7 @@ from eigenmotion.build import make
 from eigenmotion.toolchain import toolchain
 
 from .options import Shape, distinct, models, output, shaping
+from .progress import clock
 
 
 @click.command("build")
@@ -24,4 +25,6 @@ def command(models: tuple[Path, ...], output: Path, **shape: Any) -> None:
     orders = distinct([Shape(**shape).order(model) for model in models])
     tools = toolchain()
     for order in orders:
-        click.echo(f"built {output / make(order, tools, output).name}")
+        with clock():
+            made = make(order, tools, output)
+        click.echo(f"built {output / made.name}")

@@ -12,6 +12,7 @@ from eigenmotion.files import write
 from eigenmotion.order import Order
 
 from .options import Shape, distinct, models, output, shaping
+from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
 
@@ -31,6 +32,11 @@ def command(models: tuple[Path, ...], output: Path, check: bool, strict: bool, d
     --check its exit code is 0.
     """
     orders = distinct([Shape(**shape).order(model) for model in models])
+    with clock():
+        return _done(orders, output, check=check, strict=strict, diff=diff)
+
+
+def _done(orders: list[Order], output: Path, *, check: bool, strict: bool, diff: bool) -> int:
     if not (check or strict or diff):
         for order in orders:
             _write(_derived(order), output)

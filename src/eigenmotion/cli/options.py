@@ -1,7 +1,9 @@
 """Arguments and options that commands share."""
 
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -14,6 +16,27 @@ from eigenmotion.order import Order, order
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
+
+
+class Finite(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions of click only
+    """A number that is neither infinite nor NaN, which click's own would be."""
+
+    name = "number"
+
+    def __init__(self, *, above_zero: bool = False) -> None:
+        self._above_zero = above_zero
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Read it."""
+        number = float(click.FLOAT.convert(value, param, ctx))
+        if not isfinite(number):
+            self.fail(f"{value!r} is not a finite number.", param, ctx)
+        if self._above_zero and number <= 0:
+            self.fail(f"{value!r} is not above 0.", param, ctx)
+        return number
+
+
+ABOVE_ZERO = Finite(above_zero=True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,21 +62,21 @@ class Shape:
 def define(command: Command) -> Command:
     """Add -D."""
     option = click.option("-D", "define", multiple=True, metavar="NAME=VALUE",
-                          help="Set an argument of the model's function.")  # fmt: skip
+                          help="Set an argument of the model's function, as -D n=10.")  # fmt: skip
     return option(command)
 
 
 def setting(command: Command) -> Command:
     """Add --set."""
     option = click.option("--set", "settings", multiple=True, metavar="NAME=VALUE",
-                          help="A parameter or initial value: theta=0.5, theta'=1 for a rate; a quasi-velocity."
-                          )  # fmt: skip
+                          help="A parameter, an input (held at that value), or an initial value: theta=0.5, "
+                          "theta'=1 for a rate; a quasi-velocity.")  # fmt: skip
     return option(command)
 
 
 def ending(kind: Any) -> Callable[[Command], Command]:
     """Add --t-end, a number of some kind."""
-    return click.option("--t-end", type=kind, default=10.0, show_default=True,
+    return click.option("--t-end", type=kind, default=10.0, show_default=True, metavar="T",
                         help="Time at which to end; it starts at 0.")  # fmt: skip
 
 
@@ -100,7 +123,7 @@ def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
 
 
 def values(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float]]:
-    """--set NAME=VALUE ... -> the arguments parameters, x0 and v0 of `simulate`, those that are given.
+    """--set NAME=VALUE ... -> the arguments parameters, inputs, x0 and v0 of `simulate`, those that are given.
 
     Raises
     ------
@@ -108,14 +131,19 @@ def values(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float
         A name that the model does not have, or a value that is no number.
     """
     given = {name: _number(name, text) for name, text in assignments(settings, "--set").items()}
-    parameters, positions = ([spelled(key) for key in keys] for keys in (dict(model.parameters), model.coordinates))
-    rates = sorted({*(f"{name}'" for name in positions), *(spelled(y) for y, _ in model.quasi_velocities)})
-    unknown = sorted(given.keys() - {*parameters, *positions, *rates})
-    if unknown:
-        known = ", ".join([*parameters, *positions, *rates])
-        raise click.UsageError(f"--set {unknown[0]}: not known to {model.name}, which has {known}")
-    kinds = (("parameters", parameters), ("x0", positions), ("v0", rates))
-    chosen = {kind: {name.removesuffix("'"): given[name] for name in names if name in given} for kind, names in kinds}
+    positions = [spelled(key) for key in model.coordinates]
+    kinds = {
+        "parameters": [spelled(key) for key, _ in model.parameters],
+        "inputs": [spelled(key) for key, _ in model.inputs],
+        "x0": positions,
+        "v0": [*(f"{name}'" for name in positions), *(spelled(y) for y, _ in model.quasi_velocities)],
+    }
+    known = [name for names in kinds.values() for name in names]
+    if unknown := sorted(given.keys() - set(known)):
+        raise click.UsageError(f"--set {unknown[0]}: not known to {model.name}, which has {', '.join(known)}")
+    chosen = {
+        kind: {name.removesuffix("'"): given[name] for name in names if name in given} for kind, names in kinds.items()
+    }
     return {kind: numbers for kind, numbers in chosen.items() if numbers}
 
 
@@ -124,6 +152,22 @@ def _number(name: str, text: str) -> float:
         return float(text)
     except ValueError as error:
         raise click.UsageError(f"--set {name}={text}: {text} is not a number") from error
+
+
+def check_writable(folder: Path, option: str) -> None:
+    """Find out before the work whether its files can be written: into a folder that is there, or can be made.
+
+    Raises
+    ------
+    UsageError
+        They cannot; names the option and says why.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise click.UsageError(f"{option} {folder}: nothing can be written there ({error.strerror})") from error
 
 
 def distinct(orders: list[Order]) -> list[Order]:

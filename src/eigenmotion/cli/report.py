@@ -1,8 +1,5 @@
 """`eigenmotion report`."""
 
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 
@@ -12,19 +9,17 @@ from eigenmotion.order import Order, order
 from eigenmotion.plot import require_matplotlib
 from eigenmotion.report import Ask, examine, recommendation, write_report
 
-from .options import assignments, define, distinct, ending, setting, values
-
-Progress = Callable[[float, str], None]
-_STEPS = 1000
+from .options import ABOVE_ZERO, assignments, check_writable, define, distinct, ending, setting, values
+from .progress import bar
 
 
 @click.command("report")
 @click.argument("models", metavar="MODEL...", nargs=-1, type=click.Path(path_type=Path))
 @click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path("report"),
               show_default=True, help="Folder of the page, pictures and numbers.")  # fmt: skip
-@click.option("--error", type=click.FloatRange(min=0, min_open=True), default=1e-8, show_default=True,
+@click.option("--error", type=ABOVE_ZERO, default=1e-8, show_default=True, metavar="E",
               help="The accuracy to recommend for.")  # fmt: skip
-@ending(click.FloatRange(min=0, min_open=True))
+@ending(ABOVE_ZERO)
 @setting
 @define
 @click.option("--paper", is_flag=True, help="Also draw the figures of the paper's experiment.")
@@ -47,6 +42,7 @@ def command(
     if settings and not models:
         raise click.UsageError("--set is for a MODEL: name one")
     require_matplotlib()
+    check_writable(output, "-o")
     if models:
         orders = distinct([order(file, assignments(define, "-D")) for file in models])
         asked = [Ask(error=error, t_end=t_end, settings=values(each.model, settings)) for each in orders]
@@ -58,7 +54,7 @@ def command(
 def _report(orders: list[Order], asked: list[Ask], output: Path) -> None:
     reports = []
     for each, ask in zip(orders, asked, strict=True):
-        with _bar(each.model.name) as progress:
+        with bar(each.model.name) as progress:
             reports.append(examine(each.model, ask, progress))
     page, *others = write_report(reports, output)
     for found in reports:
@@ -68,18 +64,3 @@ def _report(orders: list[Order], asked: list[Ask], output: Path) -> None:
 
 def _draw_paper(output: Path) -> None:
     click.echo(str(import_module("eigenmotion.paper").write_figures(output)))
-
-
-@contextmanager
-def _bar(name: str) -> Iterator[Progress]:
-    """Show how far it is, where somebody is watching."""
-    if not sys.stderr.isatty():
-        yield lambda _done, _what: None
-        return
-    with click.progressbar(length=_STEPS, label=name, file=sys.stderr, item_show_func=str) as bar:
-
-        def progress(done: float, what: str) -> None:
-            bar.update(max(0, round(_STEPS * done) - bar.pos), what)
-
-        yield progress
-        progress(1.0, "done")

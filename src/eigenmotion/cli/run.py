@@ -1,5 +1,6 @@
 """`eigenmotion run`."""
 
+import logging
 import time
 from pathlib import Path
 from typing import Any
@@ -17,20 +18,25 @@ from eigenmotion.summary import summary
 from eigenmotion.system import System
 from eigenmotion.toolchain import toolchain
 
-from .options import Shape, ending, model, setting, shaping, values
+from .options import Finite, Shape, check_writable, ending, model, setting, shaping, values
+from .progress import clock
+
+_log = logging.getLogger("eigenmotion")
 
 
 @click.command("run")
 @model
-@ending(click.FLOAT)
-@click.option("--rtol", type=float, default=1e-6, show_default=True, help="Relative tolerance.")
-@click.option("--atol", type=float, default=1e-9, show_default=True, help="Absolute tolerance.")
-@click.option("--method", default="dop853", show_default=True,
-              help="rk34, dopri5, dop853; implicit, for stiff models: Radau, BDF, LSODA, cvode.")  # fmt: skip
+@ending(Finite())
+@click.option("--rtol", type=Finite(), default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
+@click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
+@click.option("--method", default="dop853", show_default=True, metavar="NAME",
+              help="rk34, dopri5, dop853; implicit, for stiff models: Radau, BDF, LSODA, CVODE.")  # fmt: skip
 @setting
 @click.option("--estimate-error", is_flag=True, help="Run again more accurately, and say how large the error is.")
-@click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), help="Draw the coordinates over time.")
-@click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), help="Save to FILE.npz or FILE.csv.")
+@click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help="Draw the coordinates over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
+@click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help="Save every row, to FILE.npz or FILE.csv.")  # fmt: skip
 @shaping
 def command(
     model: Path,
@@ -53,10 +59,13 @@ def command(
     order = Shape(**shape).order(model)
     given = values(order.model, settings)
     options = {"rtol": rtol, "atol": atol, "method": method, "estimate_error": estimate_error}
-    system = load(make(order, toolchain()))
-    start = time.perf_counter()
-    solution = _simulated(system, t_end, dense_output=bool(plot), **options, **given)
-    click.echo(summary(system, solution, time.perf_counter() - start))
+    with clock():
+        system = load(make(order, toolchain()))
+        _log.info("running %s to t = %g", system.name, t_end)
+        start = time.perf_counter()
+        solution = _simulated(system, t_end, dense_output=bool(plot), **options, **given)
+        seconds = time.perf_counter() - start
+    click.echo(summary(system, solution, seconds))
     if plot:
         draw_coordinates(system, solution, plot)
         click.echo(f"drawn to {plot}")
@@ -75,6 +84,8 @@ def _check_targets(plot: Path | None, target: Path | None) -> None:
             raise click.UsageError(f"{option} {file}: known endings are {', '.join(endings)}")
         if file and not file.absolute().parent.is_dir():
             raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
+        if file:
+            check_writable(file.absolute().parent, option)
 
 
 def _simulated(system: System, t_end: float, **options: Any) -> Solution:

@@ -1,9 +1,6 @@
 """`eigenmotion stability`."""
 
 import os
-import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import click
@@ -11,7 +8,9 @@ import click
 from eigenmotion.plot import require_matplotlib
 from eigenmotion.stability import CASES, Matrix, Outcome, summary, survey, write_matrix
 
-_STEPS = 1000
+from .options import check_writable
+from .progress import bar
+
 _WORKERS = min(2, os.cpu_count() or 1)
 
 
@@ -28,24 +27,11 @@ def command(output: Path, names: tuple[str, ...], workers: int) -> int:
     Writes stability.html, stability.json and the pictures. Exits with 3 where a run that says it succeeded is wrong.
     """
     require_matplotlib()
-    with _bar() as progress:
+    check_writable(output, "-o")
+    with bar("stability") as progress:
         matrix: Matrix = survey(names or tuple(CASES), workers, progress)
     page, *others = write_matrix(matrix, output)
     for line in summary(matrix):
         click.echo(line)
     click.echo(f"wrote {page} and {len(others)} files beside it")
     return 3 if matrix.count(Outcome.WRONG) else 0
-
-
-@contextmanager
-def _bar() -> Iterator[Callable[[float, str], None]]:
-    """Show how far it is, where somebody is watching."""
-    if not sys.stderr.isatty():
-        yield _silent
-        return
-    with click.progressbar(length=_STEPS, label="stability", file=sys.stderr, item_show_func=str) as bar:
-        yield lambda done, what: bar.update(max(0, round(_STEPS * done) - bar.pos), what)
-
-
-def _silent(done: float, what: str) -> None:
-    """Nobody is watching."""

@@ -13,6 +13,7 @@ import numpy as np
 import sympy
 
 from ..codegen.model import Model, t
+from ..codegen.normalise import name_of
 from ..names import Vector
 
 Function = Callable[..., Sequence[Any]]
@@ -48,8 +49,8 @@ class Classical:
         """M, A row by row, then f and g."""
         return [entry for row in (*self.M, *self.A) for entry in row] + [*self.f, *self.g]
 
-    def with_parameters(self, values: Mapping[str, float]) -> "Classical":
-        """Return the same equations with other values of parameters."""
+    def with_values(self, values: Mapping[str, float]) -> "Classical":
+        """Return the same equations with other values of parameters and inputs."""
         return replace(self, constants=tuple((key, values.get(str(key), value)) for key, value in self.constants))
 
     def split(self, values: Sequence[Any]) -> tuple[list[Sequence[Any]], list[Sequence[Any]], Any, Any]:
@@ -80,7 +81,7 @@ def classical(model: Model) -> Classical:
 def _symbols(model: Model) -> tuple[Any, Any, Any, Callable[[sympy.Expr], sympy.Expr]]:
     """Return plain symbols, the constants' values, and the function that puts the symbols in."""
     x, v = (sympy.symbols(f"em_{letter}:{len(model.coordinates)}") for letter in "xv")
-    u = sympy.symbols(f"em_u:{len(model.inputs)}")
+    u = [sympy.Symbol(name_of(signal)) for signal, _ in model.inputs]
     rates = dict(zip(model.rates, v, strict=True))
     others = dict(zip([*model.coordinates, *(name for name, _ in model.inputs), t], [*x, *u, sympy.Symbol("em_time")],
                       strict=True))  # fmt: skip

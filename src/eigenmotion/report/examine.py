@@ -27,7 +27,7 @@ class Ask:
     error : the accuracy asked for
     t_end : [s]
     tolerances : of our runs with compiled methods, from loose to tight
-    settings : parameters, x0, v0 over the model's own, as `simulate` takes them
+    settings : parameters, inputs, x0, v0 over the model's own, as `simulate` takes them
     """
 
     error: float = 1e-8
@@ -78,7 +78,8 @@ def examine(model: Model, ask: Ask, progress: Progress) -> Findings:
     found = subject(model, _part(progress, 0.0, 0.2))
     system, parameters = found.systems[0], ask.settings.get("parameters", {})
     progress(0.2, "reference")
-    equations, probe = classical(model).with_parameters(parameters), _probe(system, ask)
+    values = {**parameters, **ask.settings.get("inputs", {})}
+    equations, probe = classical(model).with_values(values), _probe(system, ask)
     rows = np.concatenate([probe.x, probe.v]).T
     known = reference(equations, rows[0], ask.t_end, along=(probe.t, rows))
     solvers, absent = _solvers(found, ask, equations, rows[0])

@@ -83,7 +83,7 @@ def _section(found: Findings, drawn: Sequence[Picture]) -> Section:
 
 def _about(found: Findings) -> str:
     system = found.subject.systems[0]
-    given = [f"{name}{mark} = {value:g}" for kind, mark in (("parameters", ""), ("x0", ""), ("v0", "'"))
+    given = [f"{name}{mark} = {value:g}" for kind, mark in (("parameters", ""), ("inputs", ""), ("x0", ""), ("v0", "'"))
              for name, value in found.ask.settings.get(kind, {}).items()]  # fmt: skip
     return (
         f"Coordinates: {system.n}. Constraint rows: {system.m}, {system.h} of them holonomic. "

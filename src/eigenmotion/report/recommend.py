@@ -49,14 +49,20 @@ class Curve:
         return [point for point, is_steady in zip(self.points, steady, strict=True) if is_steady]
 
     def seconds_at(self, error: float) -> float | None:
-        """Return the time to reach `error` [s], interpolated in logarithms; None where the curve does not reach it.
+        """Return the time to reach `error` [s], of the quickest that do; None where the curve does not reach it.
 
-        Where the loosest tolerance measured is better than that already, its time: looser ones may be quicker.
+        Up to the loosest that does, the times are interpolated in logarithms. Where the loosest tolerance measured is
+        better than `error` already, looser ones may be quicker.
         """
         reached = self.reaching(error)
         if not reached:
             return None
-        k = self.points.index(reached[0])
+        return min(
+            self._crossing(error, self.points.index(reached[0])), *(point.seconds or np.inf for point in reached)
+        )
+
+    def _crossing(self, error: float, k: int) -> float:
+        """Return the time at which the line from point k - 1 to k crosses `error`, or that of point k."""
         errors, seconds = np.maximum(self.errors, 1e-300), self.seconds
         if k == 0 or not errors[k - 1] > error:
             return seconds[k]

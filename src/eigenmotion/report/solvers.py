@@ -14,7 +14,7 @@ from ..solution import Solution
 from ..system import System
 
 METHODS = {"rk34": 4, "dopri5": 5, "dop853": 8}  # compiled ones, with the order that error falls with
-IMPLICIT = ("Radau", "BDF", "LSODA", "cvode")
+IMPLICIT = ("Radau", "BDF", "LSODA", "CVODE")
 RADAU_ORDER = 5
 OURS = "eigenmotion"
 OUR_TOLERANCES = tuple(float(10.0 ** (-k / 2)) for k in range(6, 28))  # 1e-3, 3e-4, ... 3e-14
@@ -70,7 +70,7 @@ class Solver:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """What every run of ours is given: the span, and the arguments parameters, x0, v0 of `simulate`."""
+    """What every run of ours is given: the span, and the arguments parameters, inputs, x0, v0 of `simulate`."""
 
     t_end: float
     settings: Mapping[str, Mapping[str, float]]
@@ -88,7 +88,7 @@ def implicit_solvers(systems: Sequence[System], scene: Scene) -> tuple[list[Solv
     them: lagrange nothing, so that its rows are the quickest.
     """
     chosen = next((system for system in systems if system.formulation == _PLAIN), systems[0])
-    absent = [] if find_spec("sksundae") else [("cvode", "not installed (pip install 'eigenmotion[stiff]')")]
+    absent = [] if find_spec("sksundae") else [("CVODE", "not installed (pip install 'eigenmotion[stiff]')")]
     names = [method for method in IMPLICIT if method not in dict(absent)]
     return [_solver(chosen, scene, method, IMPLICIT_TOLERANCES) for method in names], absent
 

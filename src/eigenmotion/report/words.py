@@ -4,6 +4,9 @@ from .examine import Findings
 from .measure import Measurement
 from .solvers import OURS
 
+STEADY = 1.25
+"""Quartiles of repeated calls lie closer than this on a machine that does nothing else."""
+
 
 def number(value: float | None) -> str:
     """Three digits, or a dash where there is none."""
@@ -42,7 +45,7 @@ def recommendation(found: Findings) -> tuple[str, ...]:
         f'(0, {found.ask.t_end:g}){given}, method="{best.method}", rtol={best.tolerance:.1e}, '
         f"atol={best.tolerance:.1e})"
     )
-    return (choice, call, *_as_fast(found), *_others(found), *_caution(found))
+    return (choice, call, *_as_fast(found), *_others(found), *_spread(best), *_caution(found))
 
 
 def _not_reached(found: Findings) -> str:
@@ -70,6 +73,17 @@ def _others(found: Findings) -> tuple[str, ...]:
         return ()
     ranked = sorted(best.items(), key=lambda item: item[1])
     return ("Times as long to that error: " + ", ".join(f"{name} {t / least:.2g}" for name, t in ranked) + ".",)
+
+
+def _spread(best: Measurement) -> tuple[str, ...]:
+    low, high = best.seconds_low or 0.0, best.seconds_high or 0.0
+    if high <= STEADY * low:
+        return ()
+    words = (
+        f"The times spread: the upper quartile of this run is {high / low:.2g} times the lower one, as where others "
+        "use the machine. Measure again on a quiet one before you choose by them."
+    )
+    return (words,)
 
 
 def _caution(found: Findings) -> tuple[str, ...]:

@@ -14,7 +14,7 @@ from .truth import Truth
 from .variants import UNCONSTRAINED, Variant
 
 EXPLICIT = {"rk34": 1e-7, "dopri5": 1e-8, "dop853": 1e-8}
-STIFF = {"radau": 1e-6, "bdf": 1e-6, "lsoda": 1e-7} | ({"cvode": 1e-7} if find_spec("sksundae") else {})
+STIFF = {"Radau": 1e-6, "BDF": 1e-6, "LSODA": 1e-7} | ({"CVODE": 1e-7} if find_spec("sksundae") else {})
 TOLERANCES: Mapping[str, float] = MappingProxyType(EXPLICIT | STIFF)
 
 

@@ -104,7 +104,7 @@ def _cardan_axes(theta: float) -> Vector:
 def _cardan(z: Vector) -> Vector:
     """Return psi, phi, theta and their rates of (q, omega)."""
     (a, b, c, d), omega = z[:4], z[4:]
-    up = upwards(z)
+    up = upwards(z.astype(np.longdouble)).astype(np.float64)
     psi = np.arctan2(-2 * (b * c - a * d), a * a - b * b + c * c - d * d)
     phi, theta = np.arctan2(up[1], np.hypot(up[0], up[2])), np.arctan2(-up[0], up[2])
     phi_dot, along, across = _cardan_axes(theta) @ omega

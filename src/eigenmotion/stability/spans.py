@@ -67,7 +67,7 @@ def origin(distance: float) -> Point:
 
 def _swing_about(hung: Vector, start: Vector, elapsed: Vector) -> Vector:
     shift = np.concatenate([hung, np.zeros(2)])
-    return _swing(start - shift, elapsed) + shift
+    return np.asarray(_swing(start - shift, elapsed) + shift)
 
 
 def lengths_of_link(u: float) -> Point:

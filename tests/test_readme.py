@@ -1,0 +1,43 @@
+"""What the README tells a newcomer to do, done as it is printed, after a plain install: without matplotlib."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from eigenmotion.cli import main
+
+README = (Path(__file__).parents[1] / "README.md").read_text()
+
+
+def block(heading: str, language: str) -> str:
+    """Return the first code block of a language below a heading."""
+    return re.search(rf"```{language}\n(.*?)```", README.split(f"### {heading}\n")[1], re.DOTALL)[1]
+
+
+@pytest.fixture
+def pendulum(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
+    monkeypatch.setattr("eigenmotion.plot.find_spec", lambda name: None)
+    Path("pendulum.py").write_text(block("A model file", "python"))
+
+
+def test_the_commands_work_without_matplotlib_and_the_one_that_draws_asks_for_it(pendulum, capsys):
+    first, *others, drawing = [
+        shlex.split(line, comments=True)[1:] for line in block("From the command line", "sh").splitlines()
+    ]
+    assert first[:2] == ["run", "pendulum.py"]
+    assert [main(command) for command in (first, *others)] == [0, 0]
+    assert "finished at t = 10" in capsys.readouterr().out
+    assert Path("pendulum.csv").is_file()
+    assert main(drawing) == 2
+    assert "pip install 'eigenmotion[plot]'" in capsys.readouterr().err
+
+
+def test_the_python_works(pendulum, capsys):
+    exec(block("From Python", "python"), {})
+    success, energy = capsys.readouterr().out.splitlines()
+    assert success.startswith("True 10.0 ")
+    assert 0 <= float(energy) < 1e-5
