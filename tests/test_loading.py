@@ -116,7 +116,7 @@ def test_a_file_that_is_no_python(tmp_path, content):
 
 
 def test_numbers_beyond_a_double(write):
-    with pytest.raises(em.ModelError, match="largest number"):
+    with pytest.raises(em.ModelError, match="beyond the range of a double"):
         em.load_model(write("model = " + MODEL.format(name="scene").replace("1.0", "10**400")))
     with pytest.raises(em.ModelError, match="n=1111"):
         em.load_model(write("seen = []" + FUNCTION), n="1" * 5000)
