@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .loading import load_model as load_model
+    from .proof import ProofError as ProofError
     from .runtime import StopReason as StopReason
     from .simulate import simulate as simulate
     from .solution import Solution as Solution
@@ -29,6 +30,7 @@ _HOME = {
     "Event": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
+    "ProofError": ".proof",
     "Solution": ".solution",
     "StopReason": ".runtime",
     "System": ".system",
