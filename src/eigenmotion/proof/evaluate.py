@@ -12,6 +12,8 @@ from sympy.logic.boolalg import ITE, And, BooleanFalse, BooleanTrue, Not, Or
 
 from .hyperdual import FUNCTIONS, RELATIONS, HyperDual, Part, power
 
+_NO_VALUE = HyperDual(np.nan, np.nan, np.nan, np.nan)
+
 
 class Evaluation:
     """Values of expressions at many places at once; each subexpression is computed once.
@@ -60,13 +62,13 @@ class Evaluation:
     def _function(self, name: str, arguments: tuple[sympy.Basic, ...]) -> HyperDual:
         if name not in FUNCTIONS:
             self.unknown.add(name)
-            return HyperDual(np.nan)
+            return _NO_VALUE
         if name in ("Min", "Max"):
             return reduce(FUNCTIONS[name], map(self, arguments))
         return FUNCTIONS[name](*map(self, arguments[:1] if name == "Heaviside" else arguments))
 
     def _piecewise(self, expression: Piecewise) -> HyperDual:
-        value = HyperDual(np.nan)
+        value = _NO_VALUE
         for branch, condition in reversed([pair.args for pair in expression.args]):
             value = self(branch).where(self._holds(condition), value)
         return value

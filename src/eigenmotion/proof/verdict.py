@@ -53,20 +53,19 @@ def prove(model: Model, system: System) -> None:
 
 
 def _compare(model: Model, system: System, places: Places) -> tuple[list[str], bool]:
-    """Return the identities that the places say nothing about, by their first names, and whether those are all."""
+    """Return the identities that the places say nothing about, by their first names, and whether nothing moves there."""
     found = ask(system, places)
     stated = evaluate(model, places, found)
     if stated.unknown:
         _log.info("%s: not proved where %s stands", model.name, ", ".join(sorted(stated.unknown)))
-    unproved, silent = [], True
+    unproved: list[str] = []
     with np.errstate(all="ignore"):
         for identity in _identities(model, system, places, found, stated):
             error = _error(identity, places.drawn)
             _refuse(model, system, places, identity, error)
             blind = np.isnan(error).all(axis=0)
             unproved += np.array(identity.names)[blind][:1].tolist()
-            silent &= bool(blind.all())
-    return unproved, silent
+    return unproved, bool(np.isnan(found.a).all())
 
 
 def _identities(model: Model, system: System, places: Places, found: Found, stated: Stated) -> Iterator[Identity]:
