@@ -163,7 +163,7 @@ def test_a_miscompile_is_found(function, old, new):
     model = model_of("dual_link")
     formulation = function.removeprefix("rhs_") if function.startswith("rhs_") else "eigenfactor"
     faulty = loaded(changed(model, function, old, new, formulation), "-O0")
-    with pytest.raises(ProofError, match="dual_link: what was compiled is not the model: .* theta1 = "):
+    with pytest.raises(ProofError, match=r"dual_link: what was compiled is not the model: .* theta1 = "):
         prove(model, faulty)
 
 

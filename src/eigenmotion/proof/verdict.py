@@ -53,7 +53,7 @@ def prove(model: Model, system: System) -> None:
 
 
 def _compare(model: Model, system: System, places: Places) -> tuple[list[str], bool]:
-    """Return the identities that the places say nothing about, by their first names, and whether nothing moves there."""
+    """Return what the places say nothing about, by the first names, and whether nothing moves at any of them."""
     found = ask(system, places)
     stated = evaluate(model, places, found)
     if stated.unknown:
