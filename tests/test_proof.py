@@ -177,6 +177,14 @@ def test_expressions_of_all_kinds_are_looked_at(function, old, named):
         prove(model, loaded(changed(model, function, old, f"{old}1.0001*"), "-O0"))
 
 
+def test_dependent_rows_are_held_against_the_equations_of_motion():
+    model = two(qd**2 + rd**2, potential_energy=q**2, holonomic_constraints=[q**2 + r**2 - k, 2 * (q**2 + r**2 - k)])
+    prove(model, system_for(model))
+    faulty = loaded(changed(model, "motion_bias", "bias[0] = ", "bias[0] = 1.0001*"), "-O0")
+    with pytest.raises(ProofError, match="the equation of motion of q"):
+        prove(model, faulty)
+
+
 def test_nothing_of_a_faulty_module_reaches_the_cache(own_cache):
     model = model_of("pendulum")
     sources = changed(model, "mass_matrix", "M[0] = ", "M[0] = 1.0001*")

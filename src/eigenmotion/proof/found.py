@@ -18,7 +18,8 @@ class Found:
 
     M (k, n, n); dM (k, n, n, n); A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
     events (k, n_events); a (k, n); multipliers (k, m); outputs (k, n_outputs); C (k, n, n); s (k, n);
-    y, dy (k, n_state); velocity (k, n) of y
+    y, dy (k, n_state); velocity (k, n) of y;
+    least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
     """
 
     M: Vector
@@ -37,6 +38,7 @@ class Found:
     y: Vector
     dy: Vector
     velocity: Vector
+    least_norm: Vector
 
 
 def ask(system: System, places: Places) -> Found:
@@ -54,14 +56,18 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
         return tuple(np.full(shape, np.nan) for shape in _shapes(c))
     time, position, moving, inputs = np.array([t]), x[None], v[None], u[None]
     a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, False)
+    least_norm = bool(np.isnan(a).any())
+    if least_norm:
+        a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, True)
     C, s = c.eigenfactor_rows(time, position, prepared)
     y = c.state_rows(time, position, moving, prepared)
     return (
         c.mass_matrix(t, x, prepared), c.mass_matrix_gradient(t, x, prepared), *c.pfaffian(t, x, prepared),
         c.position(t, x, prepared), c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0], c.event_rows(time, position, moving, inputs, prepared)[0],
-        a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, False)[0], C[0], s[0], y[0],
+        a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
         _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
+        np.array(least_norm),
     )  # fmt: skip
 
 
@@ -76,4 +82,4 @@ def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
     """Shapes of the fields of Found at one place."""
     n, m, state = c.n, c.m, (c.n_state,)
     return ((n, n), (n, n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,), (n,), (m,),
-            (c.n_outputs,), (n, n), (n,), state, state, (n,))  # fmt: skip
+            (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

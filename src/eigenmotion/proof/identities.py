@@ -90,6 +90,7 @@ def _row_sizes(v: Vector, found: Found, stated: Stated) -> Vector:
     terms = np.einsum("kri,ki->kr", np.abs(stated.A), np.abs(found.a))
     terms += np.einsum("kri,ki->kr", np.abs(stated.A_rate), np.abs(v))
     delta = stated.A @ inverse(stated.M) @ stated.A.transpose(0, 2, 1)
+    terms[found.least_norm != 0.0] = np.nan  # dependent rows may contradict each other off the constraints
     return np.asarray(terms + np.einsum("krs,ks->kr", geometric(delta), np.abs(found.multipliers)))
 
 

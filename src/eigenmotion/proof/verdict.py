@@ -46,8 +46,7 @@ def prove(model: Model, system: System) -> None:
         if not unproved:
             return
     if silent:
-        _log.warning("%s: not proved: no state was found at which the model has values. Give a start where it has "
-                     "some: `initial`", model.name)  # fmt: skip
+        _log.warning("%s: not proved: no state was found at which the model has an acceleration", model.name)
     for name in unproved:
         _log.info("%s: not proved: %s has no value at the states tried", model.name, name)
 
