@@ -28,7 +28,7 @@ from eigenmotion.cache import LOCATION
 from eigenmotion.toolchain import Toolchain, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
-CASES = (("dual_link", {}, 3), ("chain", {"n": 10}, 1), ("chain", {"n": 20}, 1))
+CASES = (("dual_link", {}, 3), ("spatial_arm", {"n": 6}, 1), ("chain", {"n": 10}, 1), ("chain", {"n": 20}, 1))
 """File, arguments, repeats."""
 GENERATOR = ("derive", "specialise", "lower", "emit")
 COMPILER = {"compile_model": "C compiler", "compile_glue": "C of the wrapper", "link": "link"}
@@ -63,7 +63,7 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
             stack.enter_context(patch.object(compiler, name, timed(name, getattr(compiler, name), seconds)))
         for name, title in COMPILER.items():
             stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
-        for name, title in (("run", "Cython"), ("_import", "import")):
+        for name, title in (("run", "Cython"), ("prove", "proof"), ("_import", "import")):
             stack.enter_context(patch.object(build_module, name, timed(title, getattr(build_module, name), seconds)))
         model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
         timed("all", build_module.build, seconds)(model)

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from .errors import BuildError as BuildError
     from .errors import CompilerNotFoundError as CompilerNotFoundError
     from .loading import load_model as load_model
+    from .proof import ProofError as ProofError
     from .runtime import StopReason as StopReason
     from .signals import Signal as Signal
     from .simulate import simulate as simulate
@@ -30,6 +31,7 @@ _HOME = {
     "Event": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
+    "ProofError": ".proof",
     "Signal": ".signals",
     "Solution": ".solution",
     "StopReason": ".runtime",

@@ -20,6 +20,7 @@ from .codegen.model import Model
 from .errors import BuildError, FolderError
 from .files import write
 from .order import Order, order
+from .proof import prove
 from .system import System
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, run, toolchain
 
@@ -85,7 +86,7 @@ def make(wanted: Order, tools: Toolchain, output: Path | None = None) -> Path:
     Where `output` is given, that folder gets the sources and the module, once both are there.
     """
     sources = cached_sources(wanted)
-    binary = compiled(sources, tools)
+    binary = compiled(sources, tools, wanted.model)
     if output is not None:
         with guarded():
             module = binary.read_bytes()
@@ -116,11 +117,12 @@ def cached_sources(wanted: Order) -> Sources:
     return Sources(wanted.model.name, files)
 
 
-def compiled(sources: Sources, tools: Toolchain) -> Path:
-    """Return the path of the extension module made of `sources`."""
+def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> Path:
+    """Return the path of the extension module made of `sources`, and proved to be the model, where that is given."""
     bodies = [body_hash(file.text) for file in sources.files]
-    name = key(sources.name, *bodies, _abi(), tools.identity, _python())
-    folder = entry("binaries", name, lambda folder: compile_in(sources, tools, folder))
+    proved = () if model is None else (model.canonical(), _proof())
+    name = key(sources.name, *bodies, _abi(), tools.identity, _python(), *proved)
+    folder = entry("binaries", name, lambda folder: compile_in(sources, tools, folder, model))
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
@@ -140,12 +142,22 @@ def load(binary: Path) -> System:
 
 
 def _import(name: str, binary: Path) -> ModuleType:
-    loader = ExtensionFileLoader(name, str(binary))
-    spec = ModuleSpec(name, loader, origin=str(binary))
-    module = module_from_spec(spec)
-    loader.exec_module(module)
-    sys.modules[name] = module
+    sys.modules[name] = module = _executed(name, binary)
     return module
+
+
+def _executed(name: str, binary: Path) -> ModuleType:
+    loader = ExtensionFileLoader(name, str(binary))
+    module = module_from_spec(ModuleSpec(name, loader, origin=str(binary)))
+    loader.exec_module(module)
+    return module
+
+
+def _loaded_apart(binary: Path, stem: str) -> System:
+    """Return the System of a module that is loaded from here this once; what is imported later is a copy of it."""
+    with _loading:
+        system: System = _executed(f"_eigenmotion_apart.{stem}", binary).system
+    return system
 
 
 def _generate(wanted: Order, folder: Path) -> None:
@@ -154,8 +166,8 @@ def _generate(wanted: Order, folder: Path) -> None:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 
 
-def compile_in(sources: Sources, tools: Toolchain, folder: Path) -> None:
-    """Compile in a folder of its own, for compilers leave files about, and keep the module only.
+def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None) -> None:
+    """Compile in a folder of its own, for compilers leave files about, prove the module and keep it only.
 
     It lies in the one that gets the module: what a build that is killed leaves behind goes with that.
     """
@@ -166,6 +178,8 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path) -> None:
             (work / file.name).write_text(file.text, encoding="utf-8")
         _compile_in(work, sources.name, tools)
         module = f"{sources.name}{EXTENSION_SUFFIX}"
+        if model is not None:
+            prove(model, _loaded_apart(work / module, sources.name))
         shutil.copyfile(work / module, folder / module)
 
 
@@ -193,3 +207,9 @@ def _abi() -> str:
 def _python() -> str:
     """Interpreter and libraries whose binary interfaces the module uses."""
     return key(sys.version, EXTENSION_SUFFIX, version("cython"), version("numpy"))
+
+
+@cache
+def _proof() -> str:
+    """Hash of what a module is held against before it is kept."""
+    return key(*(path.read_bytes() for path in sorted((Path(__file__).parent / "proof").glob("*.py"))))

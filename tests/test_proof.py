@@ -1,0 +1,248 @@
+"""A build proves itself: planted faults are found before anything is kept, and what is right passes."""
+
+import logging
+from dataclasses import replace
+from unittest.mock import patch
+
+import numpy as np
+import pytest
+import sympy
+from eigenmotion.codegen import convert
+from eigenmotion.codegen.compiler import generate
+from eigenmotion.codegen.evaluate import Zeros
+from eigenmotion.codegen.graph import Graph, Kind, exact
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion.build import compiled
+from eigenmotion.proof import ProofError, prove
+from eigenmotion.proof.evaluate import Evaluation
+from eigenmotion.proof.hyperdual import FUNCTIONS, RELATIONS, HyperDual
+from eigenmotion.toolchain import toolchain
+
+from .generation import FORMULATIONS, NAMES, loaded, model_of, system_for, system_of
+from .test_random_mechanisms import SHAPES, mechanism
+
+q, r = dynamicsymbols("q r")
+qd, rd = q.diff(), r.diff()
+k = sympy.Symbol("k")
+
+
+@pytest.fixture
+def own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path))
+    return tmp_path
+
+
+def two(kinetic_energy, name="two", **more):
+    return em.Model(name=name, coordinates=[q, r], kinetic_energy=kinetic_energy, parameters={k: 1.0},
+                    initial={q: 0.7, r: 0.3}, **more)  # fmt: skip
+
+
+# -- what is right passes
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_models_are_proved(name, formulation):
+    prove(model_of(name), system_of(name, formulation))
+
+
+@pytest.mark.parametrize("options", [{"close_eigenvalues": "extrapolate"}, {"schur": "eigenfactor"}], ids=str)
+@pytest.mark.parametrize("name", ["rolling_disk", "dual_link", "four_bar"])
+def test_options_are_proved(name, options):
+    prove(model_of(name), system_of(name, **options))
+
+
+@pytest.mark.parametrize("number", range(len(SHAPES)))
+def test_random_mechanisms_are_proved(number):
+    prove(mechanism(number).model(), system_for(mechanism(number).model(), FORMULATIONS[number % 4]))
+
+
+@pytest.mark.parametrize(("length", "mass", "time"), [(1e-6, 1.0, 1.0), (1.0, 1e6, 1e-6), (1e6, 1e-6, 1e3)])
+def test_units_raise_no_alarm(length, mass, time):
+    stiffness, weight = 1e12 * mass / time**2, 9.81 * mass * length / time**2
+    model = two(
+        mass * ((qd**2 + rd**2) + (q / length) ** 2 * qd * rd / (1 + (q / length) ** 2)) / 2,
+        potential_energy=stiffness * (q - r) ** 2 / 2 + weight * sympy.sin(q / length),
+        holonomic_constraints=[q**2 + r**2 - length**2],
+        scales={q: length, r: length},
+    )
+    prove(model, system_for(model))
+
+
+def test_a_kink_at_the_start_is_no_evidence():
+    model = em.Model(name="kink", coordinates=[q], kinetic_energy=(1 + abs(q)) * qd**2, forces=[-sympy.sign(qd)])
+    prove(model, system_for(model))
+
+
+def test_places_without_values_are_no_evidence():
+    model = em.Model(name="shy", coordinates=[q], kinetic_energy=qd**2, potential_energy=sympy.log(q) + sympy.sqrt(q),
+                     initial={q: 1e-3})  # fmt: skip
+    prove(model, system_for(model))
+
+
+def test_what_has_no_value_anywhere_is_said(caplog):
+    model = em.Model(name="nowhere", coordinates=[q], kinetic_energy=sympy.sqrt(-1 - q**2) * qd**2)
+    with caplog.at_level(logging.WARNING):
+        prove(model, system_for(model))
+    assert "nowhere: not proved" in caplog.text
+
+
+# -- planted faults of the generator
+
+
+def test_a_lost_coefficient_is_found(own_cache):
+    """sqrt(S)^2 with S = 4 + q^2 comes without the 1/4 that stood before it."""
+    right = Graph.product
+
+    def careless(graph, factors):
+        node = right(graph, factors)
+        kind, operands = graph.records[node]
+        lost = kind is Kind.SUM and len(operands) == 1 and graph.records[operands[0][0]].kind is Kind.SUM
+        return operands[0][0] if lost and operands[0][1] == exact(1, 4) else node
+
+    model = two(k * (sympy.sqrt(1 + q**2 / 4) * qd + rd) ** 2 / 2 + rd**2 + qd**2 / 2)
+    with patch.object(Graph, "product", careless), pytest.raises(ProofError, match=r"two: .*d2T / dq' dq'.* q = 0\.7"):
+        em.build(model, flags="-O0")
+    assert not list((own_cache / "binaries").glob("*"))
+
+
+@pytest.mark.parametrize("place", ["M", "A"])
+def test_zeros_judged_at_positive_points_are_found(own_cache, place):
+    right, f = Zeros.__call__, (sympy.sqrt(q**2) - q) / 2
+
+    def hasty(zeros, node):
+        records = zeros.graph.records
+        names = [records[n].operands[0] for n in zeros.graph.reachable([node]) if records[n].kind is Kind.SYMBOL]
+        expression = convert.ToSympy(zeros.graph, {name: sympy.Symbol(name, positive=True) for name in names})(node)
+        return right(zeros, node) or sympy.simplify(expression) == 0
+
+    models = {"M": two(((1 + f) * qd**2 + rd**2) / 2), "A": two(qd**2 + rd**2, nonholonomic_constraints=[rd + f * qd])}
+    named = {"M": "kinetic_energy", "A": r"nonholonomic_constraints\[0\]"}
+    with patch.object(Zeros, "__call__", hasty), pytest.raises(ProofError, match=rf"{named[place]}.* q = -"):
+        em.build(models[place], flags="-O0")
+    assert not list((own_cache / "binaries").glob("*"))
+
+
+# -- planted miscompiles: the C text, changed in one place of one function
+
+EIGENFACTOR = (
+    ("mass_matrix", "M[5] = ", "M[5] = 1.00001*"),
+    ("mass_matrix", "M[9] = M[6] = ", "M[9] = M[6] = -"),
+    ("pfaffian", "A[1] = ", "A[1] = -"),
+    ("energy", "e[3] = 0.5*", "e[3] = 0.50001*"),
+    ("motion_bias", "gamma[0] = ", "gamma[0] = -"),
+    ("motion_bias", "bias[1] = ", "bias[1] = 1e-4 + "),
+    ("rhs_eigenfactor", "Omega1[i][k]*C1[k][j]", "Omega1[i][k]*C1[j][k]"),
+    ("rhs_eigenfactor", "0.5*mu1[i][i]", "mu1[i][i]"),
+    ("rhs_eigenfactor", "(push - drag)", "(push + drag)"),
+    ("rhs_eigenfactor", "sum -= B1[row][i]*lambda", "sum += B1[row][i]*lambda"),
+    ("rhs_eigenfactor", "f1[1] = ", "f1[1] = 1.0001*"),
+    ("rhs_eigenfactor", "A1[0][1] = ", "A1[0][0] = "),
+    ("rhs_eigenfactor", "Mdot1[0][0] = ", "Mdot1[0][0] = 1.0001*"),
+)
+OTHERS = tuple((f"rhs_{formulation}", "f1[1] = ", "f1[1] = 1.0001*") for formulation in FORMULATIONS[1:])
+
+
+def changed(model, function, old, new, formulation="eigenfactor"):
+    """Return generated sources in which one function has another text."""
+    sources = generate(model, formulation=formulation)
+    files = []
+    for file in sources.files:
+        before, start, rest = file.text.partition(f" {function}(double t, ")
+        body, end, after = rest.partition("\n}\n")
+        assert not start or body.count(old) == 1
+        files.append(replace(file, text=before + start + body.replace(old, new) + end + after))
+    assert files != list(sources.files)
+    return replace(sources, files=tuple(files))
+
+
+@pytest.mark.parametrize(("function", "old", "new"), EIGENFACTOR + OTHERS)
+def test_a_miscompile_is_found(function, old, new):
+    model = model_of("dual_link")
+    formulation = function.removeprefix("rhs_") if function.startswith("rhs_") else "eigenfactor"
+    faulty = loaded(changed(model, function, old, new, formulation), "-O0")
+    with pytest.raises(ProofError, match=r"dual_link: what was compiled is not the model: .* theta1 = "):
+        prove(model, faulty)
+
+
+@pytest.mark.parametrize(("function", "old", "named"), [("position", "phi[0] = ", r"holonomic_constraints\[0\]"),
+                                                  ("observe", "out[0] = ", r"outputs\[out\]"),
+                                                  ("model_events", "g[0] = ", r"events\[event\]")])  # fmt: skip
+def test_expressions_of_all_kinds_are_looked_at(function, old, named):
+    model = two(qd**2 + rd**2, holonomic_constraints=[sympy.sin(q) + r], outputs={"out": q + em.multiplier(0)},
+                events={"event": sympy.cos(q + r)})  # fmt: skip
+    with pytest.raises(ProofError, match=named):
+        prove(model, loaded(changed(model, function, old, f"{old}1.0001*"), "-O0"))
+
+
+def test_dependent_rows_are_held_against_the_equations_of_motion():
+    model = two(qd**2 + rd**2, potential_energy=q**2, holonomic_constraints=[q**2 + r**2 - k, 2 * (q**2 + r**2 - k)])
+    prove(model, system_for(model))
+    faulty = loaded(changed(model, "motion_bias", "bias[0] = ", "bias[0] = 1.0001*"), "-O0")
+    with pytest.raises(ProofError, match="the equation of motion of q"):
+        prove(model, faulty)
+
+
+def test_nothing_of_a_faulty_module_reaches_the_cache(own_cache):
+    model = model_of("pendulum")
+    sources = changed(model, "mass_matrix", "M[0] = ", "M[0] = 1.0001*")
+    with pytest.raises(ProofError, match="is a fault of eigenmotion or of the C compiler"):
+        compiled(sources, toolchain(flags="-O0"), model)
+    assert not list((own_cache / "binaries").glob("*"))
+
+
+def test_what_was_not_proved_does_not_serve_what_must_be(own_cache):
+    model, tools = model_of("pendulum"), toolchain(flags="-O0")
+    sources = changed(model, "mass_matrix", "M[0] = ", "M[0] = 1.0001*")
+    compiled(sources, tools)
+    with pytest.raises(ProofError):
+        compiled(sources, tools, model)
+
+
+# -- hyper-dual numbers
+
+x, y = sympy.symbols("x y", real=True)
+OF_ONE = [(function(x), 0.4) for function in convert.FUNCTIONS if function not in
+          (sympy.atan2, sympy.Min, sympy.Max, sympy.acosh)]  # fmt: skip
+EXPRESSIONS = [
+    *OF_ONE, (sympy.acosh(x), 1.7), (sympy.atan2(y, x), -0.8), (sympy.atan2(x, y), 0.8), (sympy.Min(x, y, 3), 0.4),
+    (sympy.Max(x, y**2), -0.4), (x**y, 0.7), (x**3, -0.4), (2**x, 0.4), (x**sympy.Rational(-5, 2), 0.3),
+    (sympy.Piecewise((sympy.sin(x), sympy.And(x > 0, sympy.Not(y > 3))), (x**2 * y, x < -1), (y, True)), -2.0),
+    (sympy.Piecewise((x**3, sympy.Or(sympy.ITE(x > 0, y > 0, y < 0), x > 9)), (0, True)), 1.2),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("expression", "at"), EXPRESSIONS, ids=str)
+def test_hyper_dual_numbers_know_two_derivatives(expression, at):
+    """Along v = (1, 2) and w = (3, 5), against SymPy's derivatives in thirty digits."""
+    other, v, w = 0.9, (1.0, 2.0), (3.0, 5.0)
+    values = {x: HyperDual(np.array(at), v[0], w[0]), y: HyperDual(np.array(other), v[1], w[1])}
+    found = Evaluation(values, 1.0)(expression)
+    along = [lambda e, u=u: u[0] * sympy.diff(e, x) + u[1] * sympy.diff(e, y) for u in (v, w)]
+    right = [expression, along[0](expression), along[1](expression), along[1](along[0](expression))]
+    here = {x: sympy.Float(at, 30), y: sympy.Float(other, 30)}
+    steady = sympy.DiracDelta, sympy.Derivative, sympy.Subs  # of steps, away from them
+    wanted = [
+        float(value.replace(lambda e: isinstance(e, steady), lambda *_: 0).subs(here).evalf(30)) for value in right
+    ]
+    parts = [0.0 if part is None else float(part) for part in (found.a, found.b, found.c, found.f)]
+    assert parts == pytest.approx(wanted, rel=1e-14, abs=1e-14)
+
+
+def test_every_function_that_can_be_compiled_can_be_proved():
+    assert {function.__name__ for function in convert.FUNCTIONS} == set(FUNCTIONS)
+    assert {relation.__name__ for relation in convert.RELATIONS} == {*RELATIONS, "And", "Or", "Not"}
+
+
+def test_a_function_without_a_counterpart_is_named_and_the_rest_is_proved(caplog):
+    model = two(qd**2 + rd**2, potential_energy=sympy.erf(q) + r)
+    faulty = loaded(changed(model, "mass_matrix", "M[0] = ", "M[0] = 1.0001*"), "-O0")
+    fewer = {name: function for name, function in FUNCTIONS.items() if name != "erf"}
+    with patch("eigenmotion.proof.evaluate.FUNCTIONS", fewer), caplog.at_level(logging.INFO):
+        prove(model, system_for(model))
+        assert "two: not proved where erf stands" in caplog.text
+        assert "the equation of motion of q" in caplog.text
+        with pytest.raises(ProofError, match="d2T / dq' dq'"):
+            prove(model, faulty)
