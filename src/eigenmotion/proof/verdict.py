@@ -8,9 +8,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..codegen.model import Model
+from ..errors import BuildError
 from ..names import Vector
 from ..system import System
-from ..errors import BuildError
 from .found import Found, ask
 from .identities import Identity, expressions, motion
 from .places import HAIR, Places, draw
