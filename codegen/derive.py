@@ -77,9 +77,19 @@ def derive(model: Model) -> Mechanics:
     ------
     ModelError
         T is of higher than second degree in the velocities, a constraint not linear in them, or a symbol is
-        unknown; names it.
+        unknown; names it. Or a term divides by velocities, or holds a number that no double does.
     """
-    return _Derivation(model).mechanics()
+    try:
+        return _Derivation(model).mechanics()
+    except ZeroDivisionError as error:
+        raise ModelError(
+            f"model {model.name}: kinetic_energy or a nonholonomic constraint divides by what is zero at rest; "
+            "cancel the velocities in the denominators, with sympy.cancel or by hand"
+        ) from error
+    except OverflowError as error:
+        raise ModelError(
+            f"model {model.name}: a power of a number in it is beyond what C's double holds; choose other units"
+        ) from error
 
 
 class _Derivation:

@@ -14,6 +14,7 @@ import time
 import warnings
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import fields
 
 from eigenmotion.toolchain import OPTIMISED, toolchain
@@ -26,8 +27,9 @@ ZEROS_PER_TREE = 5
 
 
 def one_tree(seed: int) -> tree_checks.Counts:
+    """Values, derivatives and canonical form; now and then what is zero."""
     counts = tree_checks.Counts()
-    with _quiet():
+    with _noted(f"tree {seed}", counts.wrong):
         tree_checks.check(seed, counts)
         if seed % ZEROS_PER_TREE == 0:
             tree_checks.check_zeros(seed, counts)
@@ -37,14 +39,19 @@ def one_tree(seed: int) -> tree_checks.Counts:
 def one_mechanism(seed: int) -> mechanism_checks.Counts:
     """All formulations with the flags that users get."""
     counts = mechanism_checks.Counts()
-    with _quiet():
+    with _noted(f"mechanism {seed}", counts.wrong):
         mechanism_checks.check(seed, counts, FORMULATIONS, *OPTIMISED, *toolchain().flags)
     return counts
 
 
-def _quiet() -> warnings.catch_warnings:
-    """NumPy's oracles pass through the roots that a Piecewise does not choose."""
-    return warnings.catch_warnings(action="ignore")
+@contextmanager
+def _noted(what: str, wrong: list[str]) -> Iterator[None]:
+    """Whatever is raised counts as wrong. NumPy's oracles pass through the roots that a Piecewise does not choose."""
+    with warnings.catch_warnings(action="ignore"):
+        try:
+            yield
+        except Exception as error:
+            wrong.append(f"{what}: {type(error).__name__}: {error}")
 
 
 def swept(check: Callable, seeds: range, pool: ProcessPoolExecutor) -> Iterator[object]:  # type: ignore[type-arg]

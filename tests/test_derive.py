@@ -187,6 +187,9 @@ def test_quasi_velocities_become_rates():
         ({"forces": {q1: sympy.Function("friction")(q1.diff())}}, ("probe", "friction")),
         ({"forces": {q1: sympy.gamma(q1)}}, ("probe", "gamma")),
         ({"potential_energy": sympy.besselj(0, q1)}, ("probe", "besselj")),
+        ({"potential_energy": (sympy.Float("1e200") * (q1 + q2)) ** 2}, ("probe", "double", "units")),
+        ({"potential_energy": (1e200 * q1) ** 3}, ("probe", "double", "units")),
+        ({"nonholonomic_constraints": [(q1.diff() ** 2 + q1.diff() * q2.diff()) / q1.diff()]}, ("probe", "at rest")),
     ],
 )
 def test_mistakes_name_model_symbol_and_remedy(fields, words):
