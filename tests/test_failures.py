@@ -122,7 +122,7 @@ def test_eigenfactors_that_drifted_are_named():
 def test_every_reason_is_tested_here():
     own = {*ENDS, StopReason.TOO_MANY_STEPS, StopReason.FINISHED, StopReason.COINCIDENT_EIGENVALUES,
            StopReason.INTERRUPTED, StopReason.OUT_OF_MEMORY, StopReason.FACTORS_DRIFTED}  # fmt: skip
-    assert own | {StopReason.TERMINAL_EVENT} == set(StopReason)  # that one in test_outputs_events
+    assert own | {StopReason.TERMINAL_EVENT, StopReason.EVENT_UNDEFINED} == set(StopReason)  # those in test_events
 
 
 # --- before the run ---------------------------------------------------------------------------------------------------

@@ -45,20 +45,18 @@ class _Progress:
 
     def accept(self, solver: Any, u: Function, keep: bool) -> bool:
         """Take over a step; return whether a terminal event cut it short."""
-        start, between = self.t[-1], cache(solver.dense_output)
-        self.drift.check(float(solver.t), solver.y)
+        ends = {self.t[-1]: self.z[-1], float(solver.t): solver.y.copy()}
+        between, (start, end) = cache(solver.dense_output), ends
+        self.drift.check(end, solver.y)
         self.obstacle = None
-        self.t.append(float(solver.t))
-        self.z.append(solver.y.copy())
+        inside: Function = lambda t: ends[t] if t in ends else between()(t)  # noqa: E731
+        stop = self.watch.step(start, end, inside, u) if self.watch.t else None
+        if stop == start:
+            return True
+        self.t.append(end if stop is None else stop)
+        self.z.append(inside(self.t[-1]))
         if keep:
             self.pieces.append(between())
-        if not self.watch.t:
-            return False
-        stop = self.watch.step(start, self.t[-1], self.z[-1], between, u)
-        if stop == start:
-            del self.t[-1], self.z[-1], self.pieces[len(self.t) - 1 :]
-        elif stop is not None and stop != self.t[-1]:
-            self.t[-1], self.z[-1] = stop, between()(stop)
         return stop is not None
 
     def count(self, solver: Any) -> None:

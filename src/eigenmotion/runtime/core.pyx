@@ -561,7 +561,7 @@ cdef class Run:
         if self.stop is StopReason.FINISHED:
             return _FINISHED
         fault = self.run.fault
-        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size)
+        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
         return f"At t = {self.run.t_reached:.9g}: {words}"
 
     @property

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 2 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 3 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -25,8 +25,9 @@ typedef enum em_status {
     EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
     EM_INTERRUPTED,
     EM_OUT_OF_MEMORY,
-    EM_FACTORS_DRIFTED            /* C and s, carried and not settled, are no longer those of M; fault.first: a coordinate
+    EM_FACTORS_DRIFTED,           /* C and s, carried and not settled, are no longer those of M; fault.first: a coordinate
                                      of the block, fault.size: by how much, relative to an eigenvalue */
+    EM_EVENT_UNDEFINED            /* an event's expression is not a number; fault.first: the event */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */

@@ -22,6 +22,11 @@ enum {
     EM_LANES = 4,
     EM_WIDTH = (N_STATE + EM_LANES - 1) / EM_LANES * EM_LANES, /* a state padded with zeros */
     EM_SOME_EVENTS = N_EVENTS > 0 ? N_EVENTS : 1,
+    EM_GLANCES = 3,    /* states within every step at which events are looked at, */
+    EM_NODES = 9,      /* those at its ends included where a closer look is needed, */
+    EM_QUARTERS = 26,  /* and ever closer to a start at which one is zero */
+    EM_PLACES = EM_QUARTERS + EM_NODES,
+    EM_MOST_FOUND = N_EVENTS > 0 ? N_EVENTS * (EM_PLACES + EM_NODES) : 1,
     EM_SOME_INPUTS = N_INPUTS > 0 ? N_INPUTS : 1,
     EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1
 };
@@ -31,6 +36,16 @@ EM_INLINE double em_min(double a, double b) { return a < b ? a : b; }
 EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }
 
 struct em_scheme;
+
+/* A number g at a time; two of different signs, and whose they are. */
+typedef struct em_point {
+    double t, g;
+} em_point;
+
+typedef struct em_found {
+    em_point before, after;
+    int event;
+} em_found;
 
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
 typedef struct em_walk {
@@ -42,6 +57,9 @@ typedef struct em_walk {
     double memory[EM_SOME_MEMORY], memory_new[EM_SOME_MEMORY];
     double u[EM_SOME_INPUTS];
     double g[EM_SOME_EVENTS], g_new[EM_SOME_EVENTS];
+    double noise[EM_SOME_EVENTS], zero[EM_SOME_EVENTS]; /* of g at the start of the run, and what is no more than 0 there */
+    double quiet[EM_SOME_EVENTS];              /* beyond which a g that was zero at the start is so no longer */
+    em_found found[EM_MOST_FOUND];             /* what passes zero in the step under way */
     long piece[EM_SOME_INPUTS];                /* of each signal, valid within the step */
     em_run *run;
     const struct em_scheme *scheme;
@@ -55,7 +73,8 @@ typedef struct em_walk {
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
-    int mode, mode_new, moved, has_interpolant, crossings;
+    int mode, mode_new, moved, has_interpolant, n_found;
+    int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
     size_t next_t_eval;
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
     struct timespec polled;
