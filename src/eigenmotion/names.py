@@ -71,8 +71,23 @@ def _number(value: object, what: str, name: str) -> float:
         raise ModelError(f"{what} {name!r} is {value!r}, not a number") from error
 
 
+def reals(given: ArrayLike, what: str) -> Vector:
+    """Return a copy as float64.
+
+    Raises
+    ------
+    ModelError
+        The numbers are complex: NumPy would drop their imaginary parts.
+    """
+    if np.iscomplexobj(given):
+        raise ModelError(f"{what} is complex; give real numbers")
+    return np.array(given, dtype=np.float64)
+
+
 def _array(given: ArrayLike, what: str) -> Vector:
     try:
-        return np.array(given, dtype=np.float64)
+        return reals(given, what)
+    except ModelError:
+        raise
     except (TypeError, ValueError) as error:
         raise ModelError(f"{what}: {given!r} is neither a mapping of names nor an array of numbers") from error

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .codegen.model import ModelError
-from .names import Vector, overlay, unknown
+from .names import Vector, overlay, reals, unknown
 from .runtime import CompiledModel, Prepared
 from .signals import Inputs
 
@@ -54,9 +54,11 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
     ModelError
         Not one of the known words; lists them.
     """
-    word = str(given).lower()
+    if not isinstance(given, str):
+        raise ModelError(f"{what} is {given!r}, not a string; known: {', '.join(known)}")
+    word = given.lower()
     if word not in known:
-        raise ModelError(unknown(what, [str(given)], tuple(known)))
+        raise ModelError(unknown(what, [given], tuple(known)))
     return known[word]
 
 
@@ -81,7 +83,7 @@ def rows_at(t_eval: ArrayLike | None, start: float, end: float) -> Vector | None
     """Return t_eval (k,), strictly sorted in the direction of time and inside the span."""
     if t_eval is None:
         return None
-    times = np.array(t_eval, dtype=np.float64)
+    times = reals(t_eval, "t_eval")
     if times.ndim != 1:
         raise ModelError(f"t_eval has shape {times.shape}, but must be one-dimensional")
     inside = (times >= min(start, end)) & (times <= max(start, end))

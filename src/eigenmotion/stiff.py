@@ -102,7 +102,7 @@ def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple
 
 def _leg(task: Task, solver: Any, u: Function, progress: _Progress) -> StopReason:
     while solver.status == "running":
-        if len(progress.t) > task.max_steps:
+        if len(progress.t) - 1 >= task.max_steps:
             return StopReason.TOO_MANY_STEPS
         if not _stepped(solver):
             if progress.obstacle is not None:
@@ -192,7 +192,7 @@ def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -
         "t": t, "y": rows.T, "sol": sol, "t_events": t_events, "y_events": y_events,
         "nfev": progress.nfev, "njev": progress.njev, "nlu": progress.nlu,
         "status": {StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), "message": message,
-        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": 0, "n_bounded": 0, "stop": stop,
+        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": None if task.t_start != task.t_end else 0, "n_bounded": 0, "stop": stop,
         "error_estimate": None, "error_cost": None,
     }  # fmt: skip
     return Solution(Trajectory(task, t, rows), fields)

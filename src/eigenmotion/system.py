@@ -258,9 +258,7 @@ class System:
         EvaluationError
             As `rhs`.
         """
-        return self._compiled.jacobian(
-            t, np.asarray(y, dtype=float), self.prepare(parameters), self._signals(inputs, t)
-        )
+        return self._compiled.jacobian(t, y, self.prepare(parameters), self._signals(inputs, t))
 
     def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
         """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
@@ -271,14 +269,15 @@ class System:
             Eigenvalues of one block coincide: C has no derivative there.
         """
         prepared, c = self.prepare(parameters), self._compiled
-        rows = np.asarray(x, dtype=np.float64).reshape(1, c.n)
-        (C,), (s,) = c.eigenfactor_rows(np.array([t]), rows, prepared)
-        return eigenfactor_gradient(c.mass_matrix_gradient(t, x, prepared), C, s, c.scales, self.blocks)
+        place = self._x(x)
+        (C,), (s,) = c.eigenfactor_rows(np.array([t]), place[None], prepared)
+        return eigenfactor_gradient(c.mass_matrix_gradient(t, place, prepared), C, s, c.scales, self.blocks)
 
     def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return J = d eta / dx at fixed xdot, (n, n) (23)."""
         gradient = self.eigenfactor_gradient(x, t, parameters)
-        eta = gradient.s * (gradient.C @ (np.asarray(v, dtype=float) / self._compiled.scales))
+        rates = overlay(v, self._compiled.coordinates, self._compiled.initial_v, "coordinate of v")
+        eta = gradient.s * (gradient.C @ (rates / self._compiled.scales))
         return eta_sensitivity(gradient, eta)
 
     def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:

@@ -19,7 +19,9 @@ Point = tuple[float, float]
 _NODES: Vector = np.array(
     [0.5 - 0.5 * np.cos(np.pi * j / 8) for j in range(9)]
 )  # of Chebyshev's polynomials, in [0, 1]
-_CLOSER: Vector = 0.25 ** np.arange(26, 2, -1)  # places near the start of a run at which an event is zero
+_CLOSER: Vector = np.array(
+    [0.25**j for j in range(26, 2, -1)]
+)  # places near the start of a run at which an event is zero
 _GRID = np.linspace(0.0, 1.0, 129)
 _ULPS = 256 * np.finfo(float).eps
 _OF_TOLERANCE = 1e-3

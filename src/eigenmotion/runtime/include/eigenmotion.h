@@ -84,7 +84,7 @@ typedef struct em_run {
     const double *atol;          /* (n): of x_k [u_k] and of its velocity [u_k / s] */
     double first_step;           /* 0: chosen */
     double max_step;             /* INFINITY: none */
-    long max_steps;
+    long max_steps;              /* accepted ones */
     int stabilise;               /* 1 "project", 0 "none" */
     int least_norm;              /* 1: dependent rows get multipliers of least norm, 0: they are a fault */
     int dense;                   /* 1: keep every step's interpolant */

@@ -94,12 +94,16 @@ static void em_signals(em_walk *w, double t) {
     for (int i = 0; i < N_INPUTS; ++i) w->u[i] = em_signal_at(&w->run->inputs[i], w->piece[i], t);
 }
 
+/* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
+static int em_blame(em_walk *w, double t, const double *y);
+
 /* dy <- f(t, y) with the signals at t. */
 EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const double *memory, double *dy) {
     em_run *run = w->run;
     if (N_INPUTS > 0) em_signals(w, t);
     ++run->n_rhs;
-    return model_rhs(mode, t, y, run->prepared, w->u, memory, run->least_norm ? EM_LEAST_NORM : 0, dy, &w->reason);
+    const int flags = run->least_norm ? EM_LEAST_NORM : 0;
+    return model_rhs(mode, t, y, run->prepared, w->u, memory, flags, dy, &w->reason) ? em_blame(w, t, y) : 0;
 }
 
 static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double pace,

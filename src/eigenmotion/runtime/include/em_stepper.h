@@ -231,13 +231,13 @@ static int em_underflow(em_walk *w, double size, em_fault obstacle) {
 /* Attempts until one succeeds; proposes the size of the next step. */
 static int em_step_forward(em_walk *w) {
     em_run *run = w->run;
+    if (run->n_steps >= run->max_steps) return em_end(w, EM_TOO_MANY_STEPS);
     const double least = 10.0 * em_spacing(w);
     const double proposed = em_max(least, em_min(w->h_next, run->max_step));
     em_fault obstacle = {EM_FINISHED, -1, -1, 0.0};
     double size = proposed;
     for (int rejected = 0;; rejected = 1) {
         if (size < least) return em_underflow(w, size, obstacle);
-        if (run->n_steps + run->n_rejected >= run->max_steps) return em_end(w, EM_TOO_MANY_STEPS);
         if (em_poll(w)) return EM_END;
         em_aim(w, size);
         const int failed = em_attempt(w) != 0;
