@@ -188,11 +188,12 @@ def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -
         t = t_eval
     rows = _published(task, t, z)
     t_events, y_events = _events(task, progress.watch)
+    unknown = None if task.t_start != task.t_end else 0
     fields = {
         "t": t, "y": rows.T, "sol": sol, "t_events": t_events, "y_events": y_events,
         "nfev": progress.nfev, "njev": progress.njev, "nlu": progress.nlu,
         "status": {StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), "message": message,
-        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": None if task.t_start != task.t_end else 0, "n_bounded": 0, "stop": stop,
+        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": unknown, "n_bounded": 0, "stop": stop,
         "error_estimate": None, "error_cost": None,
     }  # fmt: skip
     return Solution(Trajectory(task, t, rows), fields)

@@ -21,6 +21,7 @@ class StopReason(StrEnum):
     OUT_OF_MEMORY = "out of memory"
     FACTORS_DRIFTED = "eigenfactors drifted"
     EVENT_UNDEFINED = "event undefined"
+    ENERGY_DRIFTED = "energy drifted"
 
     @property
     def success(self) -> bool:
@@ -86,6 +87,12 @@ _REMEDY = {
     StopReason.EVENT_UNDEFINED: (
         "The expression of event {event} is not a number there, so that nothing tells whether it passes zero. Write it "
         "so that it has a value wherever the motion goes (as x - 1 in place of log(x))."
+    ),
+    StopReason.ENERGY_DRIFTED: (
+        "T2 - T0 + V, a constant of this motion, is not finite or has changed by far more than rtol and atol allow: "
+        "what was computed is no longer the motion. Look at where the coordinates or the energies are singular (Euler "
+        "angles in gimbal lock, log of a negative number) or kinked, and choose coordinates that are regular there; "
+        "lower max_step where a force changes within a short distance."
     ),
 }
 

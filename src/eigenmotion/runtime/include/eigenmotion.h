@@ -27,7 +27,8 @@ typedef enum em_status {
     EM_OUT_OF_MEMORY,
     EM_FACTORS_DRIFTED,           /* C and s, carried and not settled, are no longer those of M; fault.first: a coordinate
                                      of the block, fault.size: by how much, relative to an eigenvalue */
-    EM_EVENT_UNDEFINED            /* an event's expression is not a number; fault.first: the event */
+    EM_EVENT_UNDEFINED,           /* an event's expression is not a number; fault.first: the event */
+    EM_ENERGY_DRIFTED             /* T2 - T0 + V, a constant of the motion, is not what it was; fault.size: by how much */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
@@ -105,7 +106,7 @@ typedef struct em_run {
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not run the published equations */
     double t_reached;
-    const struct em_model *model;
+    const struct em_model *model; /* the caller's, where the run is to be held against its energy, or NULL */
 } em_run;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).

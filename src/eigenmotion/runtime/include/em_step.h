@@ -71,6 +71,8 @@ typedef struct em_walk {
     double longest[N_POSITIONS > 0 ? N_POSITIONS : 1]; /* squared lengths of those rows of A, the largest so far */
     double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
+    double energy, energy_tolerance;           /* at the start; what the tolerances make of it, the largest so far */
+    long next_witness;                         /* the number of right-hand sides at which it is looked at again */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
     int mode, mode_new, moved, has_interpolant, n_found;

@@ -16,6 +16,7 @@
 #include "em_dense.h"
 #include "em_roots.h"
 #include "em_guard.h"
+#include "em_witness.h"
 
 _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
 
@@ -198,7 +199,7 @@ static int em_land(em_walk *w) {
     if (last_is_first && !w->moved) memcpy(w->f_new, w->K[rk->solution], sizeof w->f_new);
     else if (em_rhs(w, w->mode_new, w->t_new, w->y_new, w->memory_new, w->f_new)) return -1;
     if (!em_all_finite(w->y_new) || !em_all_finite(w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
-    if (em_check_step(w) || em_check_factors(w)) return -1;
+    if (em_check_step(w) || em_check_factors(w) || em_check_energy(w)) return -1;
     if (N_EVENTS > 0 && em_watch(w)) return -1;
     return em_needs_interpolant(w) ? em_build_interpolant(w) : 0;
 }
@@ -349,7 +350,7 @@ static int em_begin(em_walk *w) {
     em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
     const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
     if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
-    if (N_EVENTS > 0 && em_begin_events(w)) return em_end_with(w, w->reason);
+    if (em_begin_witness(w) || (N_EVENTS > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w, d0, d1);
     return EM_GO_ON;
 }
