@@ -1,6 +1,7 @@
 """simulate(..., estimate_error=True): the estimate brackets the true error, against motions known in closed form."""
 
 import pickle
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -126,10 +127,26 @@ def test_a_run_that_ends_early_is_compared_as_far_as_it_got():
 
 
 def test_a_run_without_rows_says_so():
-    solution = system_of("pendulum").simulate((0, 10), first_step=1.0, rtol=1e-12, max_steps=1, estimate_error=True)
+    solution = system_of("pendulum").simulate((0, 10), t_eval=[0.0], max_steps=1, estimate_error=True)
     assert not solution.success
     assert "no rows" in solution.error_estimate.message
     assert np.isnan(solution.error_estimate.scaled)
+
+
+def test_a_second_run_that_ends_before_the_first_row_says_so(monkeypatch):
+    module = sys.modules["eigenmotion.simulate"]
+    plain, methods = module._run, []
+
+    def run(task, method):
+        methods.append(method)
+        return plain(task if len(methods) == 1 else task._replace(max_steps=1), method)
+
+    monkeypatch.setattr(module, "_run", run)
+    solution = system_of("pendulum").simulate((0, 3), t_eval=[3.0], estimate_error=True)
+    assert solution.success
+    assert np.isnan(solution.error_estimate.scaled)
+    assert "1 rows could not be compared" in solution.error_estimate.message
+    assert "step limit" in solution.error_estimate.message
 
 
 @pytest.mark.parametrize("given", ["yes", 1.0, None])

@@ -119,10 +119,32 @@ def test_eigenfactors_that_drifted_are_named():
     assert "'alpha'" in found.message or "'beta'" in found.message
 
 
+def test_an_energy_without_a_value_is_named():
+    found = system_for(plane("logarithm", potential_energy=log(X))).simulate((0, 1), x0=[-1, 0])
+    check_honest(found)
+    assert found.stop is StopReason.ENERGY_DRIFTED
+    assert "log of a negative number" in found.message
+
+
+@pytest.mark.parametrize("rtol", [1e-6, 1e-9])
+def test_success_keeps_the_energy_or_its_drift_is_named(rtol):
+    """Axes extrapolated from eigenvalues that coincide at the start: nothing tells which way they turn."""
+    turning = X.diff() * Y.diff() * sin(X)
+    energy = (X.diff() ** 2 + Y.diff() ** 2) * (2 + Y) / 2 + turning
+    model = plane("isotropic", kinetic_energy=energy, potential_energy=(X**2 + Y**2) / 2)
+    start = {"v0": [1, 0.5], "rtol": rtol, "atol": rtol}
+    found = system_for(model, close_eigenvalues="extrapolate").simulate((0, 3), **start)
+    check_honest(found)
+    assert np.ptp(found.energy) < 500 * rtol if found.success else found.stop is StopReason.ENERGY_DRIFTED
+    for formulation in FORMULATIONS:
+        assert system_for(model, formulation).simulate((0, 3), **start).success
+
+
 def test_every_reason_is_tested_here():
     own = {*ENDS, StopReason.TOO_MANY_STEPS, StopReason.FINISHED, StopReason.COINCIDENT_EIGENVALUES,
-           StopReason.INTERRUPTED, StopReason.OUT_OF_MEMORY, StopReason.FACTORS_DRIFTED}  # fmt: skip
-    assert own | {StopReason.TERMINAL_EVENT} == set(StopReason)  # that one in test_outputs_events
+           StopReason.INTERRUPTED, StopReason.OUT_OF_MEMORY, StopReason.FACTORS_DRIFTED,
+           StopReason.ENERGY_DRIFTED}  # fmt: skip
+    assert own | {StopReason.TERMINAL_EVENT, StopReason.EVENT_UNDEFINED} == set(StopReason)  # those in test_events
 
 
 # --- before the run ---------------------------------------------------------------------------------------------------

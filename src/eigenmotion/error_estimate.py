@@ -128,6 +128,8 @@ def _on(checker: "System", task: Task) -> Task:
 
 def _compared(task: Task, solution: Solution, second: Solution, rtol: float) -> ErrorEstimate:
     rows = min(len(solution.t), len(second.t))
+    if rows == 0:
+        return _nothing(task, float(solution.t[-1]), _caution(task.rtol, rtol, len(solution.t), second))
     x, v = (np.abs(solution[name][:, :rows] - second[name][:, :rows]) for name in ("x", "v"))
     scaled = np.max(x / (1 + np.abs(second.x[:, :rows])), axis=0)
     return ErrorEstimate(
@@ -147,11 +149,14 @@ def _caution(rtol: float, tighter: float, missing: int, second: Solution) -> str
     return " ".join(words)
 
 
+def _nothing(task: Task, at: float, words: str) -> ErrorEstimate:
+    unknown = np.full(task.model.n, np.nan)
+    return ErrorEstimate(unknown, unknown, unknown, unknown, np.nan, np.nan, at, words)
+
+
 def _blank(solution: Solution, task: Task) -> Solution:
     """The run has no rows after its start: there is nothing to compare."""
-    unknown = np.full(task.model.n, np.nan)
-    words = "There are no rows to compare."
     at = float(solution.t[-1]) if len(solution.t) else task.t_start
-    solution["error_estimate"] = ErrorEstimate(unknown, unknown, unknown, unknown, np.nan, np.nan, at, words)
+    solution["error_estimate"] = _nothing(task, at, "There are no rows to compare.")
     solution["error_cost"] = ErrorCost(task.model.formulation, "none", task.rtol, 0, 0, 0.0, 0.0)
     return solution

@@ -75,8 +75,7 @@ def simulate(
     first_step, max_step
         [s]; chosen and unbounded by default.
     max_steps
-        Attempts at a step, accepted or not, before the run ends as TOO_MANY_STEPS. A million rows of 20 states are
-        160 MB.
+        Accepted steps before the run ends as TOO_MANY_STEPS, in every method. A million rows of 20 states are 160 MB.
     stabilisation
         "project": constraints and eigenfactors are restored after every step. "none": the paper.
     dependent_constraints

@@ -76,7 +76,8 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     sol : y(t) as a function, with dense_output
     t_events, y_events : for each event of the model (e,) and (e, n_state); None where the model has none
     nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (SciPy's stiff methods)
-    nsteps, nrejected, n_bounded : steps accepted; rejected; accepted that did not run the published equations
+    nsteps, nrejected : steps accepted; rejected (None: implicit methods do not say)
+    n_bounded : steps accepted that did not run the published equations
     error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
     stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; what to do
 
@@ -137,6 +138,12 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         except KeyError:
             return default
 
+    @property
+    def cost(self) -> str:
+        """What the run took, in words."""
+        rejected = "" if self["nrejected"] is None else f"{self['nrejected']} rejected, "
+        return f"{self['nsteps']} steps, {rejected}{self['nfev']} right-hand sides"
+
     def __dir__(self) -> list[str]:
         return sorted({*object.__dir__(self), *self})
 
@@ -144,8 +151,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         t = self["t"]
         span = f"t = {t[0]:g} ... {t[-1]:g}" if len(t) else "no rows"
         model = f" of {self._rows.model.name}" if self._rows is not None else ""
-        steps = f"{self['nsteps']} steps, {self['nrejected']} rejected, {self['nfev']} right-hand sides"
-        return f"<Solution{model}: {self['stop']}, {span} in {len(t)} rows, {steps}>\n{self['message']}"
+        return f"<Solution{model}: {self['stop']}, {span} in {len(t)} rows, {self.cost}>\n{self['message']}"
 
     __str__ = __repr__
 

@@ -45,20 +45,18 @@ class _Progress:
 
     def accept(self, solver: Any, u: Function, keep: bool) -> bool:
         """Take over a step; return whether a terminal event cut it short."""
-        start, between = self.t[-1], cache(solver.dense_output)
-        self.drift.check(float(solver.t), solver.y)
+        ends = {self.t[-1]: self.z[-1], float(solver.t): solver.y.copy()}
+        between, (start, end) = cache(solver.dense_output), ends
+        self.drift.check(end, solver.y)
         self.obstacle = None
-        self.t.append(float(solver.t))
-        self.z.append(solver.y.copy())
+        inside: Function = lambda t: ends[t] if t in ends else between()(t)  # noqa: E731
+        stop = self.watch.step(start, end, inside, u) if self.watch.t else None
+        if stop == start:
+            return True
+        self.t.append(end if stop is None else stop)
+        self.z.append(inside(self.t[-1]))
         if keep:
             self.pieces.append(between())
-        if not self.watch.t:
-            return False
-        stop = self.watch.step(start, self.t[-1], self.z[-1], between, u)
-        if stop == start:
-            del self.t[-1], self.z[-1], self.pieces[len(self.t) - 1 :]
-        elif stop is not None and stop != self.t[-1]:
-            self.t[-1], self.z[-1] = stop, between()(stop)
         return stop is not None
 
     def count(self, solver: Any) -> None:
@@ -104,7 +102,7 @@ def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple
 
 def _leg(task: Task, solver: Any, u: Function, progress: _Progress) -> StopReason:
     while solver.status == "running":
-        if len(progress.t) > task.max_steps:
+        if len(progress.t) - 1 >= task.max_steps:
             return StopReason.TOO_MANY_STEPS
         if not _stepped(solver):
             if progress.obstacle is not None:
@@ -195,11 +193,12 @@ def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -
         t = t_eval
     rows = _published(task, t, z)
     t_events, y_events = _events(task, progress.watch)
+    unknown = None if task.t_start != task.t_end else 0
     fields = {
         "t": t, "y": rows.T, "sol": sol, "t_events": t_events, "y_events": y_events,
         "nfev": progress.nfev, "njev": progress.njev, "nlu": progress.nlu,
         "status": {StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), "message": message,
-        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": 0, "n_bounded": 0, "stop": stop,
+        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": unknown, "n_bounded": 0, "stop": stop,
         "error_estimate": None, "error_cost": None,
     }  # fmt: skip
     return Solution(Trajectory(task, t, rows), fields)

@@ -20,7 +20,7 @@ def summary(system: System, solution: Solution, seconds: float) -> str:
         ("model", f"{system.name}, {system.formulation}, {system.n_state} states"),
         ("ended", f"{solution.stop} at t = {solution.t[-1]:.10g}"),
         *_invariants(system, solution),
-        ("cost", f"{solution.nsteps} steps, {solution.nrejected} rejected, {solution.nfev} right-hand sides"),
+        ("cost", solution.cost),
         ("time", f"{_duration(seconds - checking)} for the run"),
         *_estimate(solution),
     ]

@@ -71,9 +71,18 @@ cdef class Numbers:
 cdef Numbers given(object a, tuple shape, str name):
     """The numbers of a, of any stride and type; it must have that shape."""
     cdef Numbers made = Numbers.__new__(Numbers)
-    if not made.borrow(a, shape) and not made.borrow(np.ascontiguousarray(a, dtype=np.float64), shape):
+    if made.borrow(a, shape):
+        return made
+    if np.iscomplexobj(a):
+        raise ValueError(f"{name} is complex; give real numbers")
+    if not made.borrow(np.ascontiguousarray(a, dtype=np.float64), shape):
         raise ValueError(f"{name} has shape {np.shape(a)}, but this model needs {shape}")
     return made
+
+
+cdef bint takes(object out, tuple shape) except -1:
+    """Whether it is an array that floating point numbers can be written to: integers would lose what is behind the point."""
+    return isinstance(out, np.ndarray) and out.dtype.kind == "f" and out.shape == shape and out.flags.writeable
 
 
 cdef Numbers zeros(tuple shape):
@@ -206,6 +215,8 @@ cdef class CompiledModel:
             signals = inputs.data
         # the compiled code reads y after writing dy
         if out is None or not dy.borrow(out, shape) or dy.view.readonly or dy.overlaps(state):
+            if out is not None and not takes(out, shape):
+                raise ValueError(f"out must be a writable array of floating point numbers of shape {shape}")
             dy = zeros(shape)
         if self.model.rhs(t, state.data, c.c, signals, dy.data, &fault) != 0:
             raise self.failure(&fault)
@@ -586,7 +597,7 @@ cdef class Run:
         if self.stop is StopReason.FINISHED:
             return _FINISHED
         fault = self.run.fault
-        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size)
+        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
         return f"At t = {self.run.t_reached:.9g}: {words}"
 
     @property

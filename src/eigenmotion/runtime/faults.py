@@ -20,6 +20,8 @@ class StopReason(StrEnum):
     INTERRUPTED = "interrupted"
     OUT_OF_MEMORY = "out of memory"
     FACTORS_DRIFTED = "eigenfactors drifted"
+    EVENT_UNDEFINED = "event undefined"
+    ENERGY_DRIFTED = "energy drifted"
 
     @property
     def success(self) -> bool:
@@ -82,6 +84,16 @@ _REMEDY = {
         'what is computed from them is no longer the motion. Pass stabilisation="project", tighten rtol, or build with '
         'formulation="cholesky".'
     ),
+    StopReason.EVENT_UNDEFINED: (
+        "The expression of event {event} is not a number there, so that nothing tells whether it passes zero. Write it "
+        "so that it has a value wherever the motion goes (as x - 1 in place of log(x))."
+    ),
+    StopReason.ENERGY_DRIFTED: (
+        "T2 - T0 + V, a constant of this motion, is not finite or has changed by far more than rtol and atol allow: "
+        "what was computed is no longer the motion. Look at where the coordinates or the energies are singular (Euler "
+        "angles in gimbal lock, log of a negative number) or kinked, and choose coordinates that are regular there; "
+        "lower max_step where a force changes within a short distance."
+    ),
 }
 
 
@@ -91,7 +103,12 @@ _CONTRADICTION = (
 
 
 def explain(
-    stop: StopReason, coordinates: Sequence[str], first: int = -1, second: int = -1, size: float = float("nan")
+    stop: StopReason,
+    coordinates: Sequence[str],
+    first: int = -1,
+    second: int = -1,
+    size: float = float("nan"),
+    events: Sequence[str] = (),
 ) -> str:
     """Say what happened, where, by name, and what to do.
 
@@ -100,16 +117,18 @@ def explain(
     coordinates
         (n) names of the coordinates.
     first, second
-        Coordinates or constraint rows, as `em_fault` has them; -1: none.
+        Coordinates, constraint rows or events, as `em_fault` has them; -1: none.
     size
         The pivot, gap or residual at fault.
+    events
+        Names of the events.
     """
 
-    def name(k: int) -> str:
-        return f"'{coordinates[k]}'" if 0 <= k < len(coordinates) else "(unknown)"
+    def name(k: int, names: Sequence[str] = coordinates) -> str:
+        return f"'{names[k]}'" if 0 <= k < len(names) else "(unknown)"
 
     words = _CONTRADICTION if stop is StopReason.DEPENDENT_CONSTRAINTS and second >= 0 else _REMEDY[stop]
     at = f" at coordinate {name(first)}" if first >= 0 else ""
     row = f"row {first} (counted from 0)" if first >= 0 else "(row unknown)"
-    text = words.format(first=name(first), second=name(second), row=row, at=at)
+    text = words.format(first=name(first), second=name(second), row=row, at=at, event=name(first, events))
     return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

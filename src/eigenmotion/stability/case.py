@@ -60,7 +60,7 @@ class Case:
     values : what `point` is called with, and `model` too
     reduced : those of the quick check
     tolerances : of the methods it is run with
-    max_steps : attempts (accepted steps of SciPy's methods) after which a run gives up
+    max_steps : accepted steps after which a run gives up
     flags : C compiler flags after ours
     weight : expected cost, to begin with the longest
     """

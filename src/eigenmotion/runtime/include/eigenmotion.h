@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 2 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 3 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -25,8 +25,10 @@ typedef enum em_status {
     EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
     EM_INTERRUPTED,
     EM_OUT_OF_MEMORY,
-    EM_FACTORS_DRIFTED            /* C and s, carried and not settled, are no longer those of M; fault.first: a coordinate
+    EM_FACTORS_DRIFTED,           /* C and s, carried and not settled, are no longer those of M; fault.first: a coordinate
                                      of the block, fault.size: by how much, relative to an eigenvalue */
+    EM_EVENT_UNDEFINED,           /* an event's expression is not a number; fault.first: the event */
+    EM_ENERGY_DRIFTED             /* T2 - T0 + V, a constant of the motion, is not what it was; fault.size: by how much */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
@@ -83,7 +85,7 @@ typedef struct em_run {
     const double *atol;          /* (n): of x_k [u_k] and of its velocity [u_k / s] */
     double first_step;           /* 0: chosen */
     double max_step;             /* INFINITY: none */
-    long max_steps;
+    long max_steps;              /* accepted ones */
     int stabilise;               /* 1 "project", 0 "none" */
     int least_norm;              /* 1: dependent rows get multipliers of least norm, 0: they are a fault */
     int dense;                   /* 1: keep every step's interpolant */
@@ -104,7 +106,7 @@ typedef struct em_run {
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not run the published equations */
     double t_reached;
-    const struct em_model *model;
+    const struct em_model *model; /* the caller's, where the run is to be held against its energy, or NULL */
 } em_run;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).

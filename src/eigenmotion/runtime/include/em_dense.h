@@ -20,13 +20,13 @@ EM_INLINE void em_corrections(const em_tableau *rk, em_walk *w) {
 }
 
 /* F_0 .. F_2: y, f at both ends. */
-static void em_hermite(em_walk *w, const double *f_raw) {
+static void em_hermite(em_walk *w, const double *y_end, const double *f_end) {
     memcpy(w->F[0], w->y, sizeof w->F[0]);
     for (int k = 0; k < N_STATE; ++k) {
-        const double delta = w->y_raw[k] - w->y[k];
+        const double delta = y_end[k] - w->y[k];
         w->F[1][k] = delta;
         w->F[2][k] = w->h * w->K[0][k] - delta;
-        w->F[3][k] = 2.0 * delta - w->h * (w->K[0][k] + f_raw[k]);
+        w->F[3][k] = 2.0 * delta - w->h * (w->K[0][k] + f_end[k]);
     }
 }
 
@@ -44,7 +44,7 @@ static const double *em_raw_end(em_walk *w) {
 static int em_build_interpolant(em_walk *w) {
     const double *f_raw = em_raw_end(w);
     if (f_raw == NULL || w->scheme->extra(w)) return -1;
-    em_hermite(w, f_raw);
+    em_hermite(w, w->y_raw, f_raw);
     w->scheme->correct(w);
     return 0;
 }

@@ -1,107 +1,307 @@
-/* em_events.h: zero crossings g_i = 0 of the trajectory, located to rounding.
+/* em_events.h: where the trajectory's g_i change sign.
  *
- * An event fires when g_i changes sign, or reaches zero, between two accepted states. Directions are those of the run:
- * 1 fires where g_i grows on the way from t_start to t_end. A g_i that is zero at the start of a step has fired already
- * or is not to fire. Two crossings within one step cancel; max_step bounds what can be missed.
+ * An event fires where g_i goes over from one sign to the other, or reaches zero at t_end. Directions are those of the
+ * run: 1 fires where g_i grows on the way from t_start to t_end. A g_i that is zero at the start, to rounding, takes its
+ * sign from what follows: it does not fire as it leaves zero, and does when it comes back. One that touches zero and
+ * turns back keeps its sign. What the step's interpolant shows is not missed: see em_search.
  */
 #ifndef EM_EVENTS_H
 #define EM_EVENTS_H
 
 #include "em_dense.h"
 
-typedef struct em_crossing {
-    double t;
-    int event;
-} em_crossing;
+#define EM_SLACK 0.25 /* how far from zero, beside how much it varies, g is far enough by a glance */
 
-static int em_crosses(int direction, double before, double after) {
-    const int up = before < 0.0 && after >= 0.0, down = before > 0.0 && after <= 0.0;
-    return (up && direction >= 0) || (down && direction <= 0);
-}
+/* g at places of a step, in the order of the run: at its start, `near` places close to that, the other nodes. */
+typedef struct em_survey {
+    int count, near;
+    double t[EM_PLACES], g[EM_PLACES][EM_SOME_EVENTS];
+} em_survey;
 
-/* g (n_events) at a state whose velocities are known. */
-static void em_events_at(em_walk *w, double t, const double *y, const double *v, double *g) {
+static int em_side_of(double g, double noise) { return (g > noise) - (g < -noise); }
+
+/* g (n_events) at a state whose velocities are known. 0, or -1 and w->reason: an event has no value there. */
+static int em_events_at(em_walk *w, double t, const double *y, const double *v, double *g) {
     em_signals(w, t);
     model_events(t, y, v, w->run->prepared, w->u, g);
+    for (int i = 0; i < N_EVENTS; ++i)
+        if (isnan(g[i])) return em_fail(&w->reason, EM_EVENT_UNDEFINED, i, -1, NAN);
+    return 0;
 }
 
-/* How many events the step under way crosses. */
-static int em_count_crossings(const em_walk *w) {
-    int count = 0;
-    for (int i = 0; i < N_EVENTS; ++i) count += em_crosses(w->run->event_direction[i], w->g[i], w->g_new[i]);
-    return count;
-}
-
-/* g (n_events) at t inside the step. 0, or -1 and w->reason. */
-static int em_events_inside(em_walk *w, double t, double *g) {
-    double *y = w->argument, v[N], memory[EM_SOME_MEMORY];
-    if (em_inside(w, t, y, memory)) return -1;
+/* The same at a state of the step under way. */
+static int em_events_of(em_walk *w, double t, const double *y, double *g) {
+    double v[N];
     if (model_velocity(w->mode, t, y, w->run->prepared, v, &w->reason)) return -1;
-    em_events_at(w, t, y, v, g);
-    return 0;
+    return em_events_at(w, t, y, v, g);
 }
 
-/* A bracket of a root: the newest point a, its counterpart b across the root, and the point c before them. */
-typedef struct em_bracket {
-    double a, fa, b, fb, c, fc;
-} em_bracket;
-
-/* Where to look next, as a fraction of the way from a to b: inverse quadratic interpolation where it is safe, the
- * middle elsewhere (Chandrupatla, Adv. Eng. Software 28 (1997) 145). Never closer to an end than `margin`. */
-static double em_bracket_fraction(const em_bracket *r, double margin) {
-    const double xi = (r->a - r->b) / (r->c - r->b), phi = (r->fa - r->fb) / (r->fc - r->fb);
-    double fraction = 0.5;
-    if (phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi)
-        fraction = r->fa / (r->fb - r->fa) * r->fc / (r->fb - r->fc) +
-                   (r->c - r->a) / (r->b - r->a) * r->fa / (r->fc - r->fa) * r->fb / (r->fc - r->fb);
-    return em_min(1.0 - margin, em_max(margin, fraction));
-}
-
-static void em_bracket_add(em_bracket *r, double t, double f) {
-    if ((f > 0.0) == (r->fa > 0.0)) {
-        r->c = r->a, r->fc = r->fa;
-    } else {
-        r->c = r->b, r->fc = r->fb;
-        r->b = r->a, r->fb = r->fa;
+/* g (n_events) at t inside the step, on the settled trajectory. 0, or -1 and w->reason. */
+static int em_events_inside(em_walk *w, double t, double *g) {
+    double memory[EM_SOME_MEMORY];
+    if (t == w->t || t == w->t_new) {
+        memcpy(g, t == w->t ? w->g : w->g_new, sizeof w->g);
+        return 0;
     }
-    r->a = t, r->fa = f;
+    return em_inside(w, t, w->argument, memory) ? -1 : em_events_of(w, t, w->argument, g);
 }
 
-/* *root <- where g_i = 0 within the step, given its signs at both ends. 0, or -1 and w->reason. */
-static int em_locate(em_walk *w, int i, double *root) {
-    enum { ENOUGH = 200 }; /* bisection alone needs 60 */
-    em_bracket r = {w->t_new, w->g_new[i], w->t, w->g[i], w->t, w->g[i]};
-    double g[EM_SOME_EVENTS], fraction = 0.5;
-    for (int n = 0; n < ENOUGH; ++n) {
-        const int a_is_best = fabs(r.fa) < fabs(r.fb);
-        *root = a_is_best ? r.a : r.b;
-        const double spacing = 2.0 * DBL_EPSILON * em_max(fabs(*root), DBL_EPSILON * fabs(w->h));
-        const double margin = spacing / fabs(r.b - r.a);
-        if (!(margin < 0.5) || (a_is_best ? r.fa : r.fb) == 0.0) break;
-        fraction = n == 0 ? 0.5 : em_bracket_fraction(&r, margin);
-        const double t = r.a + fraction * (r.b - r.a);
-        if (em_events_inside(w, t, g)) return -1;
-        em_bracket_add(&r, t, g[i]);
-    }
-    return 0;
-}
+/* --- the start of a run --- */
 
-/* Insert in the order of the run. */
-static void em_crossing_insert(em_crossing *list, int count, em_crossing crossing, double direction) {
-    for (; count > 0 && direction * (list[count - 1].t - crossing.t) > 0.0; --count) list[count] = list[count - 1];
-    list[count] = crossing;
-}
+#define EM_LAST_PLACES (256.0 * DBL_EPSILON)
+#define EM_OF_TOLERANCE 1e-3
 
-/* list (n_events) <- the crossings of this step in the order of the run. Their number, or -1 and w->reason. */
-static int em_locate_crossings(em_walk *w, em_crossing *list) {
-    int count = 0;
+/* What g changes by from one to the other adds to what is zero at the start, and `part` of it to noise. */
+static void em_add_noise(em_walk *w, const double *g, double part) {
     for (int i = 0; i < N_EVENTS; ++i) {
-        em_crossing crossing = {w->t_new, i};
-        if (!em_crosses(w->run->event_direction[i], w->g[i], w->g_new[i])) continue;
-        if (em_locate(w, i, &crossing.t)) return -1;
-        em_crossing_insert(list, count++, crossing, w->direction);
+        const double change = fabs(g[i] - w->g[i]);
+        w->zero[i] += change;
+        w->noise[i] += part * change;
     }
-    return count;
+}
+
+/* noise[i] <- what g_i changes by when the time, and one of x and v after the other, change in their last places;
+ * zero[i] <- the same with a part of their tolerances. Where g has no value that way nothing is added. */
+static void em_events_noise(em_walk *w) {
+    const double later = EM_LAST_PLACES * fabs(w->t);
+    double z[2 * N], g[EM_SOME_EVENTS];
+    for (int k = 0; k < EM_WIDTH; ++k) w->argument[k] = w->y[k] + w->direction * later * w->K[0][k];
+    if (!em_events_of(w, w->t + w->direction * later, w->argument, g)) em_add_noise(w, g, 1.0);
+    for (int k = 0; k < N; ++k) z[k] = w->y[k], z[N + k] = w->K[0][k];
+    for (int k = 0; k < 2 * N; ++k) {
+        const double kept = z[k], last = EM_LAST_PLACES * fabs(kept), more = last + EM_OF_TOLERANCE / w->weight[k];
+        z[k] += more;
+        if (more > 0.0 && !em_events_at(w, w->t, z, z + N, g)) em_add_noise(w, g, last / more);
+        z[k] = kept;
+    }
+}
+
+/* g and its noise at the start. 0, or -1 and w->reason. */
+static int em_begin_events(em_walk *w) {
+    if (em_events_at(w, w->t, w->y, w->K[0], w->g)) return -1;
+    em_events_noise(w);
+    return 0;
+}
+
+/* --- a glance at every step --- */
+
+/* Few states of a step before its interpolant is built, from what is there already: with the rate at the end, and one
+ * within where the interpolant takes more stages than the step. Returns how many corrections, or -1: nothing is known. */
+static int em_sketch(em_walk *w) {
+    const em_tableau *rk = w->scheme->tableau;
+    const int last_is_first = rk->solution < rk->stages, stage = rk->last_extra > 0 ? rk->stages - 2 : 0;
+    if (!last_is_first && w->mode_new != w->mode) return -1;
+    if (last_is_first) em_hermite(w, w->y_raw, w->K[rk->solution]);
+    else em_hermite(w, w->y_new, w->f_new);
+    if (stage == 0) return w->scheme->correct(w), rk->corrections;
+    const double c = rk->c[stage], unit = 2.0 * c * (1.0 - c) * (1.0 - 2.0 * c);
+    for (int k = 0; k < N_STATE; ++k) {
+        const double rate = w->F[1][k] + (1.0 - 2.0 * c) * w->F[2][k] + c * (2.0 - 3.0 * c) * w->F[3][k];
+        w->F[4][k] = (w->h * w->K[stage][k] - rate) / unit;
+    }
+    return 1;
+}
+
+/* g (EM_GLANCES, n_events) on that sketch. How many, or 0: nothing is known. */
+static int em_glance(em_walk *w, double (*g)[EM_SOME_EVENTS]) {
+    static const double at[EM_GLANCES] = {0.14644660940672624, 0.5, 0.85355339059327376};
+    const int corrections = em_sketch(w);
+    if (corrections < 0) return 0;
+    for (int j = 0; j < EM_GLANCES; ++j) {
+        em_evaluate(w->F[0], corrections, at[j], w->argument);
+        if (em_events_of(w, w->t + at[j] * w->h, w->argument, g[j])) return 0;
+    }
+    return EM_GLANCES;
+}
+
+/* Whether g_i may come to zero in this step: it changes sign, or comes close to it beside how much it varies. */
+static int em_may_cross(const em_walk *w, int count, double (*g)[EM_SOME_EVENTS], int i) {
+    const double side = w->side[i], noise = w->quiet[i];
+    double low = em_min(side * w->g[i], side * w->g_new[i]), high = em_max(side * w->g[i], side * w->g_new[i]);
+    int leaves = em_side_of(w->g_new[i], noise) != 0;
+    for (int j = 0; j < count; ++j) {
+        low = em_min(low, side * g[j][i]);
+        high = em_max(high, side * g[j][i]);
+        leaves |= em_side_of(g[j][i], noise) != 0;
+    }
+    return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low));
+}
+
+/* In the first step: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
+ * number they are so no longer. */
+static void em_begin_sides(em_walk *w, int count, double (*g)[EM_SOME_EVENTS]) {
+    for (int i = 0; i < N_EVENTS; ++i) {
+        double size = fabs(w->g_new[i]);
+        for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j][i]));
+        const double rounding = w->noise[i] + (isfinite(size) ? EM_LAST_PLACES * size : 0.0);
+        w->side[i] = em_side_of(w->g[i], em_max(rounding, w->zero[i]));
+        w->quiet[i] = rounding + 4.0 * fabs(w->g[i]);
+    }
+}
+
+/* --- a search where that is not enough --- */
+
+/* cos(pi j / 8) */
+static double em_eighth(int j) {
+    static const double quarter[] = {1.0, 0.92387953251128674, 0.70710678118654752, 0.38268343236508977, 0.0};
+    j %= 16;
+    if (j > 8) j = 16 - j;
+    return j <= 4 ? quarter[j] : -quarter[8 - j];
+}
+
+/* The nodes of Chebyshev's polynomials, in [0, 1]. */
+static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
+
+static int em_look(em_walk *w, em_survey *s, double t) {
+    s->t[s->count] = t;
+    return em_events_inside(w, t, s->g[s->count++]);
+}
+
+/* How far in the step the first place is at which no g_i that was zero at the start is so still, in quarters: 4^-n. */
+static int em_quarters(em_walk *w, int *quarters) {
+    double g[EM_SOME_EVENTS];
+    for (*quarters = 1; *quarters < EM_QUARTERS; ++*quarters) {
+        int left = 0;
+        if (em_events_inside(w, w->t + ldexp(w->h, -2 * *quarters), g)) return -1;
+        for (int i = 0; i < N_EVENTS; ++i) left |= w->side[i] == 0 && em_side_of(g[i], w->quiet[i]);
+        if (!left) break;
+    }
+    return 0;
+}
+
+/* g at the nodes and, where something was zero at the start of the step, ever closer to that. 0, or -1 and w->reason. */
+static int em_survey_step(em_walk *w, em_survey *s) {
+    int zero = 0, quarters = 0;
+    for (int i = 0; i < N_EVENTS; ++i) zero |= w->side[i] == 0;
+    if (zero && em_quarters(w, &quarters)) return -1;
+    s->count = 0;
+    if (em_look(w, s, w->t)) return -1;
+    for (; quarters > 2; --quarters)
+        if (em_look(w, s, w->t + ldexp(w->h, -2 * quarters))) return -1;
+    s->near = s->count - 1;
+    for (int j = 1; j < EM_NODES - 1; ++j)
+        if (em_look(w, s, w->t + em_node(j) * w->h)) return -1;
+    return em_look(w, s, w->t_new);
+}
+
+static double em_at_node(const em_survey *s, int j, int i) { return s->g[j > 0 ? j + s->near : 0][i]; }
+
+/* a (9): the coefficients of the polynomial through g_i at the nodes, in Chebyshev's polynomials of 1 - 2 theta. */
+static void em_polynomial(const em_survey *s, int i, double *a) {
+    for (int k = 0; k < EM_NODES; ++k) {
+        double sum = 0.0;
+        for (int j = 0; j < EM_NODES; ++j)
+            sum += (j % (EM_NODES - 1) ? 1.0 : 0.5) * em_at_node(s, j, i) * em_eighth(j * k);
+        a[k] = (k % (EM_NODES - 1) ? 0.25 : 0.125) * sum;
+    }
+}
+
+/* Clenshaw's sum. */
+static double em_polynomial_at(const double *a, double theta) {
+    const double z = 1.0 - 2.0 * theta;
+    double b = 0.0, before = 0.0;
+    for (int k = EM_NODES - 1; k > 0; --k) {
+        const double next = a[k] + 2.0 * z * b - before;
+        before = b, b = next;
+    }
+    return a[0] + z * b - before;
+}
+
+/* Between nodes j and j + 1, where g_i has the sign `side`: *theta <- where the polynomial is lowest, *low <- how low.
+ * Whether that is lower than at both. */
+static int em_lowest(const em_survey *s, int i, const double *a, int j, double side, double *theta, double *low) {
+    enum { PARTS = 8 };
+    const double left = em_node(j), width = em_node(j + 1) - left;
+    const double ends = em_min(side * em_at_node(s, j, i), side * em_at_node(s, j + 1, i));
+    *low = ends;
+    for (int part = 1; part < PARTS; ++part) {
+        const double at = left + width * part / PARTS, value = side * em_polynomial_at(a, at);
+        if (value < *low) *low = value, *theta = at;
+    }
+    return *low < ends;
+}
+
+/* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
+ * closer places. 1, 0, or -1 and w->reason. */
+static int em_dips(em_walk *w, int i, double side, double *theta, double *value) {
+    double apart = 1.0 / 128.0, f[3], g[EM_SOME_EVENTS];
+    for (int n = 0; n < 5; ++n, apart /= 8.0) {
+        *theta = em_min(1.0 - apart, em_max(apart, *theta));
+        for (int place = 0; place < 3; ++place) {
+            const double at = *theta + (place - 1) * apart;
+            if (em_events_inside(w, w->t + at * w->h, g)) return -1;
+            f[place] = side * g[i];
+            if (f[place] < 0.0) return *theta = at, *value = g[i], 1;
+        }
+        const double slope = 0.5 * (f[2] - f[0]), bend = f[0] - 2.0 * f[1] + f[2];
+        if (!(bend > 0.0)) return 0;
+        if (f[1] - 0.5 * slope * slope / bend > 0.3 * f[1] && fabs(slope) < bend) return 0;
+        *theta += apart * em_min(1.0, em_max(-1.0, -slope / bend));
+    }
+    return 0;
+}
+
+static int em_fires(int direction, int before) { return direction == 0 || direction == -before; }
+
+/* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
+static void em_pass(em_walk *w, int i, const em_point *before, const em_point *after) {
+    const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
+    if (sign == 0) return;
+    if (sign == -w->side_new[i] && em_fires(w->run->event_direction[i], w->side_new[i]))
+        w->found[w->n_found++] = (em_found){*before, *after, i};
+    w->side_new[i] = sign;
+}
+
+/* The crossings of event i by the signs at the places of the survey and in the dips between the nodes: of nine nodes
+ * a polynomial is made, which is g_i wherever g_i is smooth within a step. 0, or -1 and w->reason. */
+static int em_search(em_walk *w, const em_survey *s, int i) {
+    double a[EM_NODES], size = 0.0, theta = 0.0, low;
+    em_polynomial(s, i, a);
+    for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
+    em_point before = {w->t, w->g[i]};
+    em_pass(w, i, &before, &before);
+    for (int k = 0; k < s->count; ++k) {
+        em_point here = {s->t[k], s->g[k][i]};
+        const double side = w->side_new[i];
+        const int node = k - s->near - 1; /* before this one */
+        if (node >= (s->near > 0) && side * here.g > 0.0 && side * s->g[k - 1][i] > 0.0 &&
+            em_lowest(s, i, a, node, side, &theta, &low) && low < 0.05 * size) {
+            em_point dip;
+            const int dips = em_dips(w, i, side, &theta, &dip.g);
+            if (dips < 0) return -1;
+            dip.t = w->t + theta * w->h;
+            if (dips) em_pass(w, i, &before, &dip), before = dip;
+        }
+        em_pass(w, i, &before, &here);
+        if (here.g != 0.0) before = here;
+    }
+    return 0;
+}
+
+/* What is zero at the end of the run has come there. */
+static void em_arrive(em_walk *w, int i) {
+    const em_point end = {w->t_new, w->g_new[i]};
+    if (w->t_new != w->run->t_end || end.g != 0.0 || w->side[i] == 0) return;
+    if (em_fires(w->run->event_direction[i], w->side_new[i])) w->found[w->n_found++] = (em_found){end, end, i};
+}
+
+/* w->found <- what passes zero in the step under way, and the signs after it. 0, or -1 and w->reason. */
+static int em_watch(em_walk *w) {
+    double glances[EM_GLANCES][EM_SOME_EVENTS];
+    em_survey survey = {0, 0, {0.0}, {{0.0}}};
+    w->n_found = 0;
+    if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
+    const int count = em_glance(w, glances);
+    if (w->run->n_steps == 0) em_begin_sides(w, count, glances);
+    memcpy(w->side_new, w->side, sizeof w->side);
+    for (int i = 0; i < N_EVENTS; ++i) {
+        if (!em_may_cross(w, count, glances, i)) continue;
+        if (survey.count == 0 && (em_build_interpolant(w) || em_survey_step(w, &survey))) return -1;
+        if (em_search(w, &survey, i)) return -1;
+        em_arrive(w, i);
+    }
+    w->has_interpolant = survey.count > 0;
+    return 0;
 }
 
 #endif

@@ -28,6 +28,25 @@ EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rate) {
     return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
 }
 
+/* Where y has overflowed, or M there, neither pivots nor rows are to blame; nor are rows where a coordinate has lost the
+ * inertia it had at the start: in the mass metric each row with a part of it is infinitely long. */
+EM_COLD int em_blame(em_walk *w, double t, const double *y) {
+    const int first = em_non_finite_coordinate(y);
+    if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
+#ifdef EM_MECHANICS_H
+    double M[N * N], before[N * N];
+    mass_matrix(t, y, w->run->prepared, M);
+    mass_matrix(w->run->t_start, w->run->y_start, w->run->prepared, before);
+    for (int k = 0; k < N * N; ++k)
+        if (!isfinite(M[k])) return em_fail(&w->reason, EM_NON_FINITE_STATE, k % N, -1, NAN);
+    if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
+    for (int k = 0; k < N * N; k += N + 1)
+        if (!(M[k] > EM_SINGULAR_PIVOT * before[k]))
+            return em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, k / (N + 1), -1, M[k]);
+#endif
+    return (void)t, -1;
+}
+
 /* The coordinate with the largest part of the last error estimate. */
 static int em_worst_coordinate(const em_walk *w) {
     int worst = 0;
@@ -60,7 +79,8 @@ static int em_weakest_row(em_walk *w, double *pivot) {
 EM_COLD int em_fail_weakest(em_walk *w, double size) {
     double pivot;
     const int row = em_weakest_row(w, &pivot);
-    return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, size);
+    em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, size);
+    return em_blame(w, w->t_new, w->y_new);
 }
 
 /* Whether y_raw, settled to y_new with f_new there, moved no farther than it may. 0, or -1 and w->reason. */

@@ -23,6 +23,11 @@ enum {
     EM_LANES = 4,
     EM_WIDTH = (N_STATE + EM_LANES - 1) / EM_LANES * EM_LANES, /* a state padded with zeros */
     EM_SOME_EVENTS = N_EVENTS > 0 ? N_EVENTS : 1,
+    EM_GLANCES = 3,    /* states within every step at which events are looked at, */
+    EM_NODES = 9,      /* those at its ends included where a closer look is needed, */
+    EM_QUARTERS = 26,  /* and ever closer to a start at which one is zero */
+    EM_PLACES = EM_QUARTERS + EM_NODES,
+    EM_MOST_FOUND = N_EVENTS > 0 ? N_EVENTS * (EM_PLACES + EM_NODES) : 1,
     EM_SOME_INPUTS = N_INPUTS > 0 ? N_INPUTS : 1,
     EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1
 };
@@ -32,6 +37,16 @@ EM_INLINE double em_min(double a, double b) { return a < b ? a : b; }
 EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }
 
 struct em_scheme;
+
+/* A number g at a time; two of different signs, and whose they are. */
+typedef struct em_point {
+    double t, g;
+} em_point;
+
+typedef struct em_found {
+    em_point before, after;
+    int event;
+} em_found;
 
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
 typedef struct em_walk {
@@ -43,6 +58,9 @@ typedef struct em_walk {
     double memory[EM_SOME_MEMORY], memory_new[EM_SOME_MEMORY];
     double u[EM_SOME_INPUTS];
     double g[EM_SOME_EVENTS], g_new[EM_SOME_EVENTS];
+    double noise[EM_SOME_EVENTS], zero[EM_SOME_EVENTS]; /* of g at the start of the run, and what is no more than 0 there */
+    double quiet[EM_SOME_EVENTS];              /* beyond which a g that was zero at the start is so no longer */
+    em_found found[EM_MOST_FOUND];             /* what passes zero in the step under way */
     long piece[EM_SOME_INPUTS];                /* of each signal, valid within the step */
     em_run *run;
     const struct em_scheme *scheme;
@@ -54,9 +72,12 @@ typedef struct em_walk {
     double longest[N_POSITIONS > 0 ? N_POSITIONS : 1]; /* squared lengths of those rows of A, the largest so far */
     double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
+    double energy, energy_tolerance;           /* at the start; what the tolerances make of it, the largest so far */
+    long next_witness;                         /* the number of right-hand sides at which it is looked at again */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
-    int mode, mode_new, moved, has_interpolant, crossings;
+    int mode, mode_new, moved, has_interpolant, n_found;
+    int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
     size_t next_t_eval;
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
     struct timespec polled;
@@ -76,12 +97,16 @@ static void em_signals(em_walk *w, double t) {
     for (int i = 0; i < N_INPUTS; ++i) w->u[i] = em_signal_at(&w->run->inputs[i], w->piece[i], t);
 }
 
+/* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
+static int em_blame(em_walk *w, double t, const double *y);
+
 /* dy <- f(t, y) with the signals at t. */
 EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const double *memory, double *dy) {
     em_run *run = w->run;
     if (N_INPUTS > 0) em_signals(w, t);
     ++run->n_rhs;
-    return model_rhs(mode, t, y, run->prepared, w->u, memory, run->least_norm ? EM_LEAST_NORM : 0, dy, &w->reason);
+    const int flags = run->least_norm ? EM_LEAST_NORM : 0;
+    return model_rhs(mode, t, y, run->prepared, w->u, memory, flags, dy, &w->reason) ? em_blame(w, t, y) : 0;
 }
 
 static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double pace,

@@ -14,8 +14,9 @@
 #include "em_step.h"
 
 #include "em_dense.h"
-#include "em_events.h"
+#include "em_roots.h"
 #include "em_guard.h"
+#include "em_witness.h"
 
 _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
 
@@ -105,7 +106,7 @@ static int em_row_is_due(const em_walk *w, double t) {
 /* The rows of this step up to t_stop. */
 static int em_append_rows(em_walk *w, double t_stop) {
     em_run *run = w->run;
-    if (run->t_eval == NULL) return em_append_at(w, &run->rows, t_stop);
+    if (run->t_eval == NULL) return t_stop == w->t ? EM_GO_ON : em_append_at(w, &run->rows, t_stop);
     while (em_row_is_due(w, t_stop)) {
         if (em_append_at(w, &run->rows, run->t_eval[w->next_t_eval++]) || em_poll(w)) return EM_END;
     }
@@ -120,13 +121,13 @@ static int em_append_first_rows(em_walk *w) {
     return EM_GO_ON;
 }
 
-/* Record the crossings up to the first terminal one, whose time becomes *t_stop. */
+/* Record the crossings up to the first terminal one, whose time becomes *t_stop, and what else happens then. */
 static int em_append_crossings(em_walk *w, double *t_stop, int *terminal) {
-    em_crossing list[EM_SOME_EVENTS];
+    em_crossing list[EM_MOST_FOUND];
     const int count = em_locate_crossings(w, list);
     if (count < 0) return em_end_with(w, w->reason);
-    for (int i = 0; i < count && !*terminal; ++i) {
-        *terminal = w->run->event_terminal[list[i].event];
+    for (int i = 0; i < count && (!*terminal || list[i].t == *t_stop); ++i) {
+        *terminal |= w->run->event_terminal[list[i].event];
         if (*terminal) *t_stop = list[i].t;
         if (em_append_at(w, &w->run->events[list[i].event], list[i].t)) return EM_END;
     }
@@ -166,7 +167,8 @@ static void em_aim(em_walk *w, double size) {
 /* Whether somebody asks for a state inside the step. */
 static int em_needs_interpolant(const em_walk *w) {
     const em_run *run = w->run;
-    if (run->dense || em_count_crossings(w) > 0) return 1;
+    if (w->has_interpolant) return 0;
+    if (run->dense) return 1;
     return run->t_eval != NULL && em_row_is_due(w, w->t_new) && run->t_eval[w->next_t_eval] != w->t_new;
 }
 
@@ -197,8 +199,8 @@ static int em_land(em_walk *w) {
     if (last_is_first && !w->moved) memcpy(w->f_new, w->K[rk->solution], sizeof w->f_new);
     else if (em_rhs(w, w->mode_new, w->t_new, w->y_new, w->memory_new, w->f_new)) return -1;
     if (!em_all_finite(w->y_new) || !em_all_finite(w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
-    if (em_check_step(w) || em_check_factors(w)) return -1;
-    if (N_EVENTS > 0) em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new);
+    if (em_check_step(w) || em_check_factors(w) || em_check_energy(w)) return -1;
+    if (N_EVENTS > 0 && em_watch(w)) return -1;
     return em_needs_interpolant(w) ? em_build_interpolant(w) : 0;
 }
 
@@ -230,13 +232,13 @@ static int em_underflow(em_walk *w, double size, em_fault obstacle) {
 /* Attempts until one succeeds; proposes the size of the next step. */
 static int em_step_forward(em_walk *w) {
     em_run *run = w->run;
+    if (run->n_steps >= run->max_steps) return em_end(w, EM_TOO_MANY_STEPS);
     const double least = 10.0 * em_spacing(w);
     const double proposed = em_max(least, em_min(w->h_next, run->max_step));
     em_fault obstacle = {EM_FINISHED, -1, -1, 0.0};
     double size = proposed;
     for (int rejected = 0;; rejected = 1) {
         if (size < least) return em_underflow(w, size, obstacle);
-        if (run->n_steps + run->n_rejected >= run->max_steps) return em_end(w, EM_TOO_MANY_STEPS);
         if (em_poll(w)) return EM_END;
         em_aim(w, size);
         const int failed = em_attempt(w) != 0;
@@ -266,6 +268,7 @@ static void em_commit(em_walk *w) {
     memcpy(w->K[0], w->f_new, sizeof w->f_new);
     memcpy(w->memory, w->memory_new, sizeof w->memory);
     memcpy(w->g, w->g_new, sizeof w->g);
+    memcpy(w->side, w->side_new, sizeof w->side);
 }
 
 /* All that is recorded of an accepted step; *t_stop is where a terminal event ends it. */
@@ -274,7 +277,7 @@ static int em_record(em_walk *w, double *t_stop, int *terminal) {
     em_fault fault;
     if (N_EVENTS > 0 && em_append_crossings(w, t_stop, terminal)) return EM_END;
     if (em_append_rows(w, *t_stop)) return EM_END;
-    return w->run->dense && em_dense_keep(w->run, kept, w->F[0], &fault) ? em_end_with(w, fault) : EM_GO_ON;
+    return w->run->dense && *t_stop != w->t && em_dense_keep(w->run, kept, w->F[0], &fault) ? em_end_with(w, fault) : EM_GO_ON;
 }
 
 /* One accepted step, and f anew where a signal jumps at its end. */
@@ -287,7 +290,8 @@ static int em_advance(em_walk *w) {
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
     if (w->t != w->signals_end || !em_enter_pieces(w)) return EM_GO_ON;
-    return em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0]) ? em_end_with(w, w->reason) : EM_GO_ON;
+    if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
+    return N_EVENTS > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
 }
 
 /* --- the start of a run --- */
@@ -346,7 +350,7 @@ static int em_begin(em_walk *w) {
     em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
     const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
     if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
-    if (N_EVENTS > 0) em_events_at(w, w->t, w->y, w->K[0], w->g);
+    if (em_begin_witness(w) || (N_EVENTS > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w, d0, d1);
     return EM_GO_ON;
 }

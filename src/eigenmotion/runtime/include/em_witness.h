@@ -1,0 +1,64 @@
+/* em_witness.h: what a run knows about itself for nothing. Where T2 - T0 + V is a constant of the motion it is held, now
+ * and then and at the end, against what the tolerances promise of it: a run that has left that has left the motion. */
+#ifndef EM_WITNESS_H
+#define EM_WITNESS_H
+
+#include "em_step.h"
+
+/* In right-hand sides: so seldom is the energy looked at that it costs nothing. */
+#define EM_WITNESS_EVERY 128
+
+/* By how much more than its tolerances every step, settling included, may change the energy; and a run as a whole. */
+#define EM_STEP_MAY 10.0
+#define EM_RUN_MAY 100.0
+
+/* Whether there is an energy to look at. */
+static int em_has_witness(const em_run *run) {
+    return run->stabilise && run->model != NULL && run->model->conserves_energy;
+}
+
+static double em_jacobi_integral(const em_walk *w, double t, const double *x, const double *v) {
+    double e[4];
+    w->run->model->energy(t, x, v, w->run->prepared, e);
+    return e[0] - e[2] + e[3];
+}
+
+/* What the energy changes by with x and v, one after the other, by their tolerances, and by rounding of its terms. */
+EM_COLD double em_energy_tolerance(const em_walk *w, double t, const double *x, const double *v) {
+    double z[2 * N], e[4], sum = 0.0;
+    memcpy(z, x, N * sizeof *z);
+    memcpy(z + N, v, N * sizeof *z);
+    const double here = em_jacobi_integral(w, t, z, z + N);
+    for (int k = 0; k < 2 * N; ++k) {
+        const double kept = z[k];
+        z[k] += 1.0 / w->weight[k];
+        const double change = fabs(em_jacobi_integral(w, t, z, z + N) - here);
+        if (isfinite(change)) sum += change;
+        z[k] = kept;
+    }
+    w->run->model->energy(t, x, v, w->run->prepared, e);
+    return sum + DBL_EPSILON * (fabs(e[0]) + fabs(e[2]) + fabs(e[3]));
+}
+
+/* The energy at the start. 0, or -1 and w->reason: it is not finite. */
+static int em_begin_witness(em_walk *w) {
+    if (!em_has_witness(w->run)) return 0;
+    w->energy = em_jacobi_integral(w, w->t, w->y, w->K[0]);
+    w->energy_tolerance = em_energy_tolerance(w, w->t, w->y, w->K[0]);
+    return isfinite(w->energy) ? 0 : em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, w->energy);
+}
+
+/* Whether the energy at t_new is what it may be. 0, or -1 and w->reason. */
+static int em_check_energy(em_walk *w) {
+    em_run *run = w->run;
+    if ((run->n_rhs < w->next_witness && w->t_new != run->t_end) || !em_has_witness(run)) return 0;
+    const double drift = fabs(em_jacobi_integral(w, w->t_new, w->y_new, w->f_new) - w->energy);
+    const double steps = EM_RUN_MAY + EM_STEP_MAY * (double)run->n_steps;
+    if (!(drift <= 0.1 * steps * w->energy_tolerance))
+        w->energy_tolerance = em_max(w->energy_tolerance, em_energy_tolerance(w, w->t_new, w->y_new, w->f_new));
+    if (!(drift <= steps * w->energy_tolerance)) return em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, drift);
+    w->next_witness = run->n_rhs + EM_WITNESS_EVERY;
+    return 0;
+}
+
+#endif

@@ -1,0 +1,111 @@
+"""Arguments that would lose something on the way are refused, and a failure names what caused it."""
+
+import numpy as np
+import pytest
+from eigenmotion.codegen.model import ModelError
+from sympy import Rational, cos, sin
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model, System
+from eigenmotion.runtime import StopReason
+from eigenmotion.summary import summary
+
+from .generation import system_for, system_of
+
+X, Y = dynamicsymbols("x y")
+
+
+@pytest.fixture
+def system() -> System:
+    return system_of("double_pendulum")
+
+
+@pytest.mark.parametrize("kind", [int, bool, np.uint8, complex, object])
+def test_rhs_refuses_to_write_into_what_is_no_array_of_floats(system, kind):
+    y, out = system.state(), np.zeros(system.n_state, kind)
+    with pytest.raises(ValueError, match="out must be a writable array of floating point numbers"):
+        system.rhs(0.0, y, out=out)
+    frozen = np.zeros(system.n_state)
+    frozen.flags.writeable = False
+    for wrong in (frozen, list(y), np.zeros(system.n_state + 1)):
+        with pytest.raises(ValueError, match="out must be a writable"):
+            system.rhs(0.0, y, out=wrong)
+
+
+@pytest.mark.parametrize("given", [None, True, 1, b"none"])
+def test_a_word_is_a_string(system, given):
+    for option in ("stabilisation", "method", "dependent_constraints"):
+        with pytest.raises(ModelError, match=f"{option} is .*not a string; known: "):
+            system.simulate((0, 1), **{option: given})
+
+
+def test_complex_numbers_are_refused_everywhere(system):
+    z, n = np.array([1 + 1e-20j, 2.0]), system.n
+    calls = [
+        lambda: system.rhs(0.0, system.state().astype(complex)),
+        lambda: system.jacobian(0.0, system.state().astype(complex)),
+        lambda: system.state(z),
+        lambda: system.state(None, z),
+        lambda: system.mass_matrix(z),
+        lambda: system.energy(z, np.zeros(n)),
+        lambda: system.acceleration(np.zeros(n), z),
+        lambda: system.eigenfactor_gradient(z),
+        lambda: system.eta_sensitivity(np.ones(n), z),
+        lambda: system.simulate((0, 1), x0=z),
+        lambda: system.simulate((0, 1), v0=list(z)),
+        lambda: system.simulate((0, 1), t_eval=[1j]),
+        lambda: system.prepare(np.array(list(system.parameters.values())) + 0j),
+    ]
+    for call in calls:
+        with pytest.raises(ValueError, match="complex"):
+            call()
+
+
+def test_a_short_velocity_is_not_broadcast(system):
+    for v in ([1.0], 1.0, np.ones(system.n + 1)):
+        with pytest.raises(ModelError, match="coordinate of v: an array of shape"):
+            system.eta_sensitivity(np.ones(system.n), v)
+
+
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "Radau", "BDF"])
+def test_max_steps_are_accepted_steps(system, method):
+    whole = system.simulate((0, 1), method=method)
+    assert whole.nsteps > 5
+    assert system.simulate((0, 1), method=method, max_steps=whole.nsteps).success
+    short = system.simulate((0, 1), method=method, max_steps=whole.nsteps - 1)
+    assert (short.stop, short.nsteps) == (StopReason.TOO_MANY_STEPS, whole.nsteps - 1)
+
+
+def test_rejected_steps_of_implicit_methods_are_unknown(system):
+    found = system.simulate((0, 1), method="Radau")
+    assert found.nrejected is None
+    for text in (repr(found), summary(system, found, 1.0)):
+        assert "steps" in text
+        assert "rejected" not in text
+        assert "None" not in text
+    assert "rejected" in repr(system.simulate((0, 1)))
+
+
+@pytest.mark.parametrize("method", ["rk34", "dop853", "Radau"])
+def test_a_force_without_bounds_is_not_blamed_on_the_mass_matrix(method):
+    u = dynamicsymbols("u")
+    energy = (X.diff() ** 2 * (1 + X**2) + Y.diff() ** 2 + X.diff() * Y.diff() * cos(Y)) / 2
+    pushed = system_for(Model(name="overflowing", coordinates=[X, Y], kinetic_energy=energy, forces={X: u},
+                              inputs={u: 0.0}))  # fmt: skip
+    with np.errstate(all="ignore"):
+        found = pushed.simulate((0, 1), inputs={"u": 1e308}, method=method)
+    assert found.stop is StopReason.NON_FINITE_STATE
+    assert "inputs" in found.message
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky", "lagrange"])
+@pytest.mark.parametrize("method", ["rk34", "dop853"])
+def test_a_row_of_a_coordinate_that_loses_its_inertia_is_not_blamed(method, formulation):
+    energy = Rational(9, 25) * (X.diff() ** 2 + sin(X) ** 2 * Y.diff() ** 2)
+    hoop = system_for(
+        Model(name="hoop", coordinates=[X, Y], kinetic_energy=energy, potential_energy=-6 * cos(X),
+              nonholonomic_constraints=[Y.diff() - 5], initial={X: 2.5, Y.diff(): 5}), formulation
+    )  # fmt: skip
+    found = hoop.simulate((0, 2), method=method)
+    assert found.stop in (StopReason.FINISHED, StopReason.SINGULAR_MASS_MATRIX)
+    assert found.success or "'y'" in found.message
