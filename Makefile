@@ -7,7 +7,7 @@ READY  := $(VENV)/.ready
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
 TYPES  := build/types/eigenmotion
 
-.PHONY: demo test check lint types generated regenerate bench clean
+.PHONY: demo test nightly check lint types generated regenerate bench clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -18,6 +18,10 @@ demo: $(READY)
 # PYTEST_ARGS="-k name" runs a part
 test: $(READY)
 	$(BIN)/pytest -n auto $(PYTEST_ARGS)
+
+# What takes longer than a test may: every model in every frame, by every formulation
+nightly: $(READY)
+	$(BIN)/pytest -n auto -m nightly $(PYTEST_ARGS)
 
 check: lint types generated
 
