@@ -26,6 +26,7 @@ fuzz: $(READY)
 
 # Longer sweeps, and the whole suite with every compiler there is
 nightly: fuzz
+	$(BIN)/pytest -n auto -m nightly $(PYTEST_ARGS)
 	EIGENMOTION_SEEDS=14 $(BIN)/pytest -n auto tests/test_warnings.py
 	for compiler in gcc clang; do \
 	    command -v $$compiler > /dev/null || { echo "skipped: the suite with $$compiler, which is not here"; continue; }; \

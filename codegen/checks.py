@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from .contents import check_symbols, declared
 from .degree import has_degree
 from .normalise import ModelError, name_of, nearest, shown, t
+from .pivots import is_singular
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -66,7 +67,7 @@ def solve_rates(model: Model, x: Iterable[float], y: Iterable[float]) -> tuple[f
     """
     at = {x_i: sympy.Float(value, 30) for x_i, value in zip(model.coordinates, x, strict=True)}
     P, y_column = _transformation(model, at), sympy.Matrix([sympy.Float(entry, 30) for entry in y])
-    if abs(P.det()) < 1e-14:
+    if is_singular(P.tolist(), _terms(model, at).tolist(), 1e-14):
         raise ModelError(
             f"Model {model.name!r}: initial gives quasi-velocities, but P of y = P(x) xdot is singular at the initial "
             "coordinates. Start elsewhere, or choose other coordinates."
@@ -76,9 +77,24 @@ def solve_rates(model: Model, x: Iterable[float], y: Iterable[float]) -> tuple[f
 
 def _transformation(model: Model, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
     """P(x) in numbers of 30 digits."""
+    return _in_numbers(model, _symbolic_transformation(model), at)
+
+
+def _terms(model: Model, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
+    """(n, n) |P_ij| + sum_k |x_k dP_ij / dx_k|: what the rounding of P and of x is in proportion to."""
+    P = _symbolic_transformation(model)
+    parts = [P, *(x * P.diff(x) for x in model.coordinates)]
+    sizes = [_in_numbers(model, part, at).applyfunc(abs) for part in parts]
+    return sum(sizes[1:], sizes[0])
+
+
+def _symbolic_transformation(model: Model) -> sympy.Matrix:
+    return sympy.Matrix([[expression.coeff(v) for v in model.rates] for _, expression in _expanded(model)])
+
+
+def _in_numbers(model: Model, matrix: sympy.Matrix, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
     values = {symbol: sympy.Float(value, 30) for symbol, value in [*model.parameters, (t, 0.0)]}
-    rows = [[expression.coeff(v) for v in model.rates] for _, expression in _expanded(model)]
-    return sympy.Matrix(rows).xreplace(at | values).evalf(30)
+    return matrix.xreplace(at | values).evalf(30)
 
 
 def _expanded(model: Model) -> list[tuple[sympy.Expr, sympy.Expr]]:
@@ -189,7 +205,8 @@ def _check_quasi_velocities(model: Model) -> None:
             raise ModelError(f"quasi_velocities[{name_of(y)}] is not linear in the rates: y = P(x) xdot (3).")
     # a place without symmetry: a P singular there is singular everywhere, up to coincidence
     somewhere = {x: sympy.Float(0.37 + 0.61 * k) for k, x in enumerate(model.coordinates)}
-    if abs(_transformation(model, somewhere).det()) < 1e-20:
+    P = _transformation(model, somewhere)
+    if is_singular(P.tolist(), P.applyfunc(abs).tolist(), 1e-20):
         raise ModelError("quasi_velocities are not independent: P in (3) is singular. Change one of them.")
 
 

@@ -371,8 +371,8 @@ class _Writing:
         return self.write([[*A, *self.column("b", self.terms.b)]], self.naming("x", "v"), ("t", "x", "c", "A", "b"))
 
     def position(self) -> Body:
-        given = self.column("phi", self.terms.phi)
-        return self.write([given], self.naming("x", "v"), ("t", "x", "c", "phi"))
+        given = [*self.column("phi", self.terms.phi), *self.column("terms", self.terms.phi_terms)]
+        return self.write([given], self.naming("x", "v"), ("t", "x", "c", "phi", "terms"))
 
     def bias(self) -> Body:
         given = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma)]

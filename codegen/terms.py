@@ -13,6 +13,7 @@ from .convert import FromSympy
 from .differentiate import Tangent, gradient
 from .graph import Graph, Node
 from .rewrite import Rewriter
+from .rounding import Rounding
 from .schedule import weight
 from .specialise import Scene
 from .trigonometry import expansion
@@ -81,6 +82,11 @@ class Terms:
         """(m,) Adot v + bdot, with bdot the total derivative: what A xddot must cancel (39)"""
         return tuple(self.graph.add(self._dot(map(self.along, row), self._velocities), self.along(b))
                      for row, b in zip(self.A, self.b, strict=True))  # fmt: skip
+
+    @cached_property
+    def phi_terms(self) -> tuple[Node, ...]:
+        """(h,) size of the terms of phi: eps times that is its rounding"""
+        return tuple(map(Rounding(self.graph), self.phi))
 
     @cached_property
     def motion(self) -> Motion:

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:551c0ded2641d74686761d9e4f111debf09330ceac211e6c589d1ddfd48d7642 */
+/* body sha256:3b5e74111e1d5398bc7b098ce72bf64ea4fe8c1c9c7f44b92c3be496b65438f7 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -112,10 +112,10 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     b[0] = 0.0;
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi;
+(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:98f58f23cfb81b24c16f25ceb1104c76844b9bccb8afd9f1341c392ab97b0ad9 */
+/* body sha256:4ae74d406ff8d406346217b1e995be66f65207af635bc34941506a137a1fdc07 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -115,10 +115,10 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 (void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi;
+(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */

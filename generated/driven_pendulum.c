@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:ccc8cfd60c6ee2b82a7dbaeac4885cdda826cbb8d58302987c2baffbfbaddc90 */
+/* body sha256:d77a62651eea0da7f753d2826efc7301a8604baef63136866cd64ce3f87a2d0c */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -45,7 +45,7 @@ enum {
     SETTLES = 1,      /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1,
     N_PARAMETERS = 5,
-    N_PREPARED = 19, /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 20, /* the parameters, factors of constant blocks, shared constants */
     N1 = 1, /* x */
     N2 = 1 /* y */
 };
@@ -75,7 +75,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[15] = a_*(w*w);
     c[16] = 2.0*z_5;
     c[17] = l*l;
-    c[18] = z_2;
+    c[18] = fabs(a_);
+    c[19] = z_2;
     /* block 1 (x): C, s, L, 1 / diag L */
     static const int coordinate1[N1] = { 0 };
     const int singular1 = em_prepare_block(N1, M1[0], c + 5, c + 6, c + 7, c + 8);
@@ -121,17 +122,22 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     b[0] = c_3*(z_7*sin_z_5);
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
     const double a_ = c[3];
     const double w = c[4];
     const double c_4 = c[17];
+    const double c_5 = c[18];
     const double x_ = x[0];
     const double y_ = x[1];
-    const double cos_5 = em_cos(t*w);
-    const double z_6 = y_ - a_*cos_5;
-    phi[0] = x_*x_ + z_6*z_6 - c_4;
+    const double z_1 = x_*x_;
+    const double z_6 = t*w;
+    const double cos_z_6 = em_cos(z_6);
+    const double z_8 = y_ - a_*cos_z_6;
+    const double sin_z_6 = em_sin(z_6);
+    phi[0] = z_1 + z_8*z_8 - c_4;
+    terms[0] = 2.0*(z_1 + c_4 + (fabs(y_) + c_5*(fabs(cos_z_6) + fabs(z_6*sin_z_6)))*fabs(z_8));
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -162,14 +168,14 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 {
 (void)t;
     const double m = c[0];
-    const double c_5 = c[18];
+    const double c_6 = c[19];
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double y_ = x[1];
     e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = y_*c_5;
+    e[3] = y_*c_6;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:4397f8aab3fe157c148c311a9797d3047f6953250b6873e4887e72a56c77c7ac */
+/* body sha256:2c4e8c35672f1639ac93d75e3cadb63dbfa6c19fc56e830d363a437b0e601464 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -159,10 +159,10 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     b[0] = 0.0;
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi;
+(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */

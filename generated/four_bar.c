@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:d3a75e774eed97865c5d07b51370bca28fa13134a8a2ccce2b2531eea7722a47 */
+/* body sha256:bf64c33e614c426928ed78dc1f49f4ddc6e0e28d62714f2a1f652bc095321bda */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -48,7 +48,7 @@ enum {
     SETTLES = 1,      /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1,
     N_PARAMETERS = 6,
-    N_PREPARED = 24, /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 28, /* the parameters, factors of constant blocks, shared constants */
     N1 = 2, /* q1, q2 */
     N2 = 1 /* q3 */
 };
@@ -66,6 +66,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     const double a_ = c[0];
     const double b_ = c[1];
     const double c_ = c[2];
+    const double d = c[3];
     const double density = c[4];
     const double g = c[5];
     const double z_2 = c_*c_;
@@ -85,13 +86,17 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[14] = (1.0/3.0)*z_12;
     c[15] = (1.0/3.0)*z_13;
     c[16] = (1.0/3.0)*z_3;
-    c[17] = 2.0*z_12;
-    c[18] = 2.0*z_13;
-    c[19] = 2.0*z_3;
-    c[20] = 2.0*a_;
-    c[21] = z_10;
-    c[22] = z_2;
-    c[23] = 0.5*z_9;
+    c[17] = fabs(a_);
+    c[18] = fabs(b_);
+    c[19] = fabs(c_);
+    c[20] = fabs(d);
+    c[21] = 2.0*z_12;
+    c[22] = 2.0*z_13;
+    c[23] = 2.0*z_3;
+    c[24] = 2.0*a_;
+    c[25] = z_10;
+    c[26] = z_2;
+    c[27] = 0.5*z_9;
     /* block 2 (q3): C, s, L, 1 / diag L */
     static const int coordinate2[N2] = { 2 };
     const int singular2 = em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9);
@@ -164,14 +169,18 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     b[1] = 0.0;
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
 (void)t;
     const double a_ = c[0];
     const double b_ = c[1];
     const double c_ = c[2];
     const double d = c[3];
+    const double c_7 = c[17];
+    const double c_8 = c[18];
+    const double c_9 = c[19];
+    const double c_10 = c[20];
     const double q1_ = x[0];
     const double q2_ = x[1];
     const double q3_ = x[2];
@@ -183,6 +192,10 @@ static void position(double t, const double *restrict x, const double *restrict 
     const double sin_q3_ = em_sin(q3_);
     phi[0] = a_*cos_q1_ + b_*cos_q2_ - c_*cos_q3_ - d;
     phi[1] = a_*sin_q1_ + b_*sin_q2_ - c_*sin_q3_;
+    terms[0] = c_7*(fabs(cos_q1_) + fabs(q1_*sin_q1_)) + c_8*(fabs(cos_q2_) + fabs(q2_*sin_q2_)) +
+        c_9*(fabs(cos_q3_) + fabs(q3_*sin_q3_)) + c_10;
+    terms[1] = c_7*(fabs(sin_q1_) + fabs(q1_*cos_q1_)) + c_8*(fabs(sin_q2_) + fabs(q2_*cos_q2_)) +
+        c_9*(fabs(sin_q3_) + fabs(q3_*cos_q3_));
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -229,13 +242,13 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 (void)t;
     const double b_ = c[1];
     const double c_0 = c[10];
-    const double c_7 = c[17];
-    const double c_8 = c[18];
-    const double c_9 = c[19];
-    const double c_10 = c[20];
     const double c_11 = c[21];
     const double c_12 = c[22];
     const double c_13 = c[23];
+    const double c_14 = c[24];
+    const double c_15 = c[25];
+    const double c_16 = c[26];
+    const double c_17 = c[27];
     const double q1_dot = v[0];
     const double q2_dot = v[1];
     const double q3_dot = v[2];
@@ -248,11 +261,11 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double sin_q2_ = em_sin(q2_);
     const double z_9 = c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_);
     const double sin_q3_ = em_sin(q3_);
-    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_9 + q1_dot*c_7) + q2_dot*(3.0*q1_dot*z_9 + q2_dot*c_8) +
-        c_9*(q3_dot*q3_dot));
+    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_9 + q1_dot*c_11) + q2_dot*(3.0*q1_dot*z_9 + q2_dot*c_12) +
+        c_13*(q3_dot*q3_dot));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = (b_*(b_*sin_q2_ + sin_q1_*c_10) + c_11*sin_q1_ + sin_q3_*c_12)*c_13;
+    e[3] = (b_*(b_*sin_q2_ + sin_q1_*c_14) + c_15*sin_q1_ + sin_q3_*c_16)*c_17;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:22611f89c3a345d8b5bb9606f79e012c20d3e7fb9ad624ff97c59655430a029e */
+/* body sha256:dee24c9fac992014ccb7cd15962d80a3388276d8ad8d60bc7d1917e5e5a79c5f */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -117,10 +117,10 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 (void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi;
+(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */

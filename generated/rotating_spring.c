@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:1405fe399d4fc7e1c26d6c19140f966f9b01fb8ed2ec885112b229525439a8fb */
+/* body sha256:89fbe6235cb9af687179f0a7e5d3fe650f01cc021dfc665b612fac650ad919eb */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -107,10 +107,10 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 (void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi;
+(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */

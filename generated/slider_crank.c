@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:bc1227584e4ec4fba4c5be9ef80e3f2d5811cdf952c439c4b79e47c9c49e3d41 */
+/* body sha256:3d590e318e04a6282927136e9b086118660ff2e1cac00363f23d8445958877f1 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -48,7 +48,7 @@ enum {
     SETTLES = 1,      /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1,
     N_PARAMETERS = 6,
-    N_PREPARED = 21, /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 23, /* the parameters, factors of constant blocks, shared constants */
     N1 = 2, /* theta, phi */
     N2 = 1 /* x */
 };
@@ -80,12 +80,14 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     c[12] = m_r*l*g;
     c[13] = (1.0/3.0)*z_9;
     c[14] = (1.0/3.0)*z_10;
-    c[15] = 2.0*z_9;
-    c[16] = 2.0*z_10;
-    c[17] = 6.0*m_s;
-    c[18] = 2.0*r;
-    c[19] = z_7;
-    c[20] = 0.5*g;
+    c[15] = fabs(r);
+    c[16] = fabs(l);
+    c[17] = 2.0*z_9;
+    c[18] = 2.0*z_10;
+    c[19] = 6.0*m_s;
+    c[20] = 2.0*r;
+    c[21] = z_7;
+    c[22] = 0.5*g;
     /* block 2 (x): C, s, L, 1 / diag L */
     static const int coordinate2[N2] = { 2 };
     const int singular2 = em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9);
@@ -153,12 +155,14 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
     b[1] = 0.0;
 }
 
-/* phi (h): the holonomic constraints */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi)
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
 {
 (void)t;
     const double r = c[0];
     const double l = c[1];
+    const double c_5 = c[15];
+    const double c_6 = c[16];
     const double theta = x[0];
     const double phi_ = x[1];
     const double x_ = x[2];
@@ -168,6 +172,9 @@ static void position(double t, const double *restrict x, const double *restrict 
     const double sin_phi_ = em_sin(phi_);
     phi[0] = -(r*cos_theta + l*cos_phi_ - x_);
     phi[1] = r*sin_theta - l*sin_phi_;
+    terms[0] = c_5*(fabs(cos_theta) + fabs(theta*sin_theta)) + c_6*(fabs(cos_phi_) + fabs(phi_*sin_phi_)) +
+        fabs(x_);
+    terms[1] = c_5*(fabs(sin_theta) + fabs(theta*cos_theta)) + c_6*(fabs(sin_phi_) + fabs(phi_*cos_phi_));
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -208,12 +215,12 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double l = c[1];
     const double m_r = c[3];
     const double c_0 = c[10];
-    const double c_5 = c[15];
-    const double c_6 = c[16];
     const double c_7 = c[17];
     const double c_8 = c[18];
     const double c_9 = c[19];
     const double c_10 = c[20];
+    const double c_11 = c[21];
+    const double c_12 = c[22];
     const double theta_dot = v[0];
     const double phi_dot = v[1];
     const double x_dot = v[2];
@@ -224,11 +231,11 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double cos_phi_ = em_cos(phi_);
     const double cos_theta = em_cos(theta);
     const double z_9 = c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta);
-    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_9 + theta_dot*c_5) + phi_dot*(3.0*theta_dot*z_9 + phi_dot*c_6) +
-        c_7*(x_dot*x_dot));
+    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_9 + theta_dot*c_7) + phi_dot*(3.0*theta_dot*z_9 + phi_dot*c_8) +
+        c_9*(x_dot*x_dot));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = (m_r*(sin_theta*c_8 - l*sin_phi_) + sin_theta*c_9)*c_10;
+    e[3] = (m_r*(sin_theta*c_10 - l*sin_phi_) + sin_theta*c_11)*c_12;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */

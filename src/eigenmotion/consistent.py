@@ -96,6 +96,9 @@ class Projection:
         """Return the part of d along the constraints at x: d - M^-1 A^T (A M^-1 A^T)^+ A d."""
         A = self.model.pfaffian(self.t, x, self.prepared)[0][: self.model.h]
         W = np.linalg.solve(M, A.T)
+        lengths = np.sqrt(np.einsum("ij,ji->i", A, W))
+        units = 1.0 / np.where(lengths > 0.0, lengths, 1.0)  # rows of length one: which depend is no matter of units
+        A, W = units[:, None] * A, W * units
         return np.asarray(d - W @ np.linalg.lstsq(A @ W, A @ d, rcond=1e-12)[0])
 
 

@@ -102,7 +102,8 @@ def simulate(
     first, longest, most = step_limits(first_step, max_step, max_steps, abs(end - start))
     prepared = _prepared(system, parameters)
     signals = _inputs(system, inputs, start, end)
-    y = start_state(system.compiled, prepared, start, *system.start(x0, v0, start, prepared), relative)
+    x, v = system.start(x0, v0, start, prepared)
+    y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
     project = choice(stabilisation, _STABILISATIONS, "stabilisation")
     task = Task(
         system.compiled, prepared, signals, start, end, y, relative, absolute,

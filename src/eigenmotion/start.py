@@ -13,19 +13,25 @@ _LOOSEST = 1e-4  # a start is never further off the constraints than this, relat
 _TIGHTEST = 1e-9  # and rounding in what the user computed is forgiven up to this
 
 
-def start_state(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float) -> Vector:
+_STEPS = 10  # how many times the tolerances of a run its start may be off the constraints
+
+
+def start_state(
+    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
+) -> Vector:
     """Return y (n_state,) at x, v (n,), having checked M > 0, phi = 0 and A v + b = 0.
 
-    Residuals up to ten times rtol of the terms that cancel in a row are left to the projection.
+    Left to the projection are residuals up to ten times rtol of the terms that cancel in a row, and what a change of
+    every x_k and v_k by ten times atol_k would make.
 
     Raises
     ------
     ModelError
         One of them does not hold; says which coordinate or row, by how much, and which start would do.
     """
-    tolerance = min(max(10 * rtol, _TIGHTEST), _LOOSEST)
-    y = model.start(t, x, v, prepared, tolerance)
-    return _Start(model, prepared, t, x, v).examined(tolerance) if y is None else y
+    tolerance, least = min(max(_STEPS * rtol, _TIGHTEST), _LOOSEST), _STEPS * atol
+    y = model.start(t, x, v, prepared, tolerance, least)
+    return _Start(model, prepared, t, x, v).examined(tolerance, least) if y is None else y
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,11 +44,11 @@ class _Start:
     x: Vector
     v: Vector
 
-    def examined(self, tolerance: float) -> Vector:
-        """Return y, or raise as `start_state`."""
+    def examined(self, tolerance: float, least: Vector) -> Vector:
+        """Return y, or raise as `start_state`; least (n,): changes of x and v that are forgiven."""
         self._check_mass_matrix()
-        self._check_position(tolerance)
-        self._check_velocity(tolerance)
+        self._check_position(tolerance, least)
+        self._check_velocity(tolerance, least)
         try:
             y = self.model.state(self.t, self.x, self.v, self.prepared)
         except EvaluationError as error:
@@ -63,23 +69,23 @@ class _Start:
             "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
         )
 
-    def _check_position(self, tolerance: float) -> None:
+    def _check_position(self, tolerance: float, least: Vector) -> None:
         if self.model.h == 0:
             return
-        phi = self.model.position(self.t, self.x, self.prepared)
+        phi, terms = self.model.position(self.t, self.x, self.prepared)
         A = self.model.pfaffian(self.t, self.x, self.prepared)[0][: self.model.h]
-        reach = np.abs(A) @ np.maximum(np.abs(self.x), 1.0)  # phi of coordinates that are off by one, at the least
-        self._refuse("x0 is off holonomic constraint", phi, tolerance * reach)
+        self._refuse("x0 is off holonomic constraint", phi, tolerance * terms + np.abs(A) @ least)
 
-    def _check_velocity(self, tolerance: float) -> None:
+    def _check_velocity(self, tolerance: float, least: Vector) -> None:
         if self.model.m == 0:
             return
         A, b = self.model.pfaffian(self.t, self.x, self.prepared)
         terms = np.abs(A) @ np.abs(self.v) + np.abs(b)
-        self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, tolerance * terms)
+        allowed = tolerance * terms + np.abs(A) @ least
+        self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, allowed)
 
     def _refuse(self, what: str, residual: Vector, allowed: Vector) -> None:
-        pairs = enumerate(zip(residual.tolist(), (allowed + 1e-12).tolist(), strict=True))
+        pairs = enumerate(zip(residual.tolist(), allowed.tolist(), strict=True))
         wrong = [(k, r) for k, (r, limit) in pairs if not abs(r) <= limit]  # NaN is wrong too
         if wrong:
             rows = ", ".join(f"row {k} by {r:.6g}" for k, r in wrong)

@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .codegen.model import ModelError
+from .codegen.pivots import is_singular
 from .names import Vector, by_spelling, overlay, spelled, unknown
 from .runtime import CompiledModel, Prepared
 
-_SINGULAR = 1e14  # a condition number of P beyond which no digit of xdot = P^-1 y is right
+_SINGULAR = 1e-14  # the part of its terms below which a pivot of P leaves no digit of xdot = P^-1 y right
+_NEARBY = 2.0**-26  # relative change of a coordinate, for what the rounding of x makes of P
 
 
 def transformation(model: CompiledModel, c: Prepared, t: float, x: Vector) -> Vector:
@@ -29,12 +31,18 @@ def rates_from(model: CompiledModel, c: Prepared, t: float, x: Vector, y: Vector
         P is singular or not finite at x, as that of body rates in Euler angles in gimbal lock.
     """
     P = transformation(model, c, t, x)
-    if not np.isfinite(P).all() or np.linalg.cond(P) > _SINGULAR:
+    if not np.isfinite(P).all() or is_singular(P.tolist(), _terms(model, c, t, x, P).tolist(), _SINGULAR):
         raise ModelError(
             f"{model.name}: the quasi-velocities ({', '.join(model.quasi_velocities)}) do not determine the rates at "
             "x0, where P of y = P(x) xdot is singular. Start elsewhere, give v0 in rates, or choose other coordinates."
         )
     return np.asarray(np.linalg.solve(P, y))
+
+
+def _terms(model: CompiledModel, c: Prepared, t: float, x: Vector, P: Vector) -> Vector:
+    """(n, n) about |P_ij| + sum_k |x_k dP_ij / dx_k|: what the rounding of P and of x is in proportion to."""
+    moved = [transformation(model, c, t, place) for place in x * (1.0 + _NEARBY * np.eye(model.n))]
+    return np.asarray(np.abs(P) + sum(np.abs(at - P) for at in moved) / _NEARBY)
 
 
 def initial_rates(

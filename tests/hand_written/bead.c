@@ -123,8 +123,9 @@ static void pfaffian(double t, const double *x, const double *c, double *A, doub
     b[0] = 0.0;
 }
 
-static void position(double t, const double *x, const double *c, double *phi) {
+static void position(double t, const double *x, const double *c, double *phi, double *terms) {
     (void)t;
+    terms[0] = 1.5 * (x[0] * x[0] + x[1] * x[1] + c[RADIUS] * c[RADIUS]);
     phi[0] = 0.5 * (x[0] * x[0] + x[1] * x[1] - c[RADIUS] * c[RADIUS]);
 }
 

@@ -117,7 +117,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*mass_matrix)(double, const double *, const double *, double *) noexcept nogil
         void (*mass_matrix_gradient)(double, const double *, const double *, double *) noexcept nogil
         void (*pfaffian)(double, const double *, const double *, double *, double *) noexcept nogil
-        void (*position)(double, const double *, const double *, double *) noexcept nogil
+        void (*position)(double, const double *, const double *, double *, double *) noexcept nogil
         int (*acceleration)(double, const double *, const double *, const double *, const double *, int,
                             double *, double *, em_fault *) noexcept nogil
         int (*project)(double, double *, double *, const double *, int, em_fault *) noexcept nogil
@@ -138,4 +138,5 @@ cdef extern from "eigenmotion.h" nogil:
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
 
 cdef extern from "em_start.h" nogil:
-    int em_start(const em_model *, double, const double *, const double *, const double *, double, double *)
+    int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,
+                 double *)

@@ -233,10 +233,11 @@ cdef class CompiledModel:
             raise self.failure(&fault)
         return y.array
 
-    def start(self, double t, x, v, Prepared c not None, double tolerance):
+    def start(self, double t, x, v, Prepared c not None, double tolerance, atol):
         """y where a run can start at x, v; None where that takes a closer look (em_start.h)."""
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
-        return y.array if em_start(self.model, t, q.data, w.data, c.c, tolerance, y.data) else None
+        cdef Numbers least = given(atol, (self.n,), "atol")
+        return y.array if em_start(self.model, t, q.data, w.data, c.c, tolerance, least.data, y.data) else None
 
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""
@@ -258,11 +259,11 @@ cdef class CompiledModel:
         return A.array, b.array
 
     def position(self, double t, x, Prepared c not None):
-        """phi (h): how far x is off the holonomic constraints."""
-        cdef Numbers q = given(x, (self.n,), "x"), phi = zeros((self.h,))
+        """phi (h): how far x is off the holonomic constraints; (h) the size of the terms that cancel in them."""
+        cdef Numbers q = given(x, (self.n,), "x"), phi = zeros((self.h,)), terms = zeros((self.h,))
         if self.h > 0:
-            self.model.position(t, q.data, c.c, phi.data)
-        return phi.array
+            self.model.position(t, q.data, c.c, phi.data, terms.data)
+        return phi.array, terms.array
 
     def acceleration(self, double t, x, v, Prepared c not None, u, bint least_norm):
         """a, lambda."""
@@ -380,9 +381,10 @@ cdef class CompiledModel:
         """phi as (k, h)."""
         cdef Py_ssize_t i, k = len(t)
         cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), phi = zeros((k, self.h))
+        cdef Numbers terms = zeros((self.h,))
         with nogil:
             for i in range(k if self.h > 0 else 0):
-                self.model.position(T.data[i], q.row(i), c.c, phi.row(i))
+                self.model.position(T.data[i], q.row(i), c.c, phi.row(i), terms.data)
         return phi.array
 
     def quasi_rows(self, t, x, v, Prepared c not None):

@@ -140,7 +140,8 @@ typedef struct em_model {
     void (*mass_matrix)(double t, const double *x, const double *c, double *M);           /* (n, n) */
     void (*mass_matrix_gradient)(double t, const double *x, const double *c, double *dM); /* (n, n, n) [k, i, j] */
     void (*pfaffian)(double t, const double *x, const double *c, double *A, double *b);   /* (m, n), (m) */
-    void (*position)(double t, const double *x, const double *c, double *phi);            /* (h) */
+    /* phi (h), and terms (h): eps terms is the rounding of phi */
+    void (*position)(double t, const double *x, const double *c, double *phi, double *terms);
     int (*acceleration)(double t, const double *x, const double *v, const double *c, const double *u,
                         int least_norm, double *a, double *lambda, em_fault *fault);      /* (n), (m) */
     int (*project)(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault);

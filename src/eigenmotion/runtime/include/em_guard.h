@@ -55,30 +55,41 @@ static int em_worst_coordinate(const em_walk *w) {
     return worst % N;
 }
 
-/* The row that adds least to the others, of those that are independent; *pivot <- the square of what it adds.
- * -1 where nothing is known of the rows. */
-static int em_weakest_row(em_walk *w, double *pivot) {
-    *pivot = NAN;
 #ifdef EM_MECHANICS_H
-    em_root root;
-    em_fault fault;
-    double pivots[EM_SOME_ROWS];
+/* The rows at the end of a step, in the mass metric, and the longest that each was. 0, or -1 and w->reason. */
+static int em_look_at_rows(em_walk *w, em_root *root) {
+    if (em_root_at(w->t_new, w->y_new, w->run->prepared, root, &w->reason)) return -1;
+    for (int row = 0; row < N_ROWS; ++row)
+        w->longest[row] = em_max(w->longest[row], root->Delta[row * N_ROWS + row]);
+    return 0;
+}
+
+/* The row that adds least to the others, of those that are independent, each in units of its longest; *pivot <- the
+ * square of what it adds. -1 where nothing is known of the rows. */
+static int em_weakest_row(em_walk *w, const em_root *root, double *pivot) {
+    double Delta[EM_SOME_ROWS * EM_SOME_ROWS], pivots[EM_SOME_ROWS];
     int rows[EM_SOME_ROWS];
-    if (em_root_at(w->t_new, w->y_new, w->run->prepared, &root, &fault)) return -1;
-    if (w->rank == 0) w->rank = em_rank(EM_SOME_ROWS, root.Delta);
+    for (int i = 0; i < N_ROWS; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double unit = sqrt(w->longest[i]) * sqrt(w->longest[j]);
+            Delta[i * N_ROWS + j] = unit > 0.0 ? root->Delta[i * N_ROWS + j] / unit : 0.0;
+        }
+    if (w->rank == 0) w->rank = em_rank(EM_SOME_ROWS, root->Delta);
     if (w->rank == 0) return -1;
-    em_ranked_rows(EM_SOME_ROWS, root.Delta, pivots, rows);
+    em_ranked_rows(EM_SOME_ROWS, Delta, pivots, rows);
     *pivot = pivots[w->rank - 1];
     return rows[w->rank - 1];
-#else
-    return (void)w, -1;
-#endif
 }
+#endif
 
 /* A fault that names the weakest row. */
 EM_COLD int em_fail_weakest(em_walk *w, double size) {
+    int row = -1;
+#ifdef EM_MECHANICS_H
+    em_root root;
     double pivot;
-    const int row = em_weakest_row(w, &pivot);
+    if (em_look_at_rows(w, &root) == 0) row = em_weakest_row(w, &root, &pivot);
+#endif
     em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, size);
     return em_blame(w, w->t_new, w->y_new);
 }
@@ -126,43 +137,50 @@ static int em_check_drift(em_walk *w) {
 #endif
 }
 
+#ifdef EM_MECHANICS_H
 /* Positions on the constraints are known to rounding c of phi. Where a row becomes shorter than about sqrt(c) beside
  * what it was, phi = 0 and phi = c are motions on different branches of a singular position: nothing tells which.
  * 0, or -1 and w->reason. */
-static int em_check_rows(em_walk *w) {
-#ifdef EM_MECHANICS_H
-    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
-    pfaffian(w->t_new, w->y_new, w->run->prepared, A, b);
+static int em_check_rows(em_walk *w, const em_root *root) {
     for (int row = 0; row < N_POSITIONS; ++row) {
-        double square = 0.0;
-        for (int k = 0; k < N; ++k) square += A[row * N + k] * A[row * N + k];
-        w->longest[row] = em_max(w->longest[row], square);
-        if (!(square > EM_SINGULAR_PIVOT * w->longest[row]))
-            return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, sqrt(square / w->longest[row]));
+        const double square = root->Delta[row * N_ROWS + row], longest = w->longest[row];
+        if (!(square > EM_SINGULAR_PIVOT * longest))
+            return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, sqrt(square / longest));
     }
-#endif
-    return (void)w, 0;
+    return 0;
 }
 
 /* A tolerance on x is one on phi, and where B is shorter than its root beside what it was, motions on phi = 0 and on
  * phi = rtol leave a singular position on different branches: short steps follow now one, now another. Steps that are
  * not short pass it as the smooth motion does. 0, or -1 and w->reason. */
-static int em_check_branch(em_walk *w) {
+static int em_check_branch(em_walk *w, const em_root *root) {
     const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
     double pivot;
     w->longest_step = em_max(w->longest_step, size);
     if (w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
-    const int row = em_weakest_row(w, &pivot);
+    const int row = em_weakest_row(w, root, &pivot);
     if (row < 0) return 0;
     w->strongest = em_max(w->strongest, pivot);
     if (pivot > near * w->strongest) return 0;
     return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, pivot / w->strongest);
 }
+#endif
+
+/* Whether the constraints on positions tell one motion from another here. 0, or -1 and w->reason. */
+static int em_check_positions(em_walk *w) {
+#ifdef EM_MECHANICS_H
+    em_root root;
+    if (em_look_at_rows(w, &root)) return -1;
+    if (!w->run->least_norm && em_check_rows(w, &root)) return -1;
+    return em_check_branch(w, &root);
+#else
+    return (void)w, 0;
+#endif
+}
 
 /* What the end of a step is worth. 0, or -1 and w->reason. */
 static int em_check_step(em_walk *w) {
-    if (N_POSITIONS > 0 && !w->run->least_norm && em_check_rows(w)) return -1;
-    if (N_POSITIONS > 0 && em_check_branch(w)) return -1;
+    if (N_POSITIONS > 0 && em_check_positions(w)) return -1;
     if (N_ROWS > 0 && w->run->stabilise) return em_check_settled(w);
     return N_POSITIONS > 0 ? em_check_drift(w) : 0;
 }

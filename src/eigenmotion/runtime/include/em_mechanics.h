@@ -5,6 +5,7 @@
 #ifndef EM_MECHANICS_H
 #define EM_MECHANICS_H
 
+#include "em_differentiate.h"
 #include "em_linear.h"
 
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
@@ -75,42 +76,37 @@ EM_COLD int em_correct(em_root *root, double *x, double *residual, int least_nor
     return 0;
 }
 
-/* The rounding of phi: what phi changes by when x changes in its last place. */
-EM_COLD double em_position_rounding(const double *x, const double *A) {
-    double size = 0.0;
-    for (int row = 0; row < N_POSITIONS; ++row) {
-        double sum = 0.0;
-        for (int k = 0; k < N; ++k) sum += fabs(A[row * N + k] * x[k]);
-        size = fmax(size, sum);
-    }
-    return DBL_EPSILON * size;
+/* |phi| in units of its rounding, infinite where it is not known. */
+static double em_in_roundings(double phi, double terms) {
+    if (phi == 0.0) return 0.0;
+    return isfinite(phi) && isfinite(terms) ? fabs(phi) / terms / DBL_EPSILON : INFINITY;
 }
 
-/* residual (m) <- phi, 0 in the rows of velocities. Returns the row with the largest. */
-EM_COLD int em_position_residual(double t, const double *x, const double *c, double *residual) {
-    double phi[EM_SOME_POSITIONS];
-    int worst = 0;
+/* residual (m) <- phi, 0 in the rows of velocities; *worst: the row in which it is largest beside its rounding.
+ * Returns that largest, in units of the rounding. */
+EM_COLD double em_position_residual(double t, const double *x, const double *c, double *residual, int *worst) {
+    double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], largest = 0.0;
     memset(residual, 0, EM_SOME_ROWS * sizeof *residual);
-    position(t, x, c, phi);
+    position(t, x, c, phi, terms);
+    *worst = 0;
     for (int row = 0; row < N_POSITIONS; ++row) {
+        const double size = em_in_roundings(phi[row], terms[row]);
         residual[row] = phi[row];
-        if (!(fabs(phi[row]) <= fabs(phi[worst]))) worst = row;
+        if (size > largest) largest = size, *worst = row;
     }
-    return worst;
+    return largest;
 }
 
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most.
  * Returns whether x changed, or -1. */
 EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
-    double residual[EM_SOME_ROWS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
+    double residual[EM_SOME_ROWS];
+    int worst;
     for (int step = 0;; ++step) {
-        const int worst = em_position_residual(t, x, c, residual);
-        const double size = fabs(residual[worst]);
-        pfaffian(t, x, c, A, b);
-        const double rounding = em_position_rounding(x, A);
-        if (size <= rounding) return step > 0;
-        if (!isfinite(size) || (step == steps && !(size <= 1e3 * rounding)))
-            return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, size);
+        const double size = em_position_residual(t, x, c, residual, &worst);
+        if (size <= 1.0) return step > 0;
+        if (isinf(size) || (step == steps && size > 1e3))
+            return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, fabs(residual[worst]));
         if (step == steps) return 1;
         em_root root;
         if (em_root_at(t, x, c, &root, fault) || em_correct(&root, x, residual, least_norm, fault)) return -1;
@@ -194,30 +190,6 @@ EM_COLD int em_delta_eigenfactors(int size, const int *rows, const em_root *root
             part[i * size + j] = part[j * size + i] = root->Delta[rows[i] * N_ROWS + rows[j]];
     const int singular = em_eigenfactors(size, part, C, s);
     return singular < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, rows[singular], -1, 0.0);
-}
-
-/* rate (size) at z (size); what else it needs is behind `with`. */
-typedef int em_rate(const void *with, double t, const double *z, double *rate, em_fault *fault);
-
-/* J (size, size) = d rate / d z by central differences of fourth order. The step balances rounding against the
- * error of the formula: (24 eps)^(1/5) of the size of z. */
-EM_COLD int em_differentiate(em_rate *rate, const void *with, int size, double t, const double *z, double *J,
-                             em_fault *fault) {
-    static const double at[4] = {-2.0, -1.0, 1.0, 2.0}, weight[4] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0};
-    double moved[N_STATE + 2 * N], f[N_STATE + 2 * N] = {0.0}, largest = 0.0;
-    memcpy(moved, z, (size_t)size * sizeof *z);
-    memset(J, 0, sizeof *J * (size_t)size * (size_t)size);
-    for (int k = 0; k < size; ++k) largest = fmax(largest, fabs(z[k]));
-    for (int column = 0; column < size; ++column) {
-        const double step = 1e-3 * fmax(fabs(z[column]), 1e-3 * fmax(largest, 1e-3));
-        for (int point = 0; point < 4; ++point) {
-            moved[column] = z[column] + at[point] * step;
-            if (rate(with, t, moved, f, fault)) return -1;
-            for (int row = 0; row < size; ++row) J[row * size + column] += weight[point] / step * f[row];
-        }
-        moved[column] = z[column];
-    }
-    return 0;
 }
 
 /* What the rate of (x, v) needs besides them. */

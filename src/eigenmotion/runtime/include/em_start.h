@@ -7,11 +7,6 @@
 
 #include "em_linear.h"
 
-/* Whether a residual is small beside the terms that cancel in it; NaN is not. */
-static int em_cancels(double residual, double terms, double tolerance) {
-    return fabs(residual) <= tolerance * terms + 1e-12;
-}
-
 static int em_has_inertia(const em_model *model, double t, const double *x, const double *c) {
     const int n = model->n;
     double M[n * n], L[n * n], r[n];
@@ -19,33 +14,34 @@ static int em_has_inertia(const em_model *model, double t, const double *x, cons
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) < 0;
 }
 
-/* Whether A v + b = 0 and phi = 0, up to `tolerance` of their terms; of phi: when coordinates are off by one at least. */
+/* Whether A v + b = 0 and phi = 0 up to `tolerance` of the terms that cancel in them, and to what a change of x and v
+ * by `least` (n) makes of them; NaN is not. */
 static int em_meets_constraints(const em_model *model, double t, const double *x, const double *v, const double *c,
-                                double tolerance) {
+                                double tolerance, const double *least) {
     const int n = model->n, m = model->m;
     if (m == 0) return 1;
-    double A[m * n], b[m], phi[m];
+    double A[m * n], b[m], phi[m], terms[m];
     model->pfaffian(t, x, c, A, b);
-    if (model->h > 0) model->position(t, x, c, phi);
+    if (model->h > 0) model->position(t, x, c, phi, terms);
     for (int row = 0; row < m; ++row) {
-        double residual = b[row], terms = fabs(b[row]), reach = 0.0;
+        double residual = b[row], size = fabs(b[row]), reach = 0.0;
         for (int k = 0; k < n; ++k) {
             const double a = A[row * n + k];
             residual += a * v[k];
-            terms += fabs(a * v[k]);
-            reach += fabs(a) * fmax(fabs(x[k]), 1.0);
+            size += fabs(a * v[k]);
+            reach += fabs(a) * least[k];
         }
-        if (!em_cancels(residual, terms, tolerance)) return 0;
-        if (row < model->h && !em_cancels(phi[row], reach, tolerance)) return 0;
+        if (!(fabs(residual) <= tolerance * size + reach)) return 0;
+        if (row < model->h && !(fabs(phi[row]) <= tolerance * terms[row] + reach)) return 0;
     }
     return 1;
 }
 
 /* y (n_state, in: 0) <- the state at x, v (n). Returns 1, or 0: look closer. */
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
-                    double tolerance, double *y) {
+                    double tolerance, const double *least, double *y) {
     em_fault fault;
-    if (!em_has_inertia(model, t, x, c) || !em_meets_constraints(model, t, x, v, c, tolerance)) return 0;
+    if (!em_has_inertia(model, t, x, c) || !em_meets_constraints(model, t, x, v, c, tolerance, least)) return 0;
     if (model->state(t, x, v, c, y, &fault)) return 0;
     for (int k = 0; k < model->n_state; ++k)
         if (!isfinite(y[k])) return 0;

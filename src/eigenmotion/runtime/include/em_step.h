@@ -69,8 +69,8 @@ typedef struct em_walk {
     double h_next;                             /* size the controller proposes, positive */
     double signals_end;                        /* where the first piece ends: no step goes beyond */
     double error_norm, last_error;             /* of the step under way; log of that of the last accepted one */
-    double longest[N_POSITIONS > 0 ? N_POSITIONS : 1]; /* squared lengths of those rows of A, the largest so far */
-    double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta */
+    double longest[N_ROWS > 0 ? N_ROWS : 1];   /* squared lengths of the rows of B, the largest so far */
+    double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta with rows in such units */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
     double energy, energy_tolerance;           /* at the start; what the tolerances make of it, the largest so far */
     long next_witness;                         /* the number of right-hand sides at which it is looked at again */

@@ -318,15 +318,17 @@ static double em_second_derivative(em_walk *w, double h) {
     return isfinite(norm) ? norm : 0.0;
 }
 
-/* The first step's size (Hairer, Norsett & Wanner, II.4). */
+/* The first step's size, after Hairer, Norsett & Wanner, II.4, in whatever unit the time is: d0, d1, d2, the sizes of
+ * the state and its derivatives in tolerances, tell the rate at which the motion varies, and a step h is off by about
+ * d1 h (rate h)^p. A state smaller than its tolerance says as little as one of that size. */
 static double em_first_size(em_walk *w, double d0, double d1) {
     const em_run *run = w->run;
-    const double span = fabs(run->t_end - run->t_start);
-    const double h0 = em_min(d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1, span);
-    const double d2 = em_second_derivative(w, h0);
-    const int flat = d1 <= 1e-15 && d2 <= 1e-15;
-    const double exponent = 1.0 / (w->scheme->tableau->error_order + 1);
-    const double h1 = flat ? em_max(1e-6, 1e-3 * h0) : pow(0.01 / em_max(d1, d2), exponent);
+    const double span = fabs(run->t_end - run->t_start), order = w->scheme->tableau->error_order;
+    const double h0 = d1 * span > 1.0 ? em_min(0.01 * em_max(d0, 1.0) / d1, span) : 1e-6 * span;
+    const double d2 = em_second_derivative(w, h0), slope = em_max(d1, d2 * h0);
+    if (!(d2 > 0.0)) return em_min(100.0 * h0, em_min(span, run->max_step));
+    const double rate = em_max(sqrt(d2 / em_max(d0, 1.0)), d2 / slope);
+    const double h1 = pow(0.01 * rate / slope, 1.0 / (order + 1)) / rate;
     return em_min(em_min(100.0 * h0, h1), em_min(span, run->max_step));
 }
 
@@ -342,12 +344,19 @@ static int em_enter(em_walk *w) {
     return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
 }
 
+/* Weights of the state at the start; what is 0 and has no absolute tolerance says nothing of its size. */
+static void em_weigh_start(em_walk *w) {
+    em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
+    for (int k = 0; k < N_STATE; ++k)
+        if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
+}
+
 /* The first right-hand side, event values and step size. */
 static int em_begin(em_walk *w) {
     em_run *run = w->run;
     em_enter_pieces(w);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
-    em_set_weights(w, w->y, w->K[0], w->y, w->K[0]);
+    em_weigh_start(w);
     const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
     if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
     if (em_begin_witness(w) || (N_EVENTS > 0 && em_begin_events(w))) return em_end_with(w, w->reason);

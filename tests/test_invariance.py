@@ -1,0 +1,143 @@
+"""The same motion at the same cost, wherever the origin is, and in whatever units, signs, order and time.
+
+What is held constant: the tolerance on each coordinate and velocity, in the frame's units. So runs in other units of
+length, mass and row differ by rounding only. A moved origin changes |x| and with it rtol |x|: there, and everywhere
+but in other units of time, rtol is nearly nothing and atol decides. The tolerance on a velocity is the number of its
+coordinate, which another unit of time makes another tolerance: there atol is nearly nothing, and the first step, at
+rest still a matter of atol, is given.
+"""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from eigenmotion.codegen import compiler
+
+from eigenmotion import System
+
+from .frames import Frame, Run, framed, reordered
+from .generation import FORMULATIONS, loaded
+from .models_table import BY_NAME, SCENARIOS, Scenario
+
+ORIGINS = (1.0, -0.7, 1.3, 0.4, -1.1)
+TOLERANCE, TIMED = (1e-12, 1e-8), (1e-6, 1e-11)  # rtol, atol
+FIRST_STEP = 1e-3
+FRAMES = {
+    "origins": Frame(origins=ORIGINS),
+    "far origins": Frame(origins=10 * np.array(ORIGINS)),
+    "small unit of length": Frame(units=1e-6),
+    "large unit of length": Frame(units=1e6),
+    "small unit of energy": Frame(energy=1e-6),
+    "large unit of energy": Frame(energy=1e6),
+    "units of rows": Frame(rows=(1e6, 1e-6)),
+    "negated": Frame(units=-1.0),
+    "some negated": Frame(units=(-1.0, 1.0)),
+    "later clock": Frame(clock=64.0),
+    "earlier clock": Frame(clock=-0.7),
+    "units of each": Frame(units=(1e6, 1e-6, 1e-3)),
+}
+OTHER_TIMES = {Frame(time=1e-6): 1e-14, Frame(time=1e-3): 1e-11, Frame(time=1e3): 1e-11, Frame(time=1e6): 1e-9}
+"""-> atol: above the rounding of velocities that are 0, below rtol of those that are not."""
+RESTING = ("rolling_disk",)
+"""Models in which a velocity stays at 0: what it is off is a matter of atol, which another unit of time changes."""
+QUICK = {scene.name: FORMULATIONS[k % len(FORMULATIONS)] for k, scene in enumerate(SCENARIOS)}
+"""One formulation a model; all of them are the nightly sweep."""
+
+
+@cache
+def system_in_frames(name: str, formulation: str) -> System:
+    return loaded(compiler.generate(framed(BY_NAME[name].model()), formulation=formulation), "-O0")
+
+
+def span_of(scene: Scenario) -> float:
+    return min(scene.t_end, 2.0)
+
+
+def differences(system: System, scene: Scenario, frames: dict[str, Frame], method: str = "dop853") -> list[str]:
+    """Say which frames change the motion by more than its error, or its cost by more than a quarter."""
+    span, tolerance = span_of(scene), TOLERANCE if method == "dop853" else (1e-10, 1e-6)
+    own = Frame().run(system, span, *tolerance, method=method)
+    error = np.abs(own.x - Frame().run(system, span, 1e-13, 1e-13).x).max()
+    runs = {name: frame.run(system, span, *tolerance, method=method) for name, frame in frames.items()}
+    return [f"{name}: {words}" for name, run in runs.items() if (words := compared(run, own, error))]
+
+
+def compared(run: Run, own: Run, error: float) -> str:
+    cost, moved = run.solution.nfev / own.solution.nfev, np.abs(run.x - own.x).max()
+    if not run.solution.success:
+        return run.solution.message
+    same = abs(cost - 1) <= 0.25 and moved <= 10 * error + 1e-12
+    return "" if same else f"{cost:.3g} times the cost, {moved:.1e} from the motion, which is known to {error:.1e}"
+
+
+def frames_for(formulation: str) -> dict[str, Frame]:
+    """All frames; but in units of its own each, M has other eigenvalues, and (32) other gaps (see `scales`)."""
+    return {name: frame for name, frame in FRAMES.items() if formulation != "eigenfactor" or name != "units of each"}
+
+
+@pytest.mark.parametrize(("name", "formulation"), QUICK.items())
+def test_another_frame_is_the_same_motion_at_the_same_cost(name, formulation):
+    system = system_in_frames(name, formulation)
+    assert not differences(system, BY_NAME[name], frames_for(formulation))
+
+
+def differences_in_time(system: System, scene: Scenario) -> list[str]:
+    rtol, atol = TIMED
+    own = Frame().run(system, scene.t_end, rtol, atol, first_step=FIRST_STEP)
+    error = np.abs(own.x - Frame().run(system, scene.t_end, 1e-13, 1e-13).x).max()
+    runs = {frame.time: frame.run(system, scene.t_end, rtol, least, first_step=FIRST_STEP / frame.time)
+            for frame, least in OTHER_TIMES.items()}  # fmt: skip
+    return [f"unit of time {time:g}: {words}" for time, run in runs.items() if (words := compared(run, own, error))]
+
+
+@pytest.mark.parametrize("name", ["dual_link", "pendulum"])
+def test_another_unit_of_time_is_the_same_motion_at_the_same_cost(name):
+    assert not differences_in_time(system_in_frames(name, QUICK[name]), BY_NAME[name])
+
+
+@pytest.mark.parametrize("method", ["Radau", "BDF"])
+@pytest.mark.parametrize("name", ["driven_pendulum", "dual_link"])
+def test_implicit_methods_see_no_frame_either(name, method):
+    system, scene = system_in_frames(name, QUICK[name]), BY_NAME[name]
+    frames = {name: frame for name, frame in FRAMES.items() if name in ("origins", "units of each", "units of rows")}
+    assert not differences(system, scene, frames, method)
+
+
+def test_the_order_of_coordinates_is_no_matter():
+    assert not differences_in_order(BY_NAME["four_bar"], "cholesky")
+
+
+def differences_in_order(scene: Scenario, formulation: str) -> str:
+    one, other = (loaded(compiler.generate(framed(model), formulation=formulation), "-O0")
+                  for model in (scene.model(), reordered(scene.model())))  # fmt: skip
+    span = span_of(scene)
+    own, run = Frame().run(one, span, *TOLERANCE), Frame().run(other, span, *TOLERANCE)
+    error = np.abs(own.x - Frame().run(one, span, 1e-13, 1e-13).x).max()
+    return compared(Run(run.solution, run.x[::-1], run.v[::-1]), own, error)
+
+
+# --- the whole sweep: make nightly -----------------------------------------------------------------------------------
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("scene", SCENARIOS, ids=lambda scene: scene.name)
+def test_every_model_in_every_frame(scene, formulation):
+    system = system_in_frames(scene.name, formulation)
+    found = differences(system, scene, frames_for(formulation))
+    found += [] if scene.name in RESTING else differences_in_time(system, scene)
+    assert not found
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("scene", SCENARIOS, ids=lambda scene: scene.name)
+def test_every_model_in_another_order(scene, formulation):
+    assert not differences_in_order(scene, formulation)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("method", ["Radau", "BDF", "LSODA"])
+@pytest.mark.parametrize("scene", SCENARIOS, ids=lambda scene: scene.name)
+def test_every_model_in_every_frame_by_implicit_methods(scene, method):
+    assert not differences(system_in_frames(scene.name, "lagrange"), scene, FRAMES, method)
