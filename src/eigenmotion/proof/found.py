@@ -63,7 +63,7 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
     y = c.state_rows(time, position, moving, prepared)
     return (
         c.mass_matrix(t, x, prepared), c.mass_matrix_gradient(t, x, prepared), *c.pfaffian(t, x, prepared),
-        c.position(t, x, prepared), c.energy_rows(time, position, moving, prepared)[0],
+        c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0], c.event_rows(time, position, moving, inputs, prepared)[0],
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
         _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
