@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 2 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 3 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -160,6 +160,11 @@ typedef struct em_model {
     const double *initial_y;              /* (n) where the model starts from given quasi-velocities, else NULL */
     void (*quasi)(double t, const double *x, const double *v, const double *c, double *y); /* (n_quasi), or NULL */
     void (*event)(double t, const double *x, const double *v, const double *c, const double *u, double *g);
+
+    /* What is factored where M is singular but not along the constraints, M + A^T W A (n, n), and its gradient; NULL
+     * where M is (em_factored_matrix of em_start.h knows). */
+    void (*factored_matrix)(double t, const double *x, const double *c, double *M);
+    void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 } em_model;
 
 #endif

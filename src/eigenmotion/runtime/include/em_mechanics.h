@@ -9,6 +9,11 @@
 
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
 
+/* What is factored: M, or what NAME.c puts in its place where M is singular. The motion_bias is that of the same. */
+#ifndef EM_FACTORED
+#define EM_FACTORED mass_matrix
+#endif
+
 /* The unit of coordinate k in which a root of M is taken: the eigenproblem's, or its own. */
 #define EM_SCALE(k) (EM_SCALED_ROOT ? scales[k] : 1.0)
 
@@ -20,7 +25,7 @@ typedef struct em_root {
 
 EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root, em_fault *fault) {
     double M[N * N];
-    mass_matrix(t, x, c, M);
+    EM_FACTORED(t, x, c, M);
     memset(root->L, 0, sizeof root->L);
     const int singular = em_cholesky(N, M, root->L, root->r, EM_SINGULAR_PIVOT);
     if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, singular, -1, 0.0);
@@ -133,7 +138,7 @@ EM_COLD int em_project(double t, double *x, double *v, const double *c, int leas
 /* C (n, n), s (n) of M(x) in units of `scales`, block by block; near the C given, or from scratch where C is 0. */
 EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
     double M[N * N], Mb[N * N], Cb[N * N], sb[N];
-    mass_matrix(t, x, c, M);
+    EM_FACTORED(t, x, c, M);
     for (int number = 0, done = 0; done < N; ++number) {
         int member[N], size = 0;
         for (int k = 0; k < N; ++k)
