@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:551c0ded2641d74686761d9e4f111debf09330ceac211e6c589d1ddfd48d7642 */
+/* body sha256:d2a09f6436f2c5b037d8ed9a48a9c685a1defbac2682c393bcda134be5101086 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -30,6 +30,7 @@
 #include "chaplygin_sleigh.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 3,            /* coordinates */

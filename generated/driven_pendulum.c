@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:ccc8cfd60c6ee2b82a7dbaeac4885cdda826cbb8d58302987c2baffbfbaddc90 */
+/* body sha256:fa871a4be3723febd068623e47e5e2234446a3d13a8f5049746181bc497876a9 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -28,6 +28,7 @@
 #include "driven_pendulum.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 2,            /* coordinates */
@@ -315,7 +316,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double A1[N_ROWS][N1];
     double A2[N_ROWS][N2];
     double b[N_ROWS];

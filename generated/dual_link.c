@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:4397f8aab3fe157c148c311a9797d3047f6953250b6873e4887e72a56c77c7ac */
+/* body sha256:7a0ae6cea79ab74657c57a133e52ca2f4f4653513c82434879150b69a753a97e */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -32,6 +32,7 @@
 #include "dual_link.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 4,            /* coordinates */

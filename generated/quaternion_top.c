@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:fd7e343f36c97d375c11e1dce22bad32b177b95142d52b7007e6e8c724561835 */
+/* body sha256:4cbf93ff2b8493dce93db80b8a51ee40e3d4b06a1dfb871777a156857eb9077d */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -29,6 +29,7 @@
 #include "quaternion_top.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 4,            /* coordinates */
@@ -743,7 +744,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double M1[N1][N1];
     double A1[N_ROWS][N1];
     double b[N_ROWS];

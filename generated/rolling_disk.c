@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:8bfea98175ef175c487d4de15d2901f6bd977b597a58d626f611653b17121d05 */
+/* body sha256:64c19c3dc2bf0bdd7b761ebd557b7f268397288e9184feaff81d6fea66096435 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -28,6 +28,7 @@
 #include "rolling_disk.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 5,            /* coordinates */

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:07c95956c6e03b19b5b7a0c93dd18faa0fe667b12d82547b7805ff4c53db0a37 */
+/* body sha256:36d1d7ca17755902838074a21e340682601882c422bbee9cc61f3dc6c46fbaa4 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -33,6 +33,7 @@
 #include "sphere.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 5,            /* coordinates */

@@ -20,7 +20,7 @@ typedef enum em_status {
     EM_NON_FINITE_STATE,          /* fault.first: the coordinate, -1: unknown */
     EM_SINGULAR_MASS_MATRIX,      /* fault.first: the coordinate whose pivot vanished */
     EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it, fault.second: the same row
-                                     where it contradicts them */
+                                     where it contradicts them, -2 where it does so at the start only */
     EM_COINCIDENT_EIGENVALUES,    /* fault.first, fault.second: coordinates of the block */
     EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
     EM_INTERRUPTED,
@@ -65,7 +65,7 @@ typedef struct em_rows {
 /* One accepted step kept for dense output: t in [t, t + h], coefficients in the run's dense table. */
 typedef struct em_dense_step {
     double t, h;
-    int mode;
+    int mode, rows; /* rows: flags of the rows kept in it */
 } em_dense_step;
 
 struct em_model;
@@ -101,6 +101,7 @@ typedef struct em_run {
     em_dense_step *dense_steps;  /* (n_dense) */
     double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */
     size_t n_dense, dense_capacity;
+    int kept;                    /* flags of the rows that were independent at the last accepted step (em_rank.h) */
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not run the published equations */
     double t_reached;

@@ -56,6 +56,7 @@ typedef struct em_walk {
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
+    int near;                                  /* whether stages are settled: a singular position is near */
     int mode, mode_new, moved, has_interpolant, crossings;
     size_t next_t_eval;
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
@@ -76,20 +77,34 @@ static void em_signals(em_walk *w, double t) {
     for (int i = 0; i < N_INPUTS; ++i) w->u[i] = em_signal_at(&w->run->inputs[i], w->piece[i], t);
 }
 
+/* What is asked of constraint rows. */
+static int em_row_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
+
 /* dy <- f(t, y) with the signals at t. */
 EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const double *memory, double *dy) {
     em_run *run = w->run;
     if (N_INPUTS > 0) em_signals(w, t);
     ++run->n_rhs;
-    return model_rhs(mode, t, y, run->prepared, w->u, memory, run->least_norm ? EM_LEAST_NORM : 0, dy, &w->reason);
+    return model_rhs(mode, t, y, run->prepared, w->u, memory, em_row_flags(run), dy, &w->reason);
 }
 
 static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double pace,
                      em_fault *fault) {
     if (!SETTLES && run->stabilise && !(flags & EM_BEGIN)) return 0;
     if (run->stabilise) flags |= EM_STABILISE;
-    if (run->least_norm) flags |= EM_LEAST_NORM;
+    if (!(flags & EM_LEAST_NORM)) flags |= em_row_flags(run);
     return model_settle(mode, flags, t, y, run->prepared, memory, pace, fault);
+}
+
+/* dy <- f at the nearest point on the constraints. Where their rows lose their directions, as near a singular position,
+ * an argument that is off them by e has rates that are off by e over the square of what is left; on them they are not. */
+EM_COLD int em_settled_rhs(em_walk *w, double t, const double *y, double *dy) {
+    double settled[EM_WIDTH], memory[EM_SOME_MEMORY];
+    int mode = w->mode;
+    memcpy(settled, y, sizeof settled);
+    memcpy(memory, w->memory, sizeof memory);
+    if (em_settle(w->run, &mode, EM_KEEP_MODE, t, settled, memory, 0.0, &w->reason) < 0) return -1;
+    return em_rhs(w, mode, t, settled, memory, dy);
 }
 
 /* EM_LANES numbers in one register, from wherever they stand. */
@@ -119,7 +134,9 @@ EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
     for (int i = first; i <= last; ++i) {
         double *argument = i == rk->solution ? w->y_new : w->argument;
         em_combine(rk->a[i], i, 1, w->h, w->y, w->K, argument);
-        if (em_rhs(w, w->mode, w->t + rk->c[i] * w->h, argument, w->memory, w->K[i])) return -1;
+        if (N_POSITIONS > 0 && w->near) {
+            if (em_settled_rhs(w, w->t + rk->c[i] * w->h, argument, w->K[i])) return -1;
+        } else if (em_rhs(w, w->mode, w->t + rk->c[i] * w->h, argument, w->memory, w->K[i])) return -1;
     }
     return 0;
 }
