@@ -225,12 +225,15 @@ def _check_degrees(model: Model) -> None:
 
 
 def _check_masses(model: Model) -> None:
+    """A coordinate without mass must be held by a constraint, which then decides on its acceleration."""
     T = model.in_rates(model.kinetic_energy)
+    held = [phi.diff(t) for phi in model.holonomic_constraints]
+    held += [model.in_rates(row) for row in model.nonholonomic_constraints]
     for x, v in zip(model.coordinates, model.rates, strict=True):
-        if not T.has(v):
+        if not (T.has(v) or any(row.has(v) for row in held)):
             raise ModelError(
                 f"kinetic_energy does not contain the rate of {name_of(x)!r}: the mass matrix is singular. Give what "
-                "moves with this coordinate a mass, or take it out of coordinates."
+                "moves with this coordinate a mass, hold it by a constraint, or take it out of coordinates."
             )
 
 

@@ -8,6 +8,7 @@ from functools import partial
 
 import sympy
 
+from .augment import weights
 from .convert import FromSympy, ToSympy
 from .differentiate import Tangent, gradient
 from .evaluate import Zeros
@@ -27,6 +28,7 @@ class Mechanics:
     ----------
     x, v : (n,) symbols; v_k is named after x_k with `_dot` behind it.
     M : (n, n), symmetric [J s^2 / (u_i u_j)] (5)
+    W : (m,) weights of the constraint rows in M + A^T W A, which is factored where M is singular; else all zero
     G : (n,) [J s / u_i] (6)
     kinetic_energy, T0, V : [J]; kinetic_energy is T(x, v, t) as given (4)
     Q : (n,) [J / u_i]
@@ -45,6 +47,7 @@ class Mechanics:
     accelerations: tuple[sympy.Symbol, ...]
     multipliers: tuple[sympy.Symbol, ...]
     M: sympy.ImmutableDenseMatrix
+    W: tuple[sympy.Expr, ...]
     G: tuple[sympy.Expr, ...]
     kinetic_energy: sympy.Expr
     T0: sympy.Expr
@@ -56,6 +59,17 @@ class Mechanics:
     outputs: tuple[tuple[str, sympy.Expr], ...]
     events: tuple[tuple[str, sympy.Expr], ...]
     quasi_velocities: tuple[tuple[str, sympy.Expr], ...]
+
+    @property
+    def augmented(self) -> bool:
+        """Whether M + A^T W A is factored in place of M."""
+        return any(w != 0 for w in self.W)
+
+    @property
+    def factored(self) -> sympy.ImmutableDenseMatrix:
+        """What is factored: M + A^T W A (n, n), which is M where all weights are zero."""
+        added = [self.A[row, :].T * w * self.A[row, :] for row, w in enumerate(self.W) if w != 0]
+        return sum(added, self.M)
 
     def mass_matrix_gradient(self) -> tuple[sympy.ImmutableDenseMatrix, ...]:
         """Return dM/dx_k, k = 1 .. n, each (n, n)."""
@@ -113,7 +127,7 @@ class _Derivation:
         return Mechanics(
             name=model.name, x=names.x, v=names.v, time=names.time, parameters=names.parameters, inputs=names.inputs,
             accelerations=names.accelerations, multipliers=names.multipliers,
-            M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]),
+            M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows))),
             G=tuple(back(self.vanishing(map(self.at_rest, momenta)))),
             kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(T)),
             V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(map(self.node, model.forces))),
@@ -129,6 +143,11 @@ class _Derivation:
             return self.from_sympy(self.names.plain(expression))
         except ModelError as error:
             raise ModelError(f"Model {self.model.name!r}: {error}") from error
+
+    def weights(self, M: list[list[Node]], A: list[list[Node]]) -> list[Node]:
+        start = dict(zip((x.name for x in self.names.x), self.model.initial_x, strict=True))
+        constants = {symbol.name: value for symbol, value in self.model.parameters}
+        return weights(self.graph, M, A, start | {self.names.time.name: 0.0}, constants)
 
     def vanishing(self, nodes: Iterable[Node]) -> list[Node]:
         """Put what is zero, but does not look it, to zero."""

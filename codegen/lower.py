@@ -14,7 +14,7 @@ from .printer import Assignments, Body, Naming, body, c_identifiers
 from .program import BlockView, Bodies, EventView, Named, Place, Program, RowGroup, Slice
 from .schedule import Constants, Cost
 from .specialise import Block, Kind, Scene
-from .terms import Terms
+from .terms import Rows, Terms
 
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 CARRY_V = ("lagrange", "inverse")
@@ -66,7 +66,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         bounded=(couples or bool(groups)) and not choices.extrapolate,
         extrapolate=(couples or bool(groups)) and choices.extrapolate, extrapolated=first_kept - 2,
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
-        n=n, m=scene.m, h=scene.h, n_state=n_state, n_memory=n_memory,
+        augmented=mechanics.augmented, n=n, m=scene.m, h=scene.h, n_state=n_state, n_memory=n_memory,
         n_prepared=len(mechanics.parameters) + n_fixed + n_constants,
         n_C=sum(block.size**2 for block in turning) * eigen, n_s=sum(block.size for block in turning) * eigen,
         coordinates=tuple(Named(x.name, repr(value)) for x, value in zip(mechanics.x, defaults.x, strict=True)),
@@ -205,12 +205,17 @@ class _Writing:
         published = {"lagrange": self.lagrange, "inverse": self.inverse}.get(
             self.choices.formulation, partial(self.right_hand_side, eigen)
         )()
+        nothing = Body((), (), Cost())
         written = {
-            "mass_matrix": self.mass_matrix(), "mass_matrix_gradient": self.gradient(), "pfaffian": self.pfaffian(),
+            "mass_matrix": self.mass_matrix(self.terms.M), "mass_matrix_gradient": self.gradient(self.terms.dM),
+            "factored": nothing, "factored_gradient": nothing, "pfaffian": self.pfaffian(),
             "position": self.position(), "bias": self.bias(), "energy": self.energy(), "outputs": self.outputs(),
             "events": self.events(), "quasi": self.quasi(), "published": published, "settle": self.settle(eigen),
-            "triangular": self.right_hand_side(False) if self.bounded() else Body((), (), Cost()),
+            "triangular": self.right_hand_side(False) if self.bounded() else nothing,
         }  # fmt: skip
+        if self.mechanics.augmented:
+            written["factored"] = self.mass_matrix(self.terms.factored)
+            written["factored_gradient"] = self.gradient(self.terms.factored_gradient)
         prepare = self.prepare()
         return Bodies(prepare=prepare, **written), len(self.constants.nodes)
 
@@ -262,9 +267,9 @@ class _Writing:
                 continue
             if block.single:
                 (k,) = block.coordinates
-                given.append((f"const double M{block.number}", self.scaled(self.terms.M[k][k], k, k)))
+                given.append((f"const double M{block.number}", self.scaled(self.terms.factored[k][k], k, k)))
             elif block.turning:
-                given.extend(self.symmetric("M", block, self.terms.M, full))
+                given.extend(self.symmetric("M", block, self.terms.factored, full))
         return given
 
     def symmetric(self, name: str, block: BlockView, rows: Sequence[Sequence[Node]], full: bool) -> Assignments:
@@ -294,7 +299,7 @@ class _Writing:
         return self.by_row("A", self.terms.A)
 
     def constraint_rates(self) -> list[tuple[str, Node]]:
-        return self.by_row("Adot", [[self.terms.along(entry) for entry in row] for row in self.terms.A])
+        return self.by_row("Adot", self.terms.Adot)
 
     def by_row(self, name: str, rows: Sequence[Sequence[Node]]) -> list[tuple[str, Node]]:
         return [(f"{name}{block.number}[{row}][{local}]", self.scaled(entries[k], k))
@@ -328,7 +333,7 @@ class _Writing:
                 f"model {self.mechanics.name}: formulation 'inverse' writes the inverse of M out, which is for blocks "
                 f"of up to {LARGEST} coordinates; {{{block.names}}} are {block.size}; choose another formulation"
             )
-        M = [[self.terms.M[i][j] for j in block.coordinates] for i in block.coordinates]
+        M = [[self.terms.factored[i][j] for j in block.coordinates] for i in block.coordinates]
         entries, determinant = inverse(self.terms.graph, M)
         given = [(f"W{block.number}[{i}][{j}]", entry) for i, row in enumerate(entries) for j, entry in enumerate(row)]
         diagonal = self.terms.graph.mul(*(M[i][i] for i in range(block.size)))
@@ -353,15 +358,15 @@ class _Writing:
         rates = [entry for entry in self.rates() if not entry[0].startswith("const") or entry[0] in held]
         return [*rates, *self.constraint_rates()]
 
-    def mass_matrix(self) -> Body:
-        n, M = self.scene.n, self.terms.M
+    def mass_matrix(self, M: Rows) -> Body:
+        n = self.scene.n
         given = [(f"M[{i * n + j}]" + (f" = M[{j * n + i}]" if i != j else ""), M[i][j])
                  for i in range(n) for j in range(i + 1)]  # fmt: skip
         return self.write([given], self.naming("x", "v"), ("t", "x", "c"))
 
-    def gradient(self) -> Body:
+    def gradient(self, dM: Sequence[Rows]) -> Body:
         n, zero = self.scene.n, self.terms.graph.zero
-        entries = [(k, i, j, self.terms.dM[k][i][j]) for k in range(n) for i in range(n) for j in range(i + 1)]
+        entries = [(k, i, j, dM[k][i][j]) for k in range(n) for i in range(n) for j in range(i + 1)]
         given = [(f"dM[{(k * n + i) * n + j}]" + (f" = dM[{(k * n + j) * n + i}]" if i != j else ""), node)
                  for k, i, j, node in entries if node != zero]  # fmt: skip
         return self.write([given], self.naming("x", "v"), ("t", "x", "c"))
@@ -403,6 +408,6 @@ class _Writing:
         given: list[tuple[str, Node]] = []
         for block in self.blocks:
             if block.fixed:
-                given.extend(self.symmetric("M", block, self.terms.M, True))
+                given.extend(self.symmetric("M", block, self.terms.factored, True))
         given.extend((f"c[{self.first_constant + k}]", node) for k, node in enumerate(self.constants.nodes))
         return body(self.terms.graph, [given], self.naming("x", "v"), None, ())

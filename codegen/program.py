@@ -94,6 +94,8 @@ class Bodies:
     prepare: Body
     mass_matrix: Body
     mass_matrix_gradient: Body
+    factored: Body
+    factored_gradient: Body
     pfaffian: Body
     position: Body
     bias: Body
@@ -116,6 +118,7 @@ class Program:
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
     extrapolate : whether (32), (53) extrapolate Omega there; `extrapolated`: where the memory says so, and since when
     needs_mass : whether velocities follow from the state only with M(x)
+    augmented : whether M + A^T W A is factored in place of M, which is singular
     settles : whether there is anything to do after an accepted step
     layout : the parts of the state vector
     quasi_velocities, initial_y : their names; their values at the start where the model starts from them
@@ -136,6 +139,7 @@ class Program:
     extrapolated: int
     needs_mass: bool
     settles: bool
+    augmented: bool
     n: int
     m: int
     h: int

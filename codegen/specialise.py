@@ -97,7 +97,7 @@ def specialise(
     mechanics: Mechanics, scales: tuple[float, ...] | None = None, savings: frozenset[Saving] = ALL_SAVINGS
 ) -> Scene:
     """Decide from structural zeros what the equations of a mechanism need."""
-    groups = _coupled(mechanics.M) if Saving.UNCOUPLED in savings else [tuple(range(len(mechanics.x)))]
+    groups = _coupled(mechanics.factored) if Saving.UNCOUPLED in savings else [tuple(range(len(mechanics.x)))]
     blocks = tuple(_block(mechanics, number, group, savings) for number, group in enumerate(groups, 1))
     return Scene(
         mechanics=mechanics,
@@ -122,7 +122,7 @@ def _coupled(M: sympy.ImmutableDenseMatrix) -> list[tuple[int, ...]]:
 
 def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: frozenset[Saving]) -> Block:
     varying = {*mechanics.x, mechanics.time}
-    M = mechanics.M.extract(list(group), list(group))
+    M = mechanics.factored.extract(list(group), list(group))
     kind = Kind.TURNING
     if Saving.FIXED in savings and not M.free_symbols & varying:
         kind = Kind.FIXED
@@ -158,11 +158,19 @@ def _absent_terms(mechanics: Mechanics) -> list[str]:
         (m == 1, "a factor of Delta: one constraint, Delta is a number"),
         (m > 0 and all(b == 0 for b in mechanics.b), "b, bdot: the constraints are homogeneous in the velocities"),
     ]
+    reasons.append((mechanics.augmented, _singular(mechanics)))
     return [reason for absent, reason in reasons if absent]
 
 
+def _singular(mechanics: Mechanics) -> str:
+    rows = [str(row) for row, weight in enumerate(mechanics.W) if weight != 0]
+    return (
+        f"M^-1: M is singular; M + A^T W A is factored, with weights W of row{'s' * (len(rows) > 1)} {', '.join(rows)}"
+    )
+
+
 def _absent_coordinates(mechanics: Mechanics) -> list[str]:
-    held = mechanics.M.free_symbols
+    held = mechanics.factored.free_symbols
     absent = [f"dM/d{x}" for x in mechanics.x if x not in held]
     return [f"{', '.join(absent)}: M does not depend on {'it' if len(absent) == 1 else 'them'}"] if absent else []
 

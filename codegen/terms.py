@@ -46,6 +46,10 @@ class Terms:
         n = len(self.x)
         self.M: Rows = _rows(self._nodes(mechanics.M), n)
         """(n, n) (5)"""
+        self.W = self._nodes(mechanics.W)
+        """(m,), what takes part in M + A^T W A"""
+        self.factored: Rows = _rows(self._nodes(mechanics.factored), n) if mechanics.augmented else self.M
+        """(n, n), M or M + A^T W A"""
         self.A: Rows = _rows(self._nodes(mechanics.A), n)
         """(m, n) (8)"""
         self.G, self.b, self.Q = map(self._nodes, (mechanics.G, mechanics.b, mechanics.Q))
@@ -58,14 +62,19 @@ class Terms:
 
     def _expansion(self) -> Rewriter:
         """Judge sums of angles over all terms at once: what one term needs anyway is free for the others."""
-        entries = [entry for rows in (self.M, self.A) for row in rows for entry in row]
+        matrices = (self.M, self.A, self.factored) if self.mechanics.augmented else (self.M, self.A)
+        entries = [entry for rows in matrices for row in rows for entry in row]
         return expansion(self.graph, [*entries, *self.G, *self.b, *self.Q, *self.phi, self.T0, self.V])
 
     @cached_property
     def dM(self) -> tuple[Rows, ...]:
         """(n, n, n) dM_ij / dx_k as [k][i][j]"""
-        along = [Tangent(self.graph, {name: self.graph.one}) for name in self.x]
-        return tuple(tuple(tuple(map(rate, row)) for row in self.M) for rate in along)
+        return self._gradient(self.M)
+
+    @cached_property
+    def factored_gradient(self) -> tuple[Rows, ...]:
+        """(n, n, n), of `factored`, as dM"""
+        return self._gradient(self.factored)
 
     @cached_property
     def T2(self) -> Node:
@@ -80,8 +89,13 @@ class Terms:
     @cached_property
     def gamma(self) -> tuple[Node, ...]:
         """(m,) Adot v + bdot, with bdot the total derivative: what A xddot must cancel (39)"""
-        return tuple(self.graph.add(self._dot(map(self.along, row), self._velocities), self.along(b))
-                     for row, b in zip(self.A, self.b, strict=True))  # fmt: skip
+        return tuple(self.graph.add(self._dot(row, self._velocities), self.along(b))
+                     for row, b in zip(self.Adot, self.b, strict=True))  # fmt: skip
+
+    @cached_property
+    def Adot(self) -> Rows:
+        """(m, n)"""
+        return tuple(tuple(map(self.along, row)) for row in self.A)
 
     @cached_property
     def phi_terms(self) -> tuple[Node, ...]:
@@ -90,13 +104,16 @@ class Terms:
 
     @cached_property
     def motion(self) -> Motion:
-        """Mdot and the force of (36), in the cheapest form."""
+        """Mdot and the force of (36), in the cheapest form; both with A^T W A where that is added to M."""
         forms = [self._motion(gradient_of_L) for gradient_of_L in self._gradients_of_L()]
         return min(forms, key=lambda form: self._weight([*(e for row in form.Mdot for e in row), *form.force]))
 
     @cached_property
     def bias(self) -> tuple[Node, ...]:
-        """(n,) force - Mdot v: what M xddot + A^T lambda equals (11), in the cheapest form."""
+        """(n,) force - Mdot v: what M xddot + A^T lambda equals (11), in the cheapest form.
+
+        Where A^T W A is added to M, -A^T W gamma is added here.
+        """
         rates = [self.along(p) for p in self._momentum]
         from_T = [self.graph.add(self.along(p), self.graph.negative(self.along(g)))
                   for p, g in zip(gradient(self.graph, self.T, self.v), self.G, strict=True)]  # fmt: skip
@@ -105,7 +122,7 @@ class Terms:
             for form in self._gradients_of_L()
             for kinetic in (rates, from_T)
         ]
-        return min(forms, key=self._weight)
+        return self._plus_rows(min(forms, key=self._weight), self.A, map(self.graph.negative, self.gamma))
 
     # -- pieces --------------------------------------------------------------------------------------------------
 
@@ -137,6 +154,10 @@ class Terms:
         from_dM = tuple(map(graph.add, quadratic, gradient(graph, rest, self.x)))
         return [as_given, from_M, from_dM]
 
+    def _gradient(self, rows: Rows) -> tuple[Rows, ...]:
+        along = [Tangent(self.graph, {name: self.graph.one}) for name in self.x]
+        return tuple(tuple(tuple(map(rate, row)) for row in rows) for rate in along)
+
     def _quadratic(self, matrix: Rows) -> Node:
         """1/2 v^T matrix v, each pair of velocities once."""
         graph, v = self.graph, self._velocities
@@ -148,8 +169,19 @@ class Terms:
         terms = zip(gradient_of_L, self.Q, self.G, strict=True)
         return tuple(self.graph.sum([(dL, ONE), (q, ONE), (self.along(g), MINUS)]) for dL, q, g in terms)
 
+    def _plus_rows(self, forces: tuple[Node, ...], rows: Rows, factors: Iterable[Node]) -> tuple[Node, ...]:
+        """Add rows^T W factors, factors (m,)."""
+        weighted = [self.graph.mul(w, factor) for w, factor in zip(self.W, factors, strict=True)]
+        return tuple(self.graph.add(force, self._dot(weighted, (row[k] for row in rows)))
+                     for k, force in enumerate(forces))  # fmt: skip
+
     def _motion(self, gradient_of_L: tuple[Node, ...]) -> Motion:
-        return Motion(tuple(tuple(map(self.along, row)) for row in self.M), self._force(gradient_of_L))
+        """With A^T W A in M, Mdot v takes in Adot^T W A v + A^T W Adot v, of which A^T W gamma makes up for a part."""
+        Mdot, force = tuple(tuple(map(self.along, row)) for row in self.factored), self._force(gradient_of_L)
+        if not self.mechanics.augmented:
+            return Motion(Mdot, force)
+        force = self._plus_rows(force, self.Adot, [self._dot(row, self._velocities) for row in self.A])
+        return Motion(Mdot, self._plus_rows(force, self.A, (self.graph.negative(self.along(b)) for b in self.b)))
 
 
 def _rows(nodes: Sequence[Node], width: int) -> Rows:

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:3b5e74111e1d5398bc7b098ce72bf64ea4fe8c1c9c7f44b92c3be496b65438f7 */
+/* body sha256:b19834f2cb2f7a401cdfbcb33a4b37a8321a87adb870bef492ecbc95b9d772ac */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -30,6 +30,7 @@
 #include "chaplygin_sleigh.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 3,            /* coordinates */

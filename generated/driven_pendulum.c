@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:d77a62651eea0da7f753d2826efc7301a8604baef63136866cd64ce3f87a2d0c */
+/* body sha256:d7a74218f2d6ebafbdaa355c691fa7f23367a6151732c262d2bd657f71885f84 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -28,6 +28,7 @@
 #include "driven_pendulum.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 2,            /* coordinates */
@@ -321,7 +322,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double A1[N_ROWS][N1];
     double A2[N_ROWS][N2];
     double b[N_ROWS];

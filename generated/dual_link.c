@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:2c4e8c35672f1639ac93d75e3cadb63dbfa6c19fc56e830d363a437b0e601464 */
+/* body sha256:906ac789c6d70d95df48b06f1982d73973707c03f9fc0cdbcae427a619c8e027 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -32,6 +32,7 @@
 #include "dual_link.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 4,            /* coordinates */

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:bf64c33e614c426928ed78dc1f49f4ddc6e0e28d62714f2a1f652bc095321bda */
+/* body sha256:9eba08a3288c3677408bf523e2c7e49e520b83122f55ff79d4b6b43d80f6ca29 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -31,6 +31,7 @@
 #include "four_bar.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 3,            /* coordinates */
@@ -645,7 +646,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double M1[N1][N1];
     double A1[N_ROWS][N1];
     double A2[N_ROWS][N2];

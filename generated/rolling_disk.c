@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:521daef6966c3e2c4d154508cac74303343a79958dcff4100b25f0c00d2f46ea */
+/* body sha256:ee42808ed033e2c7dad06f2410c41b4aa694d735b6d74fc89fdc42c6240b375f */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -28,6 +28,7 @@
 #include "rolling_disk.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 5,            /* coordinates */

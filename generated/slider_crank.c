@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:3d590e318e04a6282927136e9b086118660ff2e1cac00363f23d8445958877f1 */
+/* body sha256:99b12ef071c295a3331f9ae9bad055fdc19706b8ad3fbe477b6c4876d5b781b9 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -31,6 +31,7 @@
 #include "slider_crank.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 3,            /* coordinates */
@@ -597,7 +598,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_LEAST_NORM, fault) < 0) return -1;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double M1[N1][N1];
     double A1[N_ROWS][N1];
     double A2[N_ROWS][N2];

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:dcd0d24636f6776920e9dcb9d8758741c062765027b9b9da7881b6b5b5d0530f */
+/* body sha256:63dba4f284dafef7acca635944502f8ac6ca403dbb302de4e4946ca0fa8a8117 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -33,6 +33,7 @@
 #include "sphere.h"
 
 #include "em_linear.h"
+#include "em_rank.h"
 
 enum {
     N = 5,            /* coordinates */

@@ -83,7 +83,7 @@ def states(system: System, count: int, seed: int = 1) -> Iterator[tuple[np.ndarr
         t = float(random.uniform(0, 2))
         A, b = system.pfaffian(x, t)
         if system.m:
-            M = system.mass_matrix(x, t)
+            M = system.compiled.factored_matrix(t, x, system.prepare(None))
             v = v - np.linalg.solve(M, A.T) @ np.linalg.lstsq(A @ np.linalg.solve(M, A.T), A @ v + b, rcond=None)[0]
         yield x, v, t
 

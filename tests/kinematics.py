@@ -9,6 +9,16 @@ from eigenmotion import System
 Values = Mapping[str, float] | None
 
 
+def factored(system: System, x: np.ndarray, time: float, parameters: Values = None) -> np.ndarray:
+    """Return what is factored (n, n): M, or M + A^T W A."""
+    return system.compiled.factored_matrix(time, x, system.prepare(parameters))
+
+
+def factored_gradient(system: System, x: np.ndarray, time: float, parameters: Values = None) -> np.ndarray:
+    """Return its gradient (n, n, n)."""
+    return system.compiled.factored_gradient(time, x, system.prepare(parameters))
+
+
 def acceleration(system: System, time: float, y: np.ndarray, dy: np.ndarray, parameters: Values = None) -> np.ndarray:
     """Return xddot (n,) for x = y[:n], by blocks of M.
 
@@ -18,7 +28,7 @@ def acceleration(system: System, time: float, y: np.ndarray, dy: np.ndarray, par
     if "v" in system.layout:
         return dy[system.layout["v"]]
     x, v = y[: system.n], dy[: system.n]
-    M, rate = system.mass_matrix(x, time, parameters), mass_rate(system, time, x, v, parameters)
+    M, rate = factored(system, x, time, parameters), mass_rate(system, time, x, v, parameters)
     if system.formulation == "cholesky":
         L = np.linalg.cholesky(M)
         inner = np.linalg.solve(L, np.linalg.solve(L, rate).T)
@@ -56,6 +66,6 @@ def mass_rate(system: System, time: float, x: np.ndarray, v: np.ndarray, paramet
     """Return Mdot (n, n): the gradient along v, and the explicit part by differences of order 8."""
     h = 1e-2
     weights = np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
-    ahead, behind = ([system.mass_matrix(x, time + s * k * h, parameters) for k in range(1, 5)] for s in (1, -1))
+    ahead, behind = ([factored(system, x, time + s * k * h, parameters) for k in range(1, 5)] for s in (1, -1))
     explicit = np.tensordot(weights, np.array(ahead) - np.array(behind), axes=1)
-    return np.tensordot(v, system.mass_matrix_gradient(x, time, parameters), axes=1) + explicit
+    return np.tensordot(v, factored_gradient(system, x, time, parameters), axes=1) + explicit

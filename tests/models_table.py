@@ -82,6 +82,7 @@ SCENARIOS = (
     Scenario("rotating_hoop", 5.0, elliptic.rotating_hoop, conserved="jacobi_integral"),
     Scenario("rigid_body", 5.0, elliptic.rigid_body),
     Scenario("heavy_top", 2.0, elliptic.heavy_top),
+    Scenario("quaternion_top", 1.0, elliptic.quaternion_top),
     Scenario("rolling_disk", 5.0, elementary.rolling_disk),
     Scenario("four_bar", 2.0, reduced.four_bar),
     Scenario("slider_crank", 2.0, reduced.slider_crank, spread=0.1),

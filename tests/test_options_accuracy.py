@@ -17,7 +17,7 @@ CHOSEN = (
     {"close_eigenvalues": "extrapolate", "schur": "eigenfactor"},
 )
 TOLERANCES = (1e-6, 1e-8, 1e-10)
-MEET = {"sphere", "veering"}
+MEET = {"sphere", "veering", "quaternion_top"}
 """Eigenvalues of one block meet: what extrapolation leaves there is in docs/theory.md."""
 STABILISATIONS = ("project", "none")
 

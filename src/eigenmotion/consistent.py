@@ -90,7 +90,7 @@ class Projection:
         return self.model.project(self.t, x, v, self.prepared, self.least_norm)
 
     def _mass(self, x: Vector) -> Vector:
-        return self.model.mass_matrix(self.t, x, self.prepared)
+        return self.model.factored_matrix(self.t, x, self.prepared)
 
     def _tangential(self, M: Vector, x: Vector, d: Vector) -> Vector:
         """Return the part of d along the constraints at x: d - M^-1 A^T (A M^-1 A^T)^+ A d."""

@@ -27,7 +27,7 @@ class Drift:
         if model.h == 0:
             return
         x, v = z[:n], z[n:]
-        M = model.mass_matrix(t, x, c)
+        M = model.factored_matrix(t, x, c)
         self.farthest = max(self.farthest, _norm(M, x - self.task.y[:n]))
         self.fastest = max(self.fastest, _norm(M, v))
         near_x, near_v = model.project(t, x, v, c, self.task.least_norm)

@@ -89,7 +89,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     energy, jacobi_integral : (k,), T + V and T2 - T0 + V
     constraint_residual : (m, k), A v + b
     position_residual : (h, k), phi
-    factor_residual : (k,), max|M - C^T S^2 C| / max|M|
+    factor_residual : (k,), max|M - C^T S^2 C| / max|M|, M what is factored (docs/theory.md)
     outputs, quasi_velocities : name -> (k,)
 
     Where a row has no such value (singular M, dependent constraint rows) it is NaN.

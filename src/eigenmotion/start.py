@@ -58,14 +58,15 @@ class _Start:
         return y
 
     def _check_mass_matrix(self) -> None:
-        names, M = self.model.coordinates, self.model.mass_matrix(self.t, self.x, self.prepared)
+        names, M = self.model.coordinates, self.model.factored_matrix(self.t, self.x, self.prepared)
         if (k := _first_bad_pivot(M)) is None:
             return
         if not np.isfinite(M).all():
             i, j = (names[k] for k in np.argwhere(~np.isfinite(M))[0])
             raise ModelError(f"{self.model.name}: the mass matrix at x0 is not finite in row {i!r}, column {j!r}")
+        alone = ", not even along the constraints" if self.model.augmented else ""
         raise ModelError(
-            f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}. "
+            f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}{alone}. "
             "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
         )
 

@@ -292,7 +292,7 @@ class System:
         """
         prepared, c, t, x = self.prepare(parameters), self._compiled, number(t, "t"), self._x(x)
         (C,), (s,) = c.eigenfactor_rows(np.array([t]), x[None], prepared)
-        return eigenfactor_gradient(c.mass_matrix_gradient(t, x, prepared), C, s, c.scales, self.blocks)
+        return eigenfactor_gradient(c.factored_gradient(t, x, prepared), C, s, c.scales, self.blocks)
 
     def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return J = d eta / dx at fixed xdot, (n, n) (23)."""

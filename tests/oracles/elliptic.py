@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
+from pathlib import Path
 
 import mpmath
 import numpy as np
 from mpmath import mp, mpf
 
-from eigenmotion import Model
+from eigenmotion import Model, load_model
 
 from .state import State, initial_state, parameters_of
+
+MODELS = Path(__file__).parents[2] / "models"
 
 mp.dps = 25
 
@@ -120,7 +124,12 @@ def _weierstrass(g2: mpf, g3: mpf) -> Callable[[mpf], tuple[mpf, mpf]]:
 
 
 def heavy_top(model: Model, time: float) -> State:
-    """A top whose axis starts without nutation: with u = cos theta and the momenta p_phi, p_psi,
+    """The top of `top_angles`."""
+    return State(*(np.array(row, dtype=float) for row in top_angles(model, time)))
+
+
+def top_angles(model: Model, time: float) -> tuple[list[mpf], list[mpf]]:
+    """Angles and rates of a top whose axis starts without nutation: with u = cos theta and the momenta p_phi, p_psi,
 
     udot^2 = (1 - u^2) 2 / J (E - m g l u) - ((p_phi - p_psi u) / J)^2; phi and psi by quadrature.
     """
@@ -147,7 +156,24 @@ def heavy_top(model: Model, time: float) -> State:
     end, u_rate = motion(mpf(time))
     x = [start.x[0] + integral(precession, time, panels=20), mp.acos(end), start.x[2] + integral(spin, time, panels=20)]
     v = [precession(mpf(time)), -u_rate / mp.sqrt(1 - end**2), spin(mpf(time))]
-    return State(np.array(x, dtype=float), np.array(v, dtype=float))
+    return x, v
+
+
+def quaternion_top(model: Model, time: float) -> State:
+    """The same top, q = (cos(theta / 2) e^(i (phi + psi) / 2), sin(theta / 2) e^(i (phi - psi) / 2))."""
+    start = initial_state(model)
+    tilt, spin = 2 * np.arctan2(start.x[1], start.x[0]), 2 * start.v[3] / start.x[0]
+    _, theta, psi = (upright := load_model(MODELS / "heavy_top.py")).coordinates
+    angles, rates = top_angles(replace(upright, initial={theta: tilt, psi.diff(): spin}), time)
+
+    def quaternion(h: mpf) -> list[mpf]:
+        phi, theta, psi = (angle + h * rate for angle, rate in zip(angles, rates, strict=True))
+        up, across = mp.cos(theta / 2), mp.sin(theta / 2)
+        real, first = up * mp.cos((phi + psi) / 2), across * mp.cos((phi - psi) / 2)
+        return [real, first, across * mp.sin((phi - psi) / 2), up * mp.sin((phi + psi) / 2)]
+
+    rates_of_q = [mp.diff(lambda h, k=k: quaternion(h)[k], 0) for k in range(4)]
+    return State(np.array(quaternion(mpf(0)), dtype=float), np.array(rates_of_q, dtype=float))
 
 
 def steady_precession(model: Model, theta: float, axial_rate: float) -> float:

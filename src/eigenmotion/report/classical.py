@@ -69,13 +69,30 @@ def classical(model: Model) -> Classical:
     L, momenta = T - V, [T.diff(w) for w in v]
     holonomic = [plain(phi) for phi in model.holonomic_constraints]
     rows = [_along(phi, x, v, time) for phi in holonomic] + [plain(row) for row in model.nonholonomic_constraints]
-    return Classical(
+    found = Classical(
         x, v, time, constants,
         M=tuple(tuple(p.diff(w) for w in v) for p in momenta),
         f=tuple(plain(Q) + L.diff(q) - _along(p, x, v, time) for q, p, Q in zip(x, momenta, model.forces, strict=True)),
         A=tuple(tuple(row.diff(w) for w in v) for row in rows),
         g=tuple(-_along(row, x, v, time) for row in rows),
     )  # fmt: skip
+    return found if _has_inertia(found, model) else _with_rows(found)
+
+
+def _has_inertia(equations: Classical, model: Model) -> bool:
+    """Whether M is regular at the start."""
+    function = sympy.lambdify(equations.arguments, equations.M, modules="math")
+    values = [value for _, value in equations.constants]
+    M = np.array(function(*model.initial_x, *model.initial_v, 0.0, *values), dtype=float)
+    units = 1 / np.sqrt(np.where(np.diag(M) > 0, np.diag(M), 1.0))
+    return not np.isfinite(M).all() or bool(np.linalg.matrix_rank(M * np.outer(units, units), 1e-11) == len(M))
+
+
+def _with_rows(equations: Classical) -> Classical:
+    """Add A^T A a = A^T g to the equations: where M is singular but not along the constraints, M + A^T A is regular."""
+    M, A = sympy.Matrix(equations.M), sympy.Matrix(len(equations.g), len(equations.x), sum(equations.A, ()))
+    f = sympy.Matrix(equations.f) + A.T * sympy.Matrix(len(equations.g), 1, equations.g)
+    return replace(equations, M=tuple(map(tuple, (M + A.T * A).tolist())), f=tuple(f))
 
 
 def _symbols(model: Model) -> tuple[Any, Any, Any, Callable[[sympy.Expr], sympy.Expr]]:

@@ -136,7 +136,10 @@ cdef extern from "eigenmotion.h" nogil:
         const double *initial_y
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
+        void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
 
 cdef extern from "em_start.h" nogil:
+    void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
+    void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
     int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,
                  double *)

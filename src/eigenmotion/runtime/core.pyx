@@ -137,6 +137,7 @@ cdef class CompiledModel:
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly tuple quasi_velocities, event_kinds
+    cdef readonly bint augmented
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
     cdef public object recipe
@@ -175,6 +176,7 @@ cdef class CompiledModel:
         self.initial_x, self.initial_v = constants(c.initial_x, c.n), constants(c.initial_v, c.n)
         self.initial_y = constants(c.initial_y, c.n) if c.initial_y != NULL else None
         self.scales = constants(c.scales, c.n)
+        self.augmented = c.factored_matrix != NULL
 
     def __reduce__(self):
         """As the way to make it."""
@@ -249,6 +251,18 @@ cdef class CompiledModel:
         """dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
         cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
         self.model.mass_matrix_gradient(t, q.data, c.c, dM.data)
+        return dM.array
+
+    def factored_matrix(self, double t, x, Prepared c not None):
+        """What is factored (n, n): M, or M + A^T W A where M is singular."""
+        cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))
+        em_factored_matrix(self.model, t, q.data, c.c, M.data)
+        return M.array
+
+    def factored_gradient(self, double t, x, Prepared c not None):
+        """Its gradient (n, n, n), as mass_matrix_gradient."""
+        cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        em_factored_gradient(self.model, t, q.data, c.c, dM.data)
         return dM.array
 
     def pfaffian(self, double t, x, Prepared c not None):
@@ -438,13 +452,13 @@ cdef class CompiledModel:
         return C.array, s.array
 
     def factor_rows(self, t, x, C, s, Prepared c not None):
-        """max|M - C^T S^2 C| / max|M| as (k,), M in the units of the eigenproblem."""
+        """max|M - C^T S^2 C| / max|M| as (k,), M what is factored, in the units of the eigenproblem."""
         cdef Py_ssize_t i, k = len(t), n = self.n
         cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, n), "x"), R = given(C, (k, n, n), "C")
         cdef Numbers root = given(s, (k, n), "s"), M = zeros((n, n)), residual = zeros((k,))
         with nogil:
             for i in range(k):
-                self.model.mass_matrix(T.data[i], q.row(i), c.c, M.data)
+                em_factored_matrix(self.model, T.data[i], q.row(i), c.c, M.data)
                 residual.data[i] = self.factor_residual(M, R.row(i), root.row(i))
         return residual.array
 

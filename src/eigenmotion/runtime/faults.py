@@ -66,8 +66,9 @@ _REMEDY = {
     StopReason.DEPENDENT_CONSTRAINTS: (
         "Constraint {row} depends on those before it, or vanishes. Where it always does, remove it, or, if the rows "
         'are consistent, pass dependent_constraints="least_norm". Where it does so here only, the mechanism is in or '
-        "near a singular position (as a dead centre), beyond which its motion is not determined; without stabilisation "
-        "the constraints may have drifted there: tighten rtol."
+        "near a singular position (as a dead centre), where rounding decides between branches: start beside it, and "
+        "loosen rtol and atol, with which steps pass it as the smooth motion does; without stabilisation the "
+        "constraints may have drifted there: tighten rtol."
     ),
     StopReason.COINCIDENT_EIGENVALUES: (
         "Two eigenvalues of the mass matrix coincide, in the block of {first} and {second}: the published right-hand "
@@ -101,6 +102,11 @@ _CONTRADICTION = (
     "Constraint {row} contradicts those it depends on: no motion satisfies them all. Correct or remove one of them."
 )
 
+_SINGULAR_START = (
+    "Constraint {row} depends on others at the start, and no longer beside it: the start is a singular position, at "
+    "which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
+)
+
 
 def explain(
     stop: StopReason,
@@ -127,7 +133,9 @@ def explain(
     def name(k: int, names: Sequence[str] = coordinates) -> str:
         return f"'{names[k]}'" if 0 <= k < len(names) else "(unknown)"
 
-    words = _CONTRADICTION if stop is StopReason.DEPENDENT_CONSTRAINTS and second >= 0 else _REMEDY[stop]
+    words = _REMEDY[stop]
+    if stop is StopReason.DEPENDENT_CONSTRAINTS and second != -1:
+        words = _CONTRADICTION if second >= 0 else _SINGULAR_START
     at = f" at coordinate {name(first)}" if first >= 0 else ""
     row = f"row {first} (counted from 0)" if first >= 0 else "(row unknown)"
     text = words.format(first=name(first), second=name(second), row=row, at=at, event=name(first, events))

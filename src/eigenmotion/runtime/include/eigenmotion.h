@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 3 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 4 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -20,7 +20,7 @@ typedef enum em_status {
     EM_NON_FINITE_STATE,          /* fault.first: the coordinate, -1: unknown */
     EM_SINGULAR_MASS_MATRIX,      /* fault.first: the coordinate whose pivot vanished */
     EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it, fault.second: the same row
-                                     where it contradicts them */
+                                     where it contradicts them, -2 where it does so at the start only */
     EM_COINCIDENT_EIGENVALUES,    /* fault.first, fault.second: coordinates of the block */
     EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
     EM_INTERRUPTED,
@@ -67,7 +67,7 @@ typedef struct em_rows {
 /* One accepted step kept for dense output: t in [t, t + h], coefficients in the run's dense table. */
 typedef struct em_dense_step {
     double t, h;
-    int mode;
+    int mode, rows; /* rows: flags of the rows kept in it */
 } em_dense_step;
 
 struct em_model;
@@ -103,6 +103,7 @@ typedef struct em_run {
     em_dense_step *dense_steps;  /* (n_dense) */
     double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */
     size_t n_dense, dense_capacity;
+    int kept;                    /* flags of the rows that were independent at the last accepted step (em_rank.h) */
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not run the published equations */
     double t_reached;
@@ -163,6 +164,11 @@ typedef struct em_model {
     const double *initial_y;              /* (n) where the model starts from given quasi-velocities, else NULL */
     void (*quasi)(double t, const double *x, const double *v, const double *c, double *y); /* (n_quasi), or NULL */
     void (*event)(double t, const double *x, const double *v, const double *c, const double *u, double *g);
+
+    /* What is factored where M is singular but not along the constraints, M + A^T W A (n, n), and its gradient; NULL
+     * where M is (em_factored_matrix of em_start.h knows). */
+    void (*factored_matrix)(double t, const double *x, const double *c, double *M);
+    void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 } em_model;
 
 #endif

@@ -81,7 +81,7 @@ static int em_interpolate(const em_run *run, size_t step, double t, double *y) {
     em_fault fault;
     int mode = kept->mode;
     em_evaluate(F, em_corrections_of(run->method), (t - kept->t) / kept->h, inside);
-    if (em_settle(run, &mode, EM_KEEP_MODE, t, inside, memory, t - kept->t, &fault) < 0) return -1;
+    if (em_settle(run, &mode, EM_KEEP_MODE | kept->rows, t, inside, memory, t - kept->t, &fault) < 0) return -1;
     return model_publish(mode, t, inside, run->prepared, memory, y, &fault);
 }
 

@@ -11,6 +11,8 @@
 
 #define EM_DRIFTED 0.3 /* and where nothing is settled, x and v are off by no more than this part of the largest */
 
+#define EM_SETTLES_STAGES 0.1 /* the part of the largest pivot below which a singular position is near */
+
 #define EM_NEARBY 100.0 /* how near to a singular position it is near, in tolerances, */
 #define EM_SHORT 0.2     /* and how short is short, beside the longest step */
 
@@ -35,8 +37,8 @@ EM_COLD int em_blame(em_walk *w, double t, const double *y) {
     if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
 #ifdef EM_MECHANICS_H
     double M[N * N], before[N * N];
-    mass_matrix(t, y, w->run->prepared, M);
-    mass_matrix(w->run->t_start, w->run->y_start, w->run->prepared, before);
+    EM_FACTORED(t, y, w->run->prepared, M);
+    EM_FACTORED(w->run->t_start, w->run->y_start, w->run->prepared, before);
     for (int k = 0; k < N * N; ++k)
         if (!isfinite(M[k])) return em_fail(&w->reason, EM_NON_FINITE_STATE, k % N, -1, NAN);
     if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
@@ -81,6 +83,47 @@ static int em_weakest_row(em_walk *w, const em_root *root, double *pivot) {
     return rows[w->rank - 1];
 }
 #endif
+
+/* run->kept <- rows that are independent at x, of which there are as many as at the start. -1 and w->reason where there
+ * are more, on the constraints: it was a singular position, and the rows kept do not hold what starts there. */
+static int em_keep_rows(em_walk *w, double t, const double *x) {
+#ifdef EM_MECHANICS_H
+    em_root root;
+    int kept;
+    if (em_root_at(t, x, w->run->prepared, &root, &w->reason)) return -1;
+    const int rank = em_independent_rows(EM_SOME_ROWS, root.Delta, EM_DEPENDENT, &kept);
+    if (w->rank == 0) w->rank = rank;
+    if (rank == w->rank) w->run->kept = kept;
+    if (rank > w->rank && w->run->stabilise) {
+        for (int row = 0; row < N_ROWS; ++row)
+            if (kept & ~w->run->kept & EM_FIRST_KEPT << row) return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -2, NAN);
+    }
+#endif
+    return (void)w, (void)t, (void)x, 0;
+}
+
+/* The same at the nearest point on the constraints: off them rows are independent that are not on them. */
+static int em_keep_rows_at_start(em_walk *w) {
+#ifdef EM_MECHANICS_H
+    double x[N];
+    memcpy(x, w->y, sizeof x);
+    if (N_POSITIONS && em_newton_from_afar(w->t, x, w->run->prepared, EM_LEAST_NORM, &w->reason) < 0) return -1;
+    return em_keep_rows(w, w->t, x);
+#else
+    return (void)w, 0;
+#endif
+}
+
+/* Rows that are not kept must follow from those that are. 0, or -1 and w->reason, which names one that does not. */
+static int em_check_dependent(em_walk *w) {
+#ifdef EM_MECHANICS_H
+    double a[N], lambda[EM_SOME_ROWS];
+    if (N_INPUTS > 0) em_signals(w, w->t_new);
+    return em_acceleration(w->t_new, w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
+#else
+    return (void)w, 0;
+#endif
+}
 
 /* A fault that names the weakest row. */
 EM_COLD int em_fail_weakest(em_walk *w, double size) {
@@ -157,10 +200,12 @@ static int em_check_branch(em_walk *w, const em_root *root) {
     const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
     double pivot;
     w->longest_step = em_max(w->longest_step, size);
-    if (w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
+    if (!w->near && w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
     const int row = em_weakest_row(w, root, &pivot);
     if (row < 0) return 0;
     w->strongest = em_max(w->strongest, pivot);
+    w->near = w->run->stabilise && pivot < EM_SETTLES_STAGES * w->strongest;
+    if (w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
     if (pivot > near * w->strongest) return 0;
     return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, pivot / w->strongest);
 }
@@ -181,6 +226,7 @@ static int em_check_positions(em_walk *w) {
 /* What the end of a step is worth. 0, or -1 and w->reason. */
 static int em_check_step(em_walk *w) {
     if (N_POSITIONS > 0 && em_check_positions(w)) return -1;
+    if (N_ROWS > 0 && w->run->least_norm && em_check_dependent(w)) return -1;
     if (N_ROWS > 0 && w->run->stabilise) return em_check_settled(w);
     return N_POSITIONS > 0 ? em_check_drift(w) : 0;
 }

@@ -14,9 +14,6 @@ enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8 };
 
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
-#define EM_DEPENDENT 1e-11 /* the square of what a row of length one must add to others to be independent of them */
-#define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
-
 #define EM_INLINE static inline __attribute__((always_inline, unused))
 #define EM_COLD static __attribute__((noinline, unused))
 
@@ -288,128 +285,6 @@ EM_COLD int em_prepare_block(int n, const double *M, double *C, double *s, doubl
     memset(L, 0, sizeof *L * (size_t)(n * n));
     const int singular = em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
     return singular >= 0 ? singular : em_eigenfactors(n, M, C, s);
-}
-
-/* Units (m) in which the rows of B are of length one; rows that vanish beside the others keep theirs. */
-EM_COLD void em_row_units(int m, const double *Delta, double *unit) {
-    double largest = 0.0;
-    for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
-    for (int i = 0; i < m; ++i) {
-        const double square = fmax(Delta[i * m + i], EM_VANISHED * largest);
-        unit[i] = square > 0.0 ? 1.0 / sqrt(square) : 1.0;
-    }
-}
-
-/* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
-EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
-    for (int k = 0; k < count; ++k) {
-        double *const row = null + k * m;
-        double square = 0.0, part = 0.0;
-        for (int other = 0; other < k; ++other) {
-            double along = 0.0;
-            for (int j = 0; j < m; ++j) along += row[j] * null[other * m + j];
-            for (int j = 0; j < m; ++j) row[j] -= along * null[other * m + j];
-        }
-        for (int j = 0; j < m; ++j) square += row[j] * row[j], part += row[j] * x[j];
-        for (int j = 0; j < m; ++j) x[j] -= part / square * row[j], row[j] /= sqrt(square);
-    }
-}
-
-/* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is
- * given. Which combinations of rows vanish is judged with all rows at length one. Returns -1, or 0 where the rows
- * contradict each other: rhs has a part along such a combination. */
-EM_COLD int em_least_norm(int m, const double *Delta, double *rhs) {
-    double Lambda[m * m], C[m * m], null[m * m], unit[m], x[m], total = 0.0, missed = 0.0;
-    int n_null = 0;
-    em_row_units(m, Delta, unit);
-    memset(x, 0, sizeof x);
-    for (int i = 0; i < m; ++i)
-        for (int j = 0; j <= i; ++j) {
-            Lambda[i * m + j] = Lambda[j * m + i] = Delta[i * m + j] * unit[i] * unit[j];
-            C[i * m + j] = C[j * m + i] = i == j;
-        }
-    em_jacobi(m, Lambda, C, NULL);
-    for (int i = 0; i < m; ++i) {
-        double along = 0.0;
-        for (int j = 0; j < m; ++j) along += C[i * m + j] * unit[j] * rhs[j];
-        const int kept = Lambda[i * m + i] > EM_DEPENDENT;
-        total += along * along;
-        missed += kept ? 0.0 : along * along;
-        for (int j = 0; j < m; ++j) {
-            if (kept) x[j] += C[i * m + j] * unit[j] * along / Lambda[i * m + i];
-            else null[n_null * m + j] = C[i * m + j] * unit[j];
-        }
-        n_null += !kept;
-    }
-    em_remove_parts(m, n_null, null, x);
-    memcpy(rhs, x, sizeof x);
-    return missed <= 1e-8 * total || missed < 1e-24 ? -1 : 0;
-}
-
-/* pivot, row (m) <- the rows of a positive semi-definite Delta (m, m), of which the lower triangle is given, in the
- * order in which they add most to those before, and the squares of what they add. */
-EM_COLD void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
-    double D[m * m];
-    for (int i = 0; i < m; ++i)
-        for (int j = 0; j <= i; ++j) D[i * m + j] = D[j * m + i] = Delta[i * m + j];
-    for (int i = 0; i < m; ++i) row[i] = i;
-    for (int k = 0; k < m; ++k) {
-        int most = k;
-        for (int i = k + 1; i < m; ++i)
-            if (D[row[i] * m + row[i]] > D[row[most] * m + row[most]]) most = i;
-        const int best = row[most];
-        row[most] = row[k], row[k] = best;
-        pivot[k] = fmax(D[best * m + best], 0.0);
-        for (int i = k + 1; i < m && pivot[k] > 0.0; ++i)
-            for (int j = k + 1; j < m; ++j)
-                D[row[i] * m + row[j]] -= D[row[i] * m + best] * D[best * m + row[j]] / pivot[k];
-    }
-}
-
-/* How many rows are independent, judged with all rows at length one. */
-EM_COLD int em_rank(int m, const double *Delta) {
-    double unit[m], D[m * m], pivot[m];
-    int row[m], rank = 0;
-    memset(D, 0, sizeof D);
-    em_row_units(m, Delta, unit);
-    for (int i = 0; i < m; ++i)
-        for (int j = 0; j <= i; ++j) D[i * m + j] = D[j * m + i] = Delta[i * m + j] * unit[i] * unit[j];
-    em_ranked_rows(m, D, pivot, row);
-    while (rank < m && pivot[rank] > EM_DEPENDENT) ++rank;
-    return rank;
-}
-
-/* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */
-EM_INLINE int em_vanished_row(int m, const double *restrict Delta) {
-    double largest = 0.0;
-    for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
-    for (int i = 0; i < m; ++i)
-        if (!(Delta[i * m + i] > EM_VANISHED * largest)) return i;
-    return -1;
-}
-
-/* rhs (m) <- some solution of Delta x = rhs where row `row` depends on those before it, if that is asked for. */
-EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, int row, int flags, em_fault *fault) {
-    for (int i = 0; i < m; ++i)
-        if (!isfinite(Delta[i * m + i]) || !isfinite(rhs[i])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);
-    if (!(flags & EM_LEAST_NORM)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
-    return em_least_norm(m, Delta, rhs) < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, row, NAN);
-}
-
-/* rhs (m) <- Delta^-1 rhs; Delta (m, m) by its lower triangle. */
-EM_INLINE int em_solve_delta(int m, double *restrict Delta, double *restrict rhs, int flags, em_fault *fault) {
-    if (m == 1) {
-        if (!(Delta[0] > 0.0)) return em_solve_dependent(m, Delta, rhs, 0, flags, fault);
-        rhs[0] *= 1.0 / Delta[0]; /* ready before rhs is */
-        return 0;
-    }
-    double L[m * m], r[m];
-    int row = em_vanished_row(m, Delta);
-    if (row < 0) row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
-    if (row >= 0) return em_solve_dependent(m, Delta, rhs, row, flags, fault);
-    em_forward(m, L, r, rhs);
-    em_backward(m, L, r, rhs);
-    return 0;
 }
 
 /* eta = S C v <-> eta = L^T v: the same velocities under another root of M. */

@@ -6,9 +6,14 @@
 #define EM_MECHANICS_H
 
 #include "em_differentiate.h"
-#include "em_linear.h"
+#include "em_rank.h"
 
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
+
+/* What is factored: M, or what NAME.c puts in its place where M is singular. The motion_bias is that of the same. */
+#ifndef EM_FACTORED
+#define EM_FACTORED mass_matrix
+#endif
 
 /* The unit of coordinate k in which a root of M is taken: the eigenproblem's, or its own. */
 #define EM_SCALE(k) (EM_SCALED_ROOT ? scales[k] : 1.0)
@@ -21,7 +26,7 @@ typedef struct em_root {
 
 EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root, em_fault *fault) {
     double M[N * N];
-    mass_matrix(t, x, c, M);
+    EM_FACTORED(t, x, c, M);
     memset(root->L, 0, sizeof root->L);
     const int singular = em_cholesky(N, M, root->L, root->r, EM_SINGULAR_PIVOT);
     if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, singular, -1, 0.0);
@@ -37,26 +42,30 @@ EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root
     return 0;
 }
 
-/* lambda (m) <- Delta^-1 lambda */
-EM_COLD int em_delta(em_root *root, double *lambda, int least_norm, em_fault *fault) {
-#define EM_ROWS_TO_SOLVE EM_SOME_ROWS
+/* lambda (m) <- Delta^-1 lambda. least_norm: 0, 1, or flags that say which rows are kept; terms as in em_least_norm. */
+EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int least_norm, em_fault *fault) {
     if (N_ROWS == 0) return 0;
-    return em_solve_delta(EM_ROWS_TO_SOLVE, root->Delta, lambda, least_norm ? EM_LEAST_NORM : 0, fault);
-#undef EM_ROWS_TO_SOLVE
+    const int flags = least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0;
+    if (flags == EM_LEAST_NORM) return em_solve_dependent(EM_SOME_ROWS, root->Delta, lambda, terms, 0, flags, fault);
+    return em_solve_delta(EM_SOME_ROWS, root->Delta, lambda, flags, fault);
 }
 
 /* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0. */
 EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
                             int least_norm, double *a, double *lambda, em_fault *fault) {
     em_root root;
-    double gamma[EM_SOME_ROWS];
+    double gamma[EM_SOME_ROWS], terms[EM_SOME_ROWS];
     if (em_root_at(t, x, c, &root, fault)) return -1;
     motion_bias(t, x, v, c, u, a, gamma);
     em_forward(N, root.L, root.r, a);
     for (int row = 0; row < N_ROWS; ++row) {
-        for (int k = 0; k < N; ++k) gamma[row] += root.B[row * N + k] * a[k];
+        terms[row] = fabs(gamma[row]);
+        for (int k = 0; k < N; ++k) {
+            gamma[row] += root.B[row * N + k] * a[k];
+            terms[row] += fabs(root.B[row * N + k] * a[k]);
+        }
     }
-    if (em_delta(&root, gamma, least_norm, fault)) return -1;
+    if (em_delta(&root, gamma, terms, least_norm, fault)) return -1;
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
         for (int k = 0; k < N; ++k) a[k] -= root.B[row * N + k] * gamma[row];
@@ -66,9 +75,10 @@ EM_COLD int em_acceleration(double t, const double *x, const double *v, const do
 }
 
 /* x (n) <- x - M^-1 A^T Delta^-1 e, e (m) the residual: the least change in the mass metric that removes it. */
-EM_COLD int em_correct(em_root *root, double *x, double *residual, int least_norm, em_fault *fault) {
+EM_COLD int em_correct(em_root *root, double *x, double *residual, const double *terms, int least_norm,
+                       em_fault *fault) {
     double change[N] = {0.0};
-    if (em_delta(root, residual, least_norm, fault)) return -1;
+    if (em_delta(root, residual, terms, least_norm, fault)) return -1;
     for (int row = 0; row < N_ROWS; ++row)
         for (int k = 0; k < N; ++k) change[k] += root->B[row * N + k] * residual[row];
     em_backward(N, root->L, root->r, change);
@@ -97,9 +107,11 @@ EM_COLD double em_position_residual(double t, const double *x, const double *c, 
     return largest;
 }
 
-/* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most.
+/* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
+ * each other and none are said to be kept, each step keeps those that add more than `tolerance` to others.
  * Returns whether x changed, or -1. */
-EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
+EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
+                         em_fault *fault) {
     double residual[EM_SOME_ROWS];
     int worst;
     for (int step = 0;; ++step) {
@@ -109,27 +121,54 @@ EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least
             return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, fabs(residual[worst]));
         if (step == steps) return 1;
         em_root root;
-        if (em_root_at(t, x, c, &root, fault) || em_correct(&root, x, residual, least_norm, fault)) return -1;
+        int rows = least_norm;
+        if (em_root_at(t, x, c, &root, fault)) return -1;
+        if (least_norm && least_norm < EM_FIRST_KEPT) {
+            em_independent_rows(EM_SOME_ROWS, root.Delta, tolerance, &rows);
+            rows |= EM_LEAST_NORM;
+        }
+        if (em_correct(&root, x, residual, NULL, rows, fault)) return -1;
     }
+}
+
+EM_COLD int em_newton(double t, double *x, const double *c, int steps, int least_norm, em_fault *fault) {
+    return em_newton_of(t, x, c, steps, least_norm, EM_DEPENDENT, fault);
+}
+
+/* The same from afar. Off the constraints, rows that depend on each other on them differ, by little: first only rows
+ * that clearly add to others count, which is right unless phi = 0 is not reached so. */
+EM_COLD int em_newton_from_afar(double t, double *x, const double *c, int least_norm, em_fault *fault) {
+    enum { STEPS = 50 };
+    static const double tolerance[] = {1e-2, 1e-4, 1e-6, 1e-8};
+    double near[N];
+    for (int k = 0; least_norm && k < 4; ++k) {
+        memcpy(near, x, sizeof near);
+        if (em_newton_of(t, near, c, STEPS, least_norm, tolerance[k], fault) < 0) continue;
+        memcpy(x, near, sizeof near);
+        return 1;
+    }
+    return em_newton(t, x, c, STEPS, least_norm, fault);
 }
 
 /* x, v <- the nearest state in the mass metric that satisfies the constraints on positions and velocities. */
 EM_COLD int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
-    if (N_POSITIONS > 0 && em_newton(t, x, c, 50, least_norm, fault) < 0) return -1;
+    if (N_POSITIONS > 0 && em_newton_from_afar(t, x, c, least_norm, fault) < 0) return -1;
     if (N_ROWS == 0) return 0;
     em_root root;
-    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
+    double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], terms[EM_SOME_ROWS];
     if (em_root_at(t, x, c, &root, fault)) return -1;
     pfaffian(t, x, c, A, b);
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int k = 0; k < N; ++k) b[row] += A[row * N + k] * v[k];
-    return em_correct(&root, v, b, least_norm, fault);
+    for (int row = 0; row < N_ROWS; ++row) {
+        terms[row] = fabs(b[row]);
+        for (int k = 0; k < N; ++k) b[row] += A[row * N + k] * v[k], terms[row] += fabs(A[row * N + k] * v[k]);
+    }
+    return em_correct(&root, v, b, terms, least_norm, fault);
 }
 
 /* C (n, n), s (n) of M(x) in units of `scales`, block by block; near the C given, or from scratch where C is 0. */
 EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
     double M[N * N], Mb[N * N], Cb[N * N], sb[N];
-    mass_matrix(t, x, c, M);
+    EM_FACTORED(t, x, c, M);
     for (int number = 0, done = 0; done < N; ++number) {
         int member[N], size = 0;
         for (int k = 0; k < N; ++k)

@@ -7,10 +7,20 @@
 
 #include "em_linear.h"
 
+/* M (n, n) <- what is factored: the mass matrix, or what the model puts in its place. */
+static void em_factored_matrix(const em_model *model, double t, const double *x, const double *c, double *M) {
+    (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, x, c, M);
+}
+
+/* dM (n, n, n) <- its gradient */
+static void em_factored_gradient(const em_model *model, double t, const double *x, const double *c, double *dM) {
+    (model->factored_gradient ? model->factored_gradient : model->mass_matrix_gradient)(t, x, c, dM);
+}
+
 static int em_has_inertia(const em_model *model, double t, const double *x, const double *c) {
     const int n = model->n;
     double M[n * n], L[n * n], r[n];
-    model->mass_matrix(t, x, c, M);
+    em_factored_matrix(model, t, x, c, M);
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) < 0;
 }
 

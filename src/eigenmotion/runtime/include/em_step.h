@@ -76,6 +76,7 @@ typedef struct em_walk {
     long next_witness;                         /* the number of right-hand sides at which it is looked at again */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
+    int near;                                  /* whether stages are settled: a singular position is near */
     int mode, mode_new, moved, has_interpolant, n_found;
     int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
     size_t next_t_eval;
@@ -100,21 +101,34 @@ static void em_signals(em_walk *w, double t) {
 /* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
 static int em_blame(em_walk *w, double t, const double *y);
 
+/* What is asked of constraint rows. */
+static int em_row_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
+
 /* dy <- f(t, y) with the signals at t. */
 EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const double *memory, double *dy) {
     em_run *run = w->run;
     if (N_INPUTS > 0) em_signals(w, t);
     ++run->n_rhs;
-    const int flags = run->least_norm ? EM_LEAST_NORM : 0;
-    return model_rhs(mode, t, y, run->prepared, w->u, memory, flags, dy, &w->reason) ? em_blame(w, t, y) : 0;
+    return model_rhs(mode, t, y, run->prepared, w->u, memory, em_row_flags(run), dy, &w->reason) ? em_blame(w, t, y) : 0;
 }
 
 static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double pace,
                      em_fault *fault) {
     if (!SETTLES && run->stabilise && !(flags & EM_BEGIN)) return 0;
     if (run->stabilise) flags |= EM_STABILISE;
-    if (run->least_norm) flags |= EM_LEAST_NORM;
+    if (!(flags & EM_LEAST_NORM)) flags |= em_row_flags(run);
     return model_settle(mode, flags, t, y, run->prepared, memory, pace, fault);
+}
+
+/* dy <- f at the nearest point on the constraints. Where their rows lose their directions, as near a singular position,
+ * an argument that is off them by e has rates that are off by e over the square of what is left; on them they are not. */
+EM_COLD int em_settled_rhs(em_walk *w, double t, const double *y, double *dy) {
+    double settled[EM_WIDTH], memory[EM_SOME_MEMORY];
+    int mode = w->mode;
+    memcpy(settled, y, sizeof settled);
+    memcpy(memory, w->memory, sizeof memory);
+    if (em_settle(w->run, &mode, EM_KEEP_MODE, t, settled, memory, 0.0, &w->reason) < 0) return -1;
+    return em_rhs(w, mode, t, settled, memory, dy);
 }
 
 /* EM_LANES numbers in one register, from wherever they stand. */
@@ -144,7 +158,9 @@ EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
     for (int i = first; i <= last; ++i) {
         double *argument = i == rk->solution ? w->y_new : w->argument;
         em_combine(rk->a[i], i, 1, w->h, w->y, w->K, argument);
-        if (em_rhs(w, w->mode, w->t + rk->c[i] * w->h, argument, w->memory, w->K[i])) return -1;
+        if (N_POSITIONS > 0 && w->near) {
+            if (em_settled_rhs(w, w->t + rk->c[i] * w->h, argument, w->K[i])) return -1;
+        } else if (em_rhs(w, w->mode, w->t + rk->c[i] * w->h, argument, w->memory, w->K[i])) return -1;
     }
     return 0;
 }

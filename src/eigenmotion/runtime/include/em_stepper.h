@@ -273,7 +273,7 @@ static void em_commit(em_walk *w) {
 
 /* All that is recorded of an accepted step; *t_stop is where a terminal event ends it. */
 static int em_record(em_walk *w, double *t_stop, int *terminal) {
-    const em_dense_step kept = {w->t, w->h, w->mode};
+    const em_dense_step kept = {w->t, w->h, w->mode, em_row_flags(w->run)};
     em_fault fault;
     if (N_EVENTS > 0 && em_append_crossings(w, t_stop, terminal)) return EM_END;
     if (em_append_rows(w, *t_stop)) return EM_END;
@@ -283,6 +283,7 @@ static int em_record(em_walk *w, double *t_stop, int *terminal) {
 /* One accepted step, and f anew where a signal jumps at its end. */
 static int em_advance(em_walk *w) {
     if (em_step_forward(w)) return EM_END;
+    if (w->run->least_norm && em_keep_rows(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
     int terminal = 0;
     if (em_record(w, &t_stop, &terminal)) return EM_END;
@@ -338,6 +339,7 @@ static int em_enter(em_walk *w) {
     run->t_reached = w->t = run->t_start;
     memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
     if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
+    if (run->least_norm && em_keep_rows_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
     if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;

@@ -1,0 +1,1151 @@
+/* eigenmotion generate quaternion_top.py */
+/* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
+/* body sha256:d54370ef0085be455ededad9849e281c678d7e660fdc0c5e86ca971388066f69 */
+/* quaternion_top: equations of motion, eigenfactor formulation.
+ *
+ * State, 28 numbers:
+ *   x    y[0 .. 4)
+ *   eta  y[4 .. 8)
+ *   C    y[8 .. 24)
+ *   s    y[24 .. 28)
+ *
+ * Blocks of M that do not couple:
+ *   1: q_0, q_1, q_2, q_3 (C and s are states)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   a factor of Delta: one constraint, Delta is a number
+ *   b, bdot: the constraints are homogeneous in the velocities
+ *   M^-1: M is singular; M + A^T W A is factored, with weights W of row 0
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 51 additions, 85 multiplications
+ *   triangular root: 65 additions, 125 multiplications
+ *   projection: 34 additions, 92 multiplications
+ */
+#include "quaternion_top.h"
+
+#include "em_linear.h"
+#include "em_rank.h"
+
+enum {
+    N = 4,            /* coordinates */
+    N_ROWS = 1,       /* constraint rows */
+    N_POSITIONS = 1,  /* of which holonomic */
+    N_STATE = 28,
+    N_C = 16,
+    N_S = 4,
+    N_CD = 0,
+    N_SD = 0,
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 0,
+    N_MEMORY = 20,
+    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1,
+    N_PARAMETERS = 5,
+    N_PREPARED = 21, /* the parameters, factors of constant blocks, shared constants */
+    N1 = 4 /* q_0, q_1, q_2, q_3 */
+};
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 0, 0, 0 };
+static const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    const double m = c[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double z_2 = 1.0/(0.390625*1.0/(1.8587375025371702*J_ + 2.4974634188618468*J3) +
+        0.765625*1.0/(2.8880884188618468*J_ + 1.0931125025371702*J3) + 10.546220166818202*1.0/J_ +
+        1.0931125025371702*1.0/(2.8880884188618468*J_ + 0.765625*J3) +
+        2.4974634188618468*1.0/(1.8587375025371702*J_ + 0.390625*J3));
+    const double z_3 = J_ - J3;
+    const double z_4 = J_ - z_2;
+    const double z_5 = J3 - z_2;
+    c[5] = z_2;
+    c[6] = z_3;
+    c[7] = z_4;
+    c[8] = z_5;
+    c[9] = g*l*m;
+    c[10] = 2.0*J3;
+    c[11] = 2.0*J_;
+    c[12] = 2.0*z_2;
+    c[13] = 4.0*J3;
+    c[14] = 4.0*J_;
+    c[15] = 8.0*J_;
+    c[16] = 4.0*z_3;
+    c[17] = 8.0*J3;
+    c[18] = 4.0*z_5;
+    c[19] = 8.0*z_2;
+    c[20] = 4.0*z_4;
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double c_1 = c[6];
+    const double c_8 = c[13];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_2 = q_3*q_3;
+    const double z_5 = q_1*q_1;
+    const double z_7 = q_2*q_2;
+    const double z_8 = J_*z_5 + J_*z_7;
+    const double z_10 = J_*q_1;
+    const double z_12 = q_2*c_1;
+    const double z_13 = q_0*q_0;
+    const double z_14 = J_*z_13 + J_*z_2;
+    const double z_15 = J_*q_2;
+    const double z_16 = q_1*c_1;
+    M[0] = 4.0*(J3*z_2 + z_8);
+    M[4] = M[1] = (-4.0)*(q_0*z_10 - q_3*z_12);
+    M[5] = 4.0*(J3*z_7 + z_14);
+    M[8] = M[2] = (-4.0)*(q_0*z_15 + q_3*z_16);
+    M[9] = M[6] = -c_8*(q_1*q_2);
+    M[10] = 4.0*(J3*z_5 + z_14);
+    M[12] = M[3] = -c_8*(q_3*q_0);
+    M[13] = M[7] = (-4.0)*(q_0*z_12 + q_3*z_10);
+    M[14] = M[11] = (-4.0)*(q_3*z_15 - q_0*z_16);
+    M[15] = 4.0*(J3*z_13 + z_8);
+}
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double c_8 = c[13];
+    const double c_9 = c[14];
+    const double c_10 = c[15];
+    const double c_11 = c[16];
+    const double c_12 = c[17];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_8 = q_2*c_11;
+    const double z_9 = q_1*c_11;
+    const double z_11 = q_3*c_11;
+    const double z_12 = q_0*c_11;
+    dM[4] = dM[1] = -q_1*c_9;
+    dM[5] = q_0*c_10;
+    dM[8] = dM[2] = -q_2*c_9;
+    dM[10] = q_0*c_10;
+    dM[12] = dM[3] = -q_3*c_8;
+    dM[13] = dM[7] = -z_8;
+    dM[14] = dM[11] = z_9;
+    dM[15] = q_0*c_12;
+    dM[16] = q_1*c_10;
+    dM[20] = dM[17] = -q_0*c_9;
+    dM[24] = dM[18] = -z_11;
+    dM[25] = dM[22] = -q_2*c_8;
+    dM[26] = q_1*c_12;
+    dM[29] = dM[23] = -q_3*c_9;
+    dM[30] = dM[27] = z_12;
+    dM[31] = q_1*c_10;
+    dM[32] = q_2*c_10;
+    dM[36] = dM[33] = z_11;
+    dM[37] = q_2*c_12;
+    dM[40] = dM[34] = -q_0*c_9;
+    dM[41] = dM[38] = -q_1*c_8;
+    dM[45] = dM[39] = -z_12;
+    dM[46] = dM[43] = -q_3*c_9;
+    dM[47] = q_2*c_10;
+    dM[48] = q_3*c_12;
+    dM[52] = dM[49] = z_8;
+    dM[53] = q_3*c_10;
+    dM[56] = dM[50] = -z_9;
+    dM[58] = q_3*c_10;
+    dM[60] = dM[51] = -q_0*c_8;
+    dM[61] = dM[55] = -q_1*c_9;
+    dM[62] = dM[59] = -q_2*c_9;
+}
+
+/* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
+static void factored_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+{
+(void)t;
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_13 = c[18];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_2 = q_3*q_3;
+    const double z_5 = q_0*q_0;
+    const double z_8 = q_1*q_1;
+    const double z_10 = q_2*q_2;
+    const double z_11 = J_*z_8 + J_*z_10;
+    const double z_13 = q_2*q_3;
+    const double z_15 = q_1*q_0;
+    const double z_16 = J_*z_5 + J_*z_2;
+    const double z_17 = q_1*q_3;
+    const double z_18 = q_2*q_0;
+    M[0] = 4.0*(J3*z_2 + c_0*z_5 + z_11);
+    M[4] = M[1] = 4.0*(c_1*z_13 - c_2*z_15);
+    M[5] = 4.0*(J3*z_10 + c_0*z_8 + z_16);
+    M[8] = M[2] = (-4.0)*(c_1*z_17 + c_2*z_18);
+    M[9] = M[6] = -c_13*(q_1*q_2);
+    M[10] = 4.0*(J3*z_8 + c_0*z_10 + z_16);
+    M[12] = M[3] = -c_13*(q_3*q_0);
+    M[13] = M[7] = (-4.0)*(c_1*z_18 + c_2*z_17);
+    M[14] = M[11] = 4.0*(c_1*z_15 - c_2*z_13);
+    M[15] = 4.0*(J3*z_5 + c_0*z_2 + z_11);
+}
+#define EM_FACTORED factored_matrix
+
+/* dM (n, n, n), of that */
+static void factored_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+(void)t;
+    const double c_10 = c[15];
+    const double c_11 = c[16];
+    const double c_12 = c[17];
+    const double c_13 = c[18];
+    const double c_14 = c[19];
+    const double c_15 = c[20];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_9 = q_2*c_11;
+    const double z_10 = q_1*c_11;
+    const double z_12 = q_3*c_11;
+    const double z_13 = q_0*c_11;
+    dM[0] = q_0*c_14;
+    dM[4] = dM[1] = -q_1*c_15;
+    dM[5] = q_0*c_10;
+    dM[8] = dM[2] = -q_2*c_15;
+    dM[10] = q_0*c_10;
+    dM[12] = dM[3] = -q_3*c_13;
+    dM[13] = dM[7] = -z_9;
+    dM[14] = dM[11] = z_10;
+    dM[15] = q_0*c_12;
+    dM[16] = q_1*c_10;
+    dM[20] = dM[17] = -q_0*c_15;
+    dM[21] = q_1*c_14;
+    dM[24] = dM[18] = -z_12;
+    dM[25] = dM[22] = -q_2*c_13;
+    dM[26] = q_1*c_12;
+    dM[29] = dM[23] = -q_3*c_15;
+    dM[30] = dM[27] = z_13;
+    dM[31] = q_1*c_10;
+    dM[32] = q_2*c_10;
+    dM[36] = dM[33] = z_12;
+    dM[37] = q_2*c_12;
+    dM[40] = dM[34] = -q_0*c_15;
+    dM[41] = dM[38] = -q_1*c_13;
+    dM[42] = q_2*c_14;
+    dM[45] = dM[39] = -z_13;
+    dM[46] = dM[43] = -q_3*c_15;
+    dM[47] = q_2*c_10;
+    dM[48] = q_3*c_12;
+    dM[52] = dM[49] = z_9;
+    dM[53] = q_3*c_10;
+    dM[56] = dM[50] = -z_10;
+    dM[58] = q_3*c_10;
+    dM[60] = dM[51] = -q_0*c_13;
+    dM[61] = dM[55] = -q_1*c_15;
+    dM[62] = dM[59] = -q_2*c_15;
+    dM[63] = q_3*c_14;
+}
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+{
+(void)t, (void)c;
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    A[0] = 2.0*q_0;
+    A[1] = 2.0*q_1;
+    A[2] = 2.0*q_2;
+    A[3] = 2.0*q_3;
+    b[0] = 0.0;
+}
+
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+{
+(void)t, (void)c;
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_4 = (q_1*q_1 + q_2*q_2) + (q_3*q_3 + q_0*q_0);
+    phi[0] = -(1.0 - z_4);
+    terms[0] = 1.0 + 2.0*z_4;
+}
+
+/* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                        const double *restrict u, double *restrict bias, double *restrict gamma)
+{
+(void)t, (void)u;
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double c_4 = c[9];
+    const double c_5 = c[10];
+    const double c_6 = c[11];
+    const double c_7 = c[12];
+    const double q_0_dot = v[0];
+    const double q_1_dot = v[1];
+    const double q_2_dot = v[2];
+    const double q_3_dot = v[3];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_9 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
+    const double z_11 = z_9*c_5;
+    const double z_12 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
+    const double z_14 = z_12*c_6;
+    const double z_15 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
+    const double z_16 = z_15*c_6;
+    const double z_18 = J3*z_9;
+    const double z_20 = J_*z_12;
+    const double z_21 = J_*z_15;
+    const double z_22 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
+    const double z_24 = z_22*c_7;
+    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_11 + q_2_dot*z_14 + q_1_dot*z_16) + 2.0*(q_3_dot*z_18 + q_2_dot*z_20 +
+        q_1_dot*z_21)) + q_0*z_24);
+    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_11 + q_0_dot*z_16 - q_3_dot*z_14) + 2.0*(q_2_dot*z_18 + q_0_dot*z_21 -
+        q_3_dot*z_20)) - q_1*z_24);
+    bias[2] = (-2.0)*(((q_1_dot*z_11 - q_2*c_4 - q_0_dot*z_14 - q_3_dot*z_16) + 2.0*(q_1_dot*z_18 - q_0_dot*z_20 -
+        q_3_dot*z_21)) + q_2*z_24);
+    bias[3] = 2.0*(((q_0_dot*z_11 + q_1_dot*z_14 - q_3*c_4 - q_2_dot*z_16) + 2.0*(q_0_dot*z_18 + q_1_dot*z_20 -
+        q_2_dot*z_21)) - q_3*z_24);
+    gamma[0] = 2.0*z_22;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+{
+(void)t;
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double c_1 = c[6];
+    const double c_4 = c[9];
+    const double q_0_dot = v[0];
+    const double q_1_dot = v[1];
+    const double q_2_dot = v[2];
+    const double q_3_dot = v[3];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_3 = q_3*q_3;
+    const double z_6 = q_1*q_1;
+    const double z_8 = q_2*q_2;
+    const double z_9 = J_*z_6 + J_*z_8;
+    const double z_12 = J_*q_1;
+    const double z_14 = q_2*c_1;
+    const double z_15 = q_0*z_12 - q_3*z_14;
+    const double z_17 = J_*q_2;
+    const double z_18 = q_1*c_1;
+    const double z_19 = q_0*z_17 + q_3*z_18;
+    const double z_21 = q_0*(J3*q_3);
+    const double z_22 = q_0*q_0;
+    const double z_23 = J_*z_22 + J_*z_3;
+    const double z_24 = J3*(q_1*q_2);
+    const double z_25 = q_0*z_14 + q_3*z_12;
+    const double z_26 = q_3*z_17 - q_0*z_18;
+    e[0] = 2.0*(q_0_dot*(q_0_dot*(J3*z_3 + z_9) - q_1_dot*z_15 - q_2_dot*z_19 - q_3_dot*z_21) -
+        q_1_dot*(q_0_dot*z_15 + q_2_dot*z_24 + q_3_dot*z_25 - q_1_dot*(J3*z_8 + z_23)) - q_2_dot*(q_0_dot*z_19 +
+        q_1_dot*z_24 + q_3_dot*z_26 - q_2_dot*(J3*z_6 + z_23)) - q_3_dot*(q_0_dot*z_21 + q_1_dot*z_25 +
+        q_2_dot*z_26 - q_3_dot*(J3*z_22 + z_9)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = -(z_6 + z_8 - z_3 - z_22)*c_4;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                         const double *restrict u, double *restrict crossing)
+{
+(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)memory, (void)flags, (void)fault;
+
+    /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[4], y[5], y[6], y[7] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 8);
+    const double *const s1 = y + 24;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double A1[N_ROWS][N1];
+    double gamma[N_ROWS];
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_3 = c[8];
+    const double c_4 = c[9];
+    const double c_5 = c[10];
+    const double c_6 = c[11];
+    const double c_7 = c[12];
+    const double q_0_dot = v1[0];
+    const double q_1_dot = v1[1];
+    const double q_2_dot = v1[2];
+    const double q_3_dot = v1[3];
+    const double q_0 = y[0];
+    const double q_1 = y[1];
+    const double q_2 = y[2];
+    const double q_3 = y[3];
+    const double z_3 = q_3_dot*q_3;
+    const double z_7 = q_0_dot*q_0;
+    const double z_11 = q_1_dot*q_1;
+    const double z_14 = q_2_dot*q_2;
+    const double z_15 = J_*z_11 + J_*z_14;
+    const double z_17 = q_3_dot*q_2;
+    const double z_18 = q_2_dot*q_3;
+    const double z_19 = z_17 + z_18;
+    const double z_21 = q_0_dot*q_1;
+    const double z_22 = q_1_dot*q_0;
+    const double z_23 = z_21 + z_22;
+    const double z_24 = J_*z_7 + J_*z_3;
+    const double z_25 = q_1_dot*q_3;
+    const double z_26 = q_3_dot*q_1;
+    const double z_27 = z_25 + z_26;
+    const double z_28 = q_0_dot*q_2;
+    const double z_29 = q_2_dot*q_0;
+    const double z_30 = z_28 + z_29;
+    const double z_32 = q_2_dot*q_1;
+    const double z_33 = q_1_dot*q_2;
+    const double z_34 = q_0_dot*q_3;
+    const double z_35 = q_3_dot*q_0;
+    const double z_38 = (z_34 + z_32 - z_35 - z_33)*c_5;
+    const double z_40 = (z_28 + z_25 - z_29 - z_26)*c_6;
+    const double z_41 = (z_21 + z_17 - z_22 - z_18)*c_6;
+    const double z_43 = (z_3 + z_11 + z_14 + z_7)*c_7;
+    Mdot1[0][0] = 8.0*(J3*z_3 + c_0*z_7 + z_15);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_19 - c_2*z_23);
+    Mdot1[1][1] = 8.0*(J3*z_14 + c_0*z_11 + z_24);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_27 + c_2*z_30);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_32 + z_33));
+    Mdot1[2][2] = 8.0*(J3*z_11 + c_0*z_14 + z_24);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_34 + z_35));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_30 + c_2*z_27);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_23 - c_2*z_19);
+    Mdot1[3][3] = 8.0*(J3*z_7 + c_0*z_3 + z_15);
+    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_38 + q_2_dot*z_40 + q_1_dot*z_41) - q_0_dot*z_43);
+    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_38 + q_0_dot*z_41 - q_3_dot*z_40) + q_1_dot*z_43);
+    f1[2] = (-2.0)*((q_1_dot*z_38 - q_2*c_4 - q_0_dot*z_40 - q_3_dot*z_41) - q_2_dot*z_43);
+    f1[3] = 2.0*((q_0_dot*z_38 + q_1_dot*z_40 - q_3*c_4 - q_2_dot*z_41) + q_3_dot*z_43);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+
+    /* q_0, q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    double mu1[N1][N1], Omega1[N1][N1];
+    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
+    for (int i = 0; i < N1; ++i) {
+        Omega1[i][i] = 0.0;
+        for (int j = 0; j < i; ++j) {
+            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
+            Omega1[i][j] = mu1[i][j]*(1.0/gap);
+            Omega1[j][i] = -Omega1[i][j];
+        }
+    }
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 8);
+    double *const s1_dot = dy + 24;
+    for (int i = 0; i < N1; ++i) {
+        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
+        for (int j = 0; j < N1; ++j) {
+            double sum = 0.0;
+            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
+            C1_dot[i][j] = sum;
+        }
+    }
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
+    double a1[N1], q1[N1];
+    for (int i = 0; i < N1; ++i) {
+        double push = 0.0, drag = s1_dot[i]*eta1[i], turn = 0.0;
+        for (int j = 0; j < N1; ++j) {
+            push += C1[i][j]*f1[j];
+            drag += Omega1[i][j]*(s1[j]*eta1[j]);
+            turn += Omega1[i][j]*w1[j];
+        }
+        a1[i] = r1[i]*(push - drag);
+        q1[i] = s1[i]*turn - s1_dot[i]*w1[i];
+    }
+
+    /* q_0, q_1, q_2, q_3: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int i = 0; i < N1; ++i) {
+            double sum = 0.0;
+            for (int j = 0; j < N1; ++j) sum += A1[row][j]*C1[i][j];
+            B1[row][i] = r1[i]*sum;
+        }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[4] = eta_dot[0];
+        dy[5] = eta_dot[1];
+        dy[6] = eta_dot[2];
+        dy[7] = eta_dot[3];
+    }
+    return 0;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+(void)t, (void)u;
+    (void)flags, (void)fault;
+    double M1[N1][N1];
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_13 = c[18];
+    const double q_0 = y[0];
+    const double q_1 = y[1];
+    const double q_2 = y[2];
+    const double q_3 = y[3];
+    const double z_2 = q_3*q_3;
+    const double z_5 = q_0*q_0;
+    const double z_8 = q_1*q_1;
+    const double z_10 = q_2*q_2;
+    const double z_11 = J_*z_8 + J_*z_10;
+    const double z_13 = q_2*c_1;
+    const double z_15 = q_1*c_2;
+    const double z_16 = J_*z_5 + J_*z_2;
+    const double z_17 = q_1*c_1;
+    const double z_18 = q_2*c_2;
+    M1[0][0] = 4.0*(J3*z_2 + c_0*z_5 + z_11);
+    M1[1][0] = 4.0*(q_3*z_13 - q_0*z_15);
+    M1[1][1] = 4.0*(J3*z_10 + c_0*z_8 + z_16);
+    M1[2][0] = (-4.0)*(q_3*z_17 + q_0*z_18);
+    M1[2][1] = -c_13*(q_1*q_2);
+    M1[2][2] = 4.0*(J3*z_8 + c_0*z_10 + z_16);
+    M1[3][0] = -c_13*(q_3*q_0);
+    M1[3][1] = (-4.0)*(q_0*z_13 + q_3*z_15);
+    M1[3][2] = 4.0*(q_0*z_17 - q_3*z_18);
+    M1[3][3] = 4.0*(J3*z_5 + c_0*z_2 + z_11);
+
+    /* q_0, q_1, q_2, q_3: M = L L^T */
+    double L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2, 3 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const double eta1[N1] = { y[4], y[5], y[6], y[7] };
+    double v1[N1];
+    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+
+    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+    double f1[N1];
+    double Mdot1[N1][N1];
+    double A1[N_ROWS][N1];
+    double gamma[N_ROWS];
+    const double c_3 = c[8];
+    const double c_4 = c[9];
+    const double c_5 = c[10];
+    const double c_6 = c[11];
+    const double c_7 = c[12];
+    const double q_0_dot = v1[0];
+    const double q_1_dot = v1[1];
+    const double q_2_dot = v1[2];
+    const double q_3_dot = v1[3];
+    const double z_21 = q_3_dot*q_3;
+    const double z_23 = q_0_dot*q_0;
+    const double z_25 = q_1_dot*q_1;
+    const double z_27 = q_2_dot*q_2;
+    const double z_28 = J_*z_25 + J_*z_27;
+    const double z_29 = q_3_dot*q_2;
+    const double z_30 = q_2_dot*q_3;
+    const double z_31 = z_29 + z_30;
+    const double z_32 = q_0_dot*q_1;
+    const double z_33 = q_1_dot*q_0;
+    const double z_34 = z_32 + z_33;
+    const double z_35 = J_*z_23 + J_*z_21;
+    const double z_36 = q_1_dot*q_3;
+    const double z_37 = q_3_dot*q_1;
+    const double z_38 = z_36 + z_37;
+    const double z_39 = q_0_dot*q_2;
+    const double z_40 = q_2_dot*q_0;
+    const double z_41 = z_39 + z_40;
+    const double z_43 = q_2_dot*q_1;
+    const double z_44 = q_1_dot*q_2;
+    const double z_45 = q_0_dot*q_3;
+    const double z_46 = q_3_dot*q_0;
+    const double z_49 = (z_45 + z_43 - z_46 - z_44)*c_5;
+    const double z_51 = (z_39 + z_36 - z_40 - z_37)*c_6;
+    const double z_52 = (z_32 + z_29 - z_33 - z_30)*c_6;
+    const double z_54 = (z_21 + z_25 + z_27 + z_23)*c_7;
+    Mdot1[0][0] = 8.0*(J3*z_21 + c_0*z_23 + z_28);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_31 - c_2*z_34);
+    Mdot1[1][1] = 8.0*(J3*z_27 + c_0*z_25 + z_35);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_38 + c_2*z_41);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_43 + z_44));
+    Mdot1[2][2] = 8.0*(J3*z_25 + c_0*z_27 + z_35);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_45 + z_46));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_41 + c_2*z_38);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_34 - c_2*z_31);
+    Mdot1[3][3] = 8.0*(J3*z_23 + c_0*z_21 + z_28);
+    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_49 + q_2_dot*z_51 + q_1_dot*z_52) - q_0_dot*z_54);
+    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_49 + q_0_dot*z_52 - q_3_dot*z_51) + q_1_dot*z_54);
+    f1[2] = (-2.0)*((q_1_dot*z_49 - q_2*c_4 - q_0_dot*z_51 - q_3_dot*z_52) - q_2_dot*z_54);
+    f1[3] = 2.0*((q_0_dot*z_49 + q_1_dot*z_51 - q_3*c_4 - q_2_dot*z_52) + q_3_dot*z_54);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+
+    /* q_0, q_1, q_2, q_3: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
+    double a1[N1];
+    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
+    em_forward(N1, L1[0], r1, a1);
+    double q1[N1] = {0.0};
+    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
+    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
+            a1[i] -= Phi*eta1[j];
+            q1[j] -= Phi*eta1[i];
+        }
+
+    /* q_0, q_1, q_2, q_3: B = A L^-T */
+    double B1[N_ROWS][N1];
+    for (int row = 0; row < N_ROWS; ++row) {
+        for (int i = 0; i < N1; ++i) B1[row][i] = A1[row][i];
+        em_forward(N1, L1[0], r1, B1[row]);
+    }
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    {
+        double eta_dot[N1];
+        for (int i = 0; i < N1; ++i) {
+            double sum = a1[i];
+            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
+            eta_dot[i] = sum;
+        }
+        dy[4] = eta_dot[0];
+        dy[5] = eta_dot[1];
+        dy[6] = eta_dot[2];
+        dy[7] = eta_dot[3];
+    }
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
+    return 0;
+}
+
+#include "em_mechanics.h"
+
+/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
+ * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
+ * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.5
+#define EM_CLOSE 1e-3
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
+    double M1[N1][N1];
+    double A1[N_ROWS][N1];
+    double b[N_ROWS];
+    const double J_ = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_13 = c[18];
+    const double q_0 = y[0];
+    const double q_1 = y[1];
+    const double q_2 = y[2];
+    const double q_3 = y[3];
+    const double z_2 = q_3*q_3;
+    const double z_5 = q_0*q_0;
+    const double z_8 = q_1*q_1;
+    const double z_10 = q_2*q_2;
+    const double z_11 = J_*z_8 + J_*z_10;
+    const double z_13 = q_2*c_1;
+    const double z_15 = q_1*c_2;
+    const double z_16 = J_*z_5 + J_*z_2;
+    const double z_17 = q_1*c_1;
+    const double z_18 = q_2*c_2;
+    M1[0][0] = 4.0*(J3*z_2 + c_0*z_5 + z_11);
+    M1[0][1] = M1[1][0] = 4.0*(q_3*z_13 - q_0*z_15);
+    M1[1][1] = 4.0*(J3*z_10 + c_0*z_8 + z_16);
+    M1[0][2] = M1[2][0] = (-4.0)*(q_3*z_17 + q_0*z_18);
+    M1[1][2] = M1[2][1] = -c_13*(q_1*q_2);
+    M1[2][2] = 4.0*(J3*z_8 + c_0*z_10 + z_16);
+    M1[0][3] = M1[3][0] = -c_13*(q_3*q_0);
+    M1[1][3] = M1[3][1] = (-4.0)*(q_0*z_13 + q_3*z_15);
+    M1[2][3] = M1[3][2] = 4.0*(q_0*z_17 - q_3*z_18);
+    M1[3][3] = 4.0*(J3*z_5 + c_0*z_2 + z_11);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    b[0] = 0.0;
+
+    /* q_0, q_1, q_2, q_3 */
+    double eta1[N1] = { y[4], y[5], y[6], y[7] };
+    double *const C1 = y + 8, *const s1 = y + 24;
+    if (*mode || (flags & EM_STABILISE)) {
+        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
+        static const int coordinate[N1] = { 0, 1, 2, 3 };
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        changed = 1;
+    }
+
+    double gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, s1));
+    int wanted = *mode;
+    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
+    else if (!(flags & EM_KEEP_MODE)) {
+        if (gap > EM_APART) wanted = 0;
+        else {
+            double time = INFINITY;
+            double v1[N1];
+            memcpy(v1, eta1, sizeof v1);
+            if (*mode) {
+                double L[N1*N1], r[N1];
+                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
+            } else
+            em_from_axes(N1, C1, s1, v1);
+            double Mdot1[N1][N1], mu1[N1][N1];
+    const double c_3 = c[8];
+    const double q_0_dot = v1[0];
+    const double q_1_dot = v1[1];
+    const double q_2_dot = v1[2];
+    const double q_3_dot = v1[3];
+    const double z_21 = q_3_dot*q_3;
+    const double z_23 = q_0_dot*q_0;
+    const double z_25 = q_1_dot*q_1;
+    const double z_27 = q_2_dot*q_2;
+    const double z_28 = J_*z_25 + J_*z_27;
+    const double z_29 = q_3_dot*q_2 + q_2_dot*q_3;
+    const double z_30 = q_0_dot*q_1 + q_1_dot*q_0;
+    const double z_31 = J_*z_23 + J_*z_21;
+    const double z_32 = q_1_dot*q_3 + q_3_dot*q_1;
+    const double z_33 = q_0_dot*q_2 + q_2_dot*q_0;
+    Mdot1[0][0] = 8.0*(J3*z_21 + c_0*z_23 + z_28);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_29 - c_2*z_30);
+    Mdot1[1][1] = 8.0*(J3*z_27 + c_0*z_25 + z_31);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_32 + c_2*z_33);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(q_2_dot*q_1 + q_1_dot*q_2));
+    Mdot1[2][2] = 8.0*(J3*z_25 + c_0*z_27 + z_31);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(q_0_dot*q_3 + q_3_dot*q_0));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_33 + c_2*z_32);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_30 - c_2*z_29);
+    Mdot1[3][3] = 8.0*(J3*z_23 + c_0*z_21 + z_28);
+            em_congruence(N1, C1, Mdot1[0], mu1[0]);
+            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
+            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
+        }
+    }
+    if (*mode || wanted) {
+        const int moving = *mode != wanted;
+        changed |= moving;
+        {
+            double *const L = memory + 0, *const r = memory + 16;
+            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
+            static const int coordinate[N1] = { 0, 1, 2, 3 };
+            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+            if (moving && wanted) { /* S C xdot -> L^T xdot */
+                em_from_axes(N1, C1, s1, eta1);
+                em_transposed(N1, L, eta1);
+            } else if (moving) { /* and back */
+                em_backward(N1, L, r, eta1);
+                em_onto_axes(N1, C1, s1, eta1);
+            }
+        }
+        *mode = wanted;
+    }
+
+    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+        const double *const gamma = b;
+        double B1[N_ROWS][N1];
+        memcpy(B1, A1, sizeof B1);
+        for (int row = 0; row < N_ROWS; ++row) {
+            if (*mode) em_forward(N1, memory + 0, memory + 16, B1[row]);
+            else em_to_axes(N1, C1, s1, B1[row]);
+        }
+        double *const a1 = eta1;
+    /* Delta = B B^T (43), Delta lambda = B a (46) */
+    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double sum = gamma[row];
+        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
+        lambda[row] = sum;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row][column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
+            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
+    }
+    y[4] = eta1[0];
+    y[5] = eta1[1];
+    y[6] = eta1[2];
+    y[7] = eta1[3];
+    return changed;
+}
+
+/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
+ * that is farthest off. */
+#define EM_CARRIES_FACTORS
+static double model_factor_error(double t, const double *y, const double *c, int *first)
+{
+    double M[N][N], worst = 0.0;
+    factored_matrix(t, y, c, M[0]);
+    { /* q_0, q_1, q_2, q_3 */
+        static const int coordinate[N1] = { 0, 1, 2, 3 };
+        double Mb[N1][N1];
+        for (int i = 0; i < N1; ++i)
+            for (int j = 0; j < N1; ++j)
+                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
+        const double error = em_factor_error(N1, Mb[0], y + 8, y + 24);
+        if (!(error <= worst)) {
+            worst = error;
+            *first = coordinate[0];
+        }
+    }
+    return worst;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+                     int flags, double *dy, em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    factored_matrix(t, y, c, M);
+    {
+        double eta[N1] = { y[4], y[5], y[6], y[7] };
+        if (mode) {
+            static const int coordinate[N1] = { 0, 1, 2, 3 };
+            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
+        } else
+            em_from_axes(N1, y + 8, y + 24, eta);
+        v[0] = eta[0];
+        v[1] = eta[1];
+        v[2] = eta[2];
+        v[3] = eta[3];
+    }
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    {
+        double eta[N1] = { e[0], e[1], e[2], e[3] };
+        if (mode) em_backward(N1, memory + 0, memory + 16, eta);
+        else em_from_axes(N1, y + 8, y + 24, eta);
+        ev[0] = eta[0];
+        ev[1] = eta[1];
+        ev[2] = eta[2];
+        ev[3] = eta[3];
+    }
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    {
+        double eta[N1];
+        eta[0] = v[0];
+        eta[1] = v[1];
+        eta[2] = v[2];
+        eta[3] = v[3];
+        em_onto_axes(N1, y + 8, y + 24, eta);
+        row[4] = eta[0];
+        row[5] = eta[1];
+        row[6] = eta[2];
+        row[7] = eta[3];
+    }
+    return 0;
+}
+
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    C[0*N + 0] = y[8 + 0*N1 + 0];
+    C[0*N + 1] = y[8 + 0*N1 + 1];
+    C[0*N + 2] = y[8 + 0*N1 + 2];
+    C[0*N + 3] = y[8 + 0*N1 + 3];
+    C[1*N + 0] = y[8 + 1*N1 + 0];
+    C[1*N + 1] = y[8 + 1*N1 + 1];
+    C[1*N + 2] = y[8 + 1*N1 + 2];
+    C[1*N + 3] = y[8 + 1*N1 + 3];
+    C[2*N + 0] = y[8 + 2*N1 + 0];
+    C[2*N + 1] = y[8 + 2*N1 + 1];
+    C[2*N + 2] = y[8 + 2*N1 + 2];
+    C[2*N + 3] = y[8 + 2*N1 + 3];
+    C[3*N + 0] = y[8 + 3*N1 + 0];
+    C[3*N + 1] = y[8 + 3*N1 + 1];
+    C[3*N + 2] = y[8 + 3*N1 + 2];
+    C[3*N + 3] = y[8 + 3*N1 + 3];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
+    for (int i = 0; i < N; ++i) {
+        double sum = 0.0;
+        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
+        eta[i] = s[i]*sum;
+    }
+    memcpy(y + N, eta, sizeof eta);
+    y[8 + 0*N1 + 0] = C[0*N + 0];
+    y[8 + 0*N1 + 1] = C[0*N + 1];
+    y[8 + 0*N1 + 2] = C[0*N + 2];
+    y[8 + 0*N1 + 3] = C[0*N + 3];
+    y[24 + 0] = s[0];
+    y[8 + 1*N1 + 0] = C[1*N + 0];
+    y[8 + 1*N1 + 1] = C[1*N + 1];
+    y[8 + 1*N1 + 2] = C[1*N + 2];
+    y[8 + 1*N1 + 3] = C[1*N + 3];
+    y[24 + 1] = s[1];
+    y[8 + 2*N1 + 0] = C[2*N + 0];
+    y[8 + 2*N1 + 1] = C[2*N + 1];
+    y[8 + 2*N1 + 2] = C[2*N + 2];
+    y[8 + 2*N1 + 3] = C[2*N + 3];
+    y[24 + 2] = s[2];
+    y[8 + 3*N1 + 0] = C[3*N + 0];
+    y[8 + 3*N1 + 1] = C[3*N + 1];
+    y[8 + 3*N1 + 2] = C[3*N + 2];
+    y[8 + 3*N1 + 3] = C[3*N + 3];
+    y[24 + 3] = s[3];
+    memcpy(y, x, N * sizeof *y);
+    return 0;
+}
+
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    static const int coordinate1[N1] = { 0, 1, 2, 3 };
+    if (em_coincident(N1, coordinate1, y + 24, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u, 0};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
+#include "em_stepper.h"
+
+static const char *const coordinate_names[] = { "q_0", "q_1", "q_2", "q_3", NULL };
+static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 1.0, 0.2, 9.81, 0.05, 0.02, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { 0.955336489125606, 0.29552020666133955, 0.0, 0.0 };
+static const double initial_v[N] = { 0.0, 0.0, -1.4776010333066978, 4.77668244562803 };
+static const int carried[N] = { 1, 1, 1, 1 };
+static const em_slice layout[] = {
+    {"x", 0, 4},
+    {"eta", 4, 4},
+    {"C", 8, 16},
+    {"s", 24, 4}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "a factor of Delta: one constraint, Delta is a number",
+    "b, bdot: the constraints are homogeneous in the velocities",
+    "M^-1: M is singular; M + A^T W A is factored, with weights W of row 0",
+    NULL
+};
+
+const em_model quaternion_top_model = {
+    .abi = EM_ABI,
+    .name = "quaternion_top",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 7,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .carried = carried,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+    .event = model_events,
+    .factored_matrix = factored_matrix,
+    .factored_gradient = factored_gradient,
+};

@@ -1,0 +1,185 @@
+/* em_rank.h: which constraint rows are independent of each other, and multipliers where some are not.
+ *
+ * Rows that depend on each other on the constraints are independent beside them, by the square of the distance: what is
+ * asked of Delta there is noise. A run therefore keeps the rows that were independent at its last accepted step (bits
+ * of `flags`), and its right-hand sides solve for those: between two accepted steps it integrates the smooth system of
+ * independent rows, whose motion is the same. Multipliers of least norm are for what is asked at one state. */
+#ifndef EM_RANK_H
+#define EM_RANK_H
+
+#include "em_linear.h"
+
+#define EM_DEPENDENT 1e-11 /* the square of what a row of length one must add to others to be independent of them */
+#define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
+#define EM_CONTRADICTS 1e-4 /* of the terms that cancel in a row: what is left where rows do not contradict each other */
+
+enum { EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 }; /* flags / EM_FIRST_KEPT: a bit for each row kept, 0: not known */
+enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM };
+
+/* Units (m) in which the rows of B are of length one; rows that vanish beside the others keep theirs. */
+EM_COLD void em_row_units(int m, const double *Delta, double *unit) {
+    double largest = 0.0;
+    for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
+    for (int i = 0; i < m; ++i) {
+        const double square = fmax(Delta[i * m + i], EM_VANISHED * largest);
+        unit[i] = square > 0.0 ? 1.0 / sqrt(square) : 1.0;
+    }
+}
+
+/* Delta = L D L^T by its lower triangle, in the order `row` (m) in which rows add most to those before: L (m, m) by the
+ * rows' own numbers, ones not stored; D (m) the squares of what they add, 0 behind the last that is above `tolerance`.
+ * Returns how many are. */
+EM_COLD int em_pivoted(int m, const double *Delta, double tolerance, double *L, double *D, int *row) {
+    double left[m];
+    for (int i = 0; i < m; ++i) left[i] = Delta[i * m + i], row[i] = i, D[i] = 0.0;
+    for (int k = 0; k < m; ++k) {
+        int most = k;
+        for (int i = k + 1; i < m; ++i)
+            if (left[row[i]] > left[row[most]]) most = i;
+        const int best = row[most];
+        if (!(left[best] > tolerance)) return k;
+        row[most] = row[k], row[k] = best, D[k] = left[best];
+        for (int i = k + 1; i < m; ++i) {
+            const int at = row[i];
+            double sum = at > best ? Delta[at * m + best] : Delta[best * m + at];
+            for (int j = 0; j < k; ++j) sum -= L[at * m + j] * D[j] * L[best * m + j];
+            L[at * m + k] = sum / D[k];
+            left[at] -= sum * L[at * m + k];
+        }
+    }
+    return m;
+}
+
+/* The same with all rows at length one, in the units given. */
+EM_COLD int em_pivoted_units(int m, const double *Delta, const double *unit, double tolerance, double *L, double *D,
+                             int *row) {
+    double scaled[m * m];
+    for (int i = 0; i < m; ++i)
+        for (int j = 0; j <= i; ++j) scaled[i * m + j] = Delta[i * m + j] * unit[i] * unit[j];
+    return em_pivoted(m, scaled, tolerance, L, D, row);
+}
+
+/* pivot, row (m) <- the rows in the order in which they add most to those before, and the squares of what they add. */
+EM_COLD void em_ranked_rows(int m, const double *Delta, double *pivot, int *row) {
+    double L[m * m];
+    em_pivoted(m, Delta, 0.0, L, pivot, row);
+}
+
+/* How many rows are independent, judged with all rows at length one. *kept <- their bits, 0 where they are too many. */
+EM_COLD int em_independent_rows(int m, const double *Delta, double tolerance, int *kept) {
+    double unit[m], L[m * m], D[m];
+    int row[m];
+    em_row_units(m, Delta, unit);
+    const int rank = em_pivoted_units(m, Delta, unit, tolerance, L, D, row);
+    *kept = 0;
+    for (int k = 0; k < rank && m <= EM_MOST_ROWS; ++k) *kept |= EM_FIRST_KEPT << row[k];
+    return rank;
+}
+
+EM_COLD int em_rank(int m, const double *Delta) {
+    int kept;
+    return em_independent_rows(m, Delta, EM_DEPENDENT, &kept);
+}
+
+/* z <- L^-T z, for the first `rank` rows in that order; z by the rows' own numbers. */
+EM_COLD void em_pivoted_backward(int m, int rank, const double *L, const int *row, double *z) {
+    for (int k = rank - 1; k >= 0; --k)
+        for (int i = k + 1; i < rank; ++i) z[row[k]] -= L[row[i] * m + k] * z[row[i]];
+}
+
+/* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
+EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
+    for (int k = 0; k < count; ++k) {
+        double *const row = null + k * m;
+        double square = 0.0, part = 0.0;
+        for (int other = 0; other < k; ++other) {
+            double along = 0.0;
+            for (int j = 0; j < m; ++j) along += row[j] * null[other * m + j];
+            for (int j = 0; j < m; ++j) row[j] -= along * null[other * m + j];
+        }
+        for (int j = 0; j < m; ++j) square += row[j] * row[j], part += row[j] * x[j];
+        for (int j = 0; j < m; ++j) x[j] -= part / square * row[j], row[j] /= sqrt(square);
+    }
+}
+
+/* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is
+ * given. Which rows depend on others is judged with all rows at length one. Returns -1, or a row that contradicts those
+ * it depends on, by more than rounding of `terms` (m), the sizes of what cancels in rhs (NULL: that is not asked). */
+EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
+    double unit[m], L[m * m], D[m], null[m * m], largest = 0.0;
+    int row[m], worst = -1;
+    memset(null, 0, sizeof null);
+    em_row_units(m, Delta, unit);
+    const int rank = em_pivoted_units(m, Delta, unit, EM_DEPENDENT, L, D, row);
+    for (int i = 0; terms && i < m; ++i) largest = fmax(largest, EM_CONTRADICTS * unit[i] * terms[i]);
+    for (int i = 0; i < m; ++i) {
+        double *const at = rhs + row[i];
+        *at *= unit[row[i]];
+        for (int j = 0; j < i && j < rank; ++j) *at -= L[row[i] * m + j] * rhs[row[j]];
+        if (i >= rank && terms && !(fabs(*at) <= largest)) largest = fabs(*at), worst = row[i];
+    }
+    for (int i = 0; i < m; ++i) rhs[row[i]] = i < rank ? rhs[row[i]] / D[i] : 0.0;
+    em_pivoted_backward(m, rank, L, row, rhs);
+    for (int i = rank; i < m; ++i) {
+        double *const z = null + (i - rank) * m;
+        for (int j = 0; j < rank; ++j) z[row[j]] = -L[row[i] * m + j];
+        z[row[i]] = 1.0;
+        em_pivoted_backward(m, rank, L, row, z);
+        for (int j = 0; j < m; ++j) z[j] *= unit[j];
+    }
+    for (int i = 0; i < m; ++i) rhs[i] *= unit[i];
+    em_remove_parts(m, m - rank, null, rhs);
+    return worst;
+}
+
+/* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */
+EM_INLINE int em_vanished_row(int m, const double *restrict Delta) {
+    double largest = 0.0;
+    for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
+    for (int i = 0; i < m; ++i)
+        if (!(Delta[i * m + i] > EM_VANISHED * largest)) return i;
+    return -1;
+}
+
+/* rhs (m) <- least-norm solution of Delta x = rhs where row `row` depends on those before it, if that is asked for. */
+EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
+                               em_fault *fault) {
+    for (int i = 0; i < m; ++i)
+        if (!isfinite(Delta[i * m + i]) || !isfinite(rhs[i])) return em_fail(fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    if (!(flags & EM_LEAST_NORM)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
+    const int wrong = em_least_norm(m, Delta, rhs, terms);
+    return wrong < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, wrong, wrong, NAN);
+}
+
+/* Delta, rhs <- with ones and zeros for the rows that are not kept, whose multipliers are zero then. */
+EM_INLINE void em_drop_rows(int m, double *restrict Delta, double *restrict rhs, int flags) {
+    for (int i = 0; i < m && i < EM_MOST_ROWS; ++i) {
+        if (flags & EM_FIRST_KEPT << i) continue;
+        for (int j = 0; j < i; ++j) Delta[i * m + j] = 0.0;
+        for (int j = i + 1; j < m; ++j) Delta[j * m + i] = 0.0;
+        Delta[i * m + i] = 1.0;
+        rhs[i] = 0.0;
+    }
+}
+
+/* rhs (m) <- Delta^-1 rhs; Delta (m, m) by its lower triangle. Where rows are kept, the others have no multipliers;
+ * where dependent rows are allowed without, those of least norm. */
+EM_INLINE int em_solve_delta(int m, double *restrict Delta, double *restrict rhs, int flags, em_fault *fault) {
+    if (m == 1) {
+        if (!(Delta[0] > 0.0)) return em_solve_dependent(m, Delta, rhs, NULL, 0, flags, fault);
+        rhs[0] *= 1.0 / Delta[0]; /* ready before rhs is */
+        return 0;
+    }
+    double L[m * m], r[m];
+    const int kept = flags >= EM_FIRST_KEPT;
+    if (kept) em_drop_rows(m, Delta, rhs, flags);
+    else if (flags & EM_LEAST_NORM) return em_solve_dependent(m, Delta, rhs, NULL, 0, flags, fault);
+    int row = kept ? -1 : em_vanished_row(m, Delta);
+    if (row < 0) row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
+    if (row >= 0) return em_solve_dependent(m, Delta, rhs, NULL, row, 0, fault);
+    em_forward(m, L, r, rhs);
+    em_backward(m, L, r, rhs);
+    return 0;
+}
+
+#endif
