@@ -85,7 +85,7 @@ def test_bricards_mechanism_leaves_its_published_pose(formulation, method):
     found = system.simulate((0, 2), method=method, rtol=tolerance, atol=tolerance, t_eval=at, **LEAST_NORM)
     check_honest(found)
     assert found.success, found.message
-    assert np.abs(found.position_residual).max() < 1e-14
+    assert np.abs(found.position_residual).max() < 2e-14  # of terms that are about 5
     assert np.abs(found.x[:, -1]).max() > 0.5
     start = bars_energy(np.zeros(5), np.zeros(5))
     worst = max(abs(bars_energy(x, v) - start) for x, v in zip(found.x.T, found.v.T, strict=True))
@@ -99,7 +99,7 @@ def test_a_consistent_pose_is_found_from_one_at_which_all_rows_are_independent()
     x, v = system.project_initial_state(x0, np.ones(5), **LEAST_NORM)
     A = system.pfaffian(x)[0]
     assert np.linalg.matrix_rank(A, 1e-12) == 4
-    assert np.abs(system.compiled.position(0.0, x, system.prepare())).max() < 1e-15
+    assert np.abs(system.compiled.position(0.0, x, system.prepare())[0]).max() < 1e-15
     assert np.abs(A @ v).max() < 1e-14
     assert np.abs(x - x0).max() < 0.03
 

@@ -92,19 +92,33 @@ static double em_in_roundings(double phi, double terms) {
     return isfinite(phi) && isfinite(terms) ? fabs(phi) / terms / DBL_EPSILON : INFINITY;
 }
 
-/* residual (m) <- phi, 0 in the rows of velocities; *worst: the row in which it is largest beside its rounding.
- * Returns that largest, in units of the rounding. */
-EM_COLD double em_position_residual(double t, const double *x, const double *c, double *residual, int *worst) {
-    double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], largest = 0.0;
+/* residual (m) <- phi, 0 in the rows of velocities; terms (h): what phi is the sum of. */
+EM_COLD void em_position_residual(double t, const double *x, const double *c, double *residual, double *terms) {
+    double phi[EM_SOME_POSITIONS];
     memset(residual, 0, EM_SOME_ROWS * sizeof *residual);
     position(t, x, c, phi, terms);
+    for (int row = 0; row < N_POSITIONS; ++row) residual[row] = phi[row];
+}
+
+/* The largest residual in units of its rounding, and *worst, its row. */
+EM_COLD double em_largest_residual(const double *residual, const double *terms, int *worst) {
+    double largest = 0.0;
     *worst = 0;
     for (int row = 0; row < N_POSITIONS; ++row) {
-        const double size = em_in_roundings(phi[row], terms[row]);
-        residual[row] = phi[row];
+        const double size = em_in_roundings(residual[row], terms[row]);
         if (size > largest) largest = size, *worst = row;
     }
     return largest;
+}
+
+/* A row that depends on others is met as well as they are: what rounding leaves of those that are kept, in units of
+ * their lengths, it leaves of all. */
+EM_COLD void em_share_rounding(const em_root *root, int rows, double *terms) {
+    double most = 0.0;
+    for (int row = 0; row < N_POSITIONS; ++row)
+        if (rows & EM_FIRST_KEPT << row) most = fmax(most, terms[row] / sqrt(root->Delta[row * N_ROWS + row]));
+    for (int row = 0; row < N_POSITIONS; ++row)
+        terms[row] = fmax(terms[row], most * sqrt(root->Delta[row * N_ROWS + row]));
 }
 
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
@@ -112,21 +126,23 @@ EM_COLD double em_position_residual(double t, const double *x, const double *c, 
  * Returns whether x changed, or -1. */
 EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
                          em_fault *fault) {
-    double residual[EM_SOME_ROWS];
-    int worst;
+    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS];
+    em_root root;
     for (int step = 0;; ++step) {
-        const double size = em_position_residual(t, x, c, residual, &worst);
+        int worst, rows = least_norm;
+        em_position_residual(t, x, c, residual, terms);
+        if (least_norm) {
+            if (em_root_at(t, x, c, &root, fault)) return -1;
+            if (least_norm < EM_FIRST_KEPT) em_independent_rows(EM_SOME_ROWS, root.Delta, tolerance, &rows);
+            rows |= EM_LEAST_NORM;
+            em_share_rounding(&root, rows, terms);
+        }
+        const double size = em_largest_residual(residual, terms, &worst);
         if (size <= 1.0) return step > 0;
         if (isinf(size) || (step == steps && size > 1e3))
             return em_fail(fault, EM_POSITION_NOT_REACHED, worst, -1, fabs(residual[worst]));
         if (step == steps) return 1;
-        em_root root;
-        int rows = least_norm;
-        if (em_root_at(t, x, c, &root, fault)) return -1;
-        if (least_norm && least_norm < EM_FIRST_KEPT) {
-            em_independent_rows(EM_SOME_ROWS, root.Delta, tolerance, &rows);
-            rows |= EM_LEAST_NORM;
-        }
+        if (!least_norm && em_root_at(t, x, c, &root, fault)) return -1;
         if (em_correct(&root, x, residual, NULL, rows, fault)) return -1;
     }
 }
