@@ -16,13 +16,15 @@ from .places import Places
 class Found:
     """Answers at k places, the places first.
 
-    M (k, n, n); dM (k, n, n, n); A (k, m, n); b (k, m); phi (k, h); energies (k, 4); quasi (k, n or 0);
+    M, factored (k, n, n); dM (k, n, n, n), of what is factored; A (k, m, n); b (k, m); phi (k, h); energies (k, 4);
+    quasi (k, n or 0);
     events (k, n_events); a (k, n); multipliers (k, m); outputs (k, n_outputs); C (k, n, n); s (k, n);
     y, dy (k, n_state); velocity (k, n) of y;
     least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
     """
 
     M: Vector
+    factored: Vector
     dM: Vector
     A: Vector
     b: Vector
@@ -62,7 +64,8 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
     C, s = c.eigenfactor_rows(time, position, prepared)
     y = c.state_rows(time, position, moving, prepared)
     return (
-        c.mass_matrix(t, x, prepared), c.mass_matrix_gradient(t, x, prepared), *c.pfaffian(t, x, prepared),
+        c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), c.factored_gradient(t, x, prepared),
+        *c.pfaffian(t, x, prepared),
         c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0], c.event_rows(time, position, moving, inputs, prepared)[0],
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
@@ -81,5 +84,5 @@ def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) 
 def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
     """Shapes of the fields of Found at one place."""
     n, m, state = c.n, c.m, (c.n_state,)
-    return ((n, n), (n, n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,), (n,), (m,),
-            (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip
+    return ((n, n), (n, n), (n, n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,), (n,),
+            (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

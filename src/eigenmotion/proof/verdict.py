@@ -11,6 +11,7 @@ from ..codegen.model import Model
 from ..errors import BuildError
 from ..names import Vector
 from ..system import System
+from .augmented import factored
 from .found import Found, ask
 from .identities import Identity, expressions, motion
 from .places import HAIR, Places, draw
@@ -70,6 +71,8 @@ def _compare(model: Model, system: System, places: Places) -> tuple[list[str], b
 def _identities(model: Model, system: System, places: Places, found: Found, stated: Stated) -> Iterator[Identity]:
     yield from expressions(model, places.v, found, stated)
     yield from motion(model, places.v, found, stated)
+    stated, added = factored(system, found, stated)
+    yield from added
     yield from rates(system, places.v, found, stated)
 
 
