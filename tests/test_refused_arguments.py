@@ -35,7 +35,7 @@ def test_rhs_refuses_to_write_into_what_is_no_array_of_floats(system, kind):
 @pytest.mark.parametrize("given", [None, True, 1, b"none"])
 def test_a_word_is_a_string(system, given):
     for option in ("stabilisation", "method", "dependent_constraints"):
-        with pytest.raises(ModelError, match=f"{option} is .*not a string; known: "):
+        with pytest.raises(ModelError, match=f"{option} is .*not one of the words "):
             system.simulate((0, 1), **{option: given})
 
 
@@ -57,13 +57,13 @@ def test_complex_numbers_are_refused_everywhere(system):
         lambda: system.prepare(np.array(list(system.parameters.values())) + 0j),
     ]
     for call in calls:
-        with pytest.raises(ValueError, match="complex"):
+        with pytest.raises(ValueError, match=r"real number|not a number"):
             call()
 
 
 def test_a_short_velocity_is_not_broadcast(system):
     for v in ([1.0], 1.0, np.ones(system.n + 1)):
-        with pytest.raises(ModelError, match="coordinate of v: an array of shape"):
+        with pytest.raises(ModelError, match=r"v0: .*(shape|not an array)"):
             system.eta_sensitivity(np.ones(system.n), v)
 
 

@@ -14,7 +14,7 @@ static long additions, multiplications, divisions, calls;
 struct Counted {
     double v;
     Counted() = default;
-    template <class T, class = std::enable_if_t<std::is_arithmetic_v<T>>> constexpr Counted(T number) : v(number) {}
+    template <class T, class = std::enable_if_t<std::is_arithmetic_v<T> || std::is_enum_v<T>>> constexpr Counted(T number) : v(number) {}
     explicit operator int() const { return (int)v; }
     explicit operator long() const { return (long)v; }
 };
@@ -38,6 +38,8 @@ static inline Counted fmin(Counted a, Counted b) { return std::fmin(a.v, b.v); }
 static inline Counted copysign(Counted a, Counted b) { return std::copysign(a.v, b.v); }
 static inline bool isfinite(Counted a) { return std::isfinite(a.v); }
 static inline bool isnan(Counted a) { return std::isnan(a.v); }
+static inline bool isinf(Counted a) { return std::isinf(a.v); }
+static inline Counted ldexp(Counted a, int exponent) { return std::ldexp(a.v, exponent); }
 
 #define EM_STEPPER_H // no stepper: what it needs is not counted
 #define em_simulate nullptr

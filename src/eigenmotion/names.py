@@ -85,12 +85,12 @@ def vector(given: object, what: str) -> Vector:
     try:
         array = np.asarray(given)
     except Exception as error:  # ragged, or what an object of the user's raises
-        raise ModelError(f"{what} is {shown(given)}, not an array of numbers") from error
+        raise ModelError(f"{what} is {shown(given)}, not an array of real numbers") from error
     if array.dtype.kind == "O" and array.ndim:  # SymPy's numbers, fractions
         numbers = [real(value, f"{what}[{k}]") for k, value in enumerate(array.flat)]
         return np.array(numbers, dtype=np.float64).reshape(array.shape)
     if array.dtype.kind not in "fiu" or _has_truths(given) or np.ma.isMaskedArray(given):
-        raise ModelError(f"{what} is {shown(given)}, not an array of numbers")
+        raise ModelError(f"{what} is {shown(given)}, not an array of real numbers")
     with np.errstate(over="ignore"):  # of long doubles: infinite ones are refused where they are read
         return np.array(array, dtype=np.float64)
 

@@ -204,7 +204,7 @@ const em_model bead_model = {
     .n_left_out = 1, .coordinates = names, .parameters = parameters, .parameter_defaults = defaults, .inputs = inputs,
     .input_defaults = rest, .initial_x = initial_x, .initial_v = initial_v, .outputs = outputs, .events = events,
     .event_direction = direction, .event_terminal = terminal, .layout = layout, .left_out = left_out, .block = block,
-    .scales = scales, .conserves_energy = 1, .prepare = prepare, .state = state, .velocity = velocity, .rhs = rhs,
+    .scales = scales, .conserves_energy = 0, .prepare = prepare, .state = state, .velocity = velocity, .rhs = rhs,
     .carried = carried, .mass_matrix = mass_matrix, .mass_matrix_gradient = mass_matrix_gradient, .pfaffian = pfaffian,
     .position = position, .acceleration = acceleration, .project = project_state, .energy = energy,
     .eigenfactors = eigenfactors, .output = output, .simulate = em_simulate, .interpolate = em_interpolate,

@@ -90,6 +90,7 @@ static int em_keep_rows(em_walk *w, double t, const double *x) {
 #ifdef EM_MECHANICS_H
     em_root root;
     int kept;
+    if (N_ROWS == 0) return 0;
     if (em_root_at(t, x, w->run->prepared, &root, &w->reason)) return -1;
     const int rank = em_independent_rows(EM_SOME_ROWS, root.Delta, EM_DEPENDENT, &kept);
     if (w->rank == 0) w->rank = rank;
