@@ -13,6 +13,8 @@ from eigenmotion.codegen.compiler import explain
 
 import eigenmotion as em
 
+pytestmark = pytest.mark.nightly
+
 ROOT = Path(__file__).parents[1]
 BY_HAND = """
 #include "eigenmotion.h"
