@@ -1,7 +1,10 @@
 """A build proves itself: planted faults are found before anything is kept, and what is right passes."""
 
 import logging
+import shutil
+import sys
 from dataclasses import replace
+from itertools import pairwise
 from unittest.mock import patch
 
 import numpy as np
@@ -18,7 +21,7 @@ from eigenmotion.build import compiled
 from eigenmotion.proof import ProofError, prove
 from eigenmotion.proof.evaluate import Evaluation
 from eigenmotion.proof.hyperdual import FUNCTIONS, RELATIONS, HyperDual
-from eigenmotion.toolchain import toolchain
+from eigenmotion.toolchain import INCLUDE, toolchain
 
 from .generation import FORMULATIONS, NAMES, loaded, model_of, system_for, system_of
 from .test_random_mechanisms import SHAPES, mechanism
@@ -163,6 +166,25 @@ def test_a_miscompile_is_found(function, old, new):
     faulty = loaded(changed(model, function, old, new, formulation), "-O0")
     with pytest.raises(ProofError, match=r"dual_link: what was compiled is not the model: .* theta1 = "):
         prove(model, faulty)
+
+
+def test_steps_that_a_compiler_spoilt_are_found(own_cache, tmp_path, monkeypatch):
+    """The least of four pivots comes out as 0, as GCC 12.2 once had it: every run would be refused at its start."""
+    shutil.copytree(INCLUDE, tmp_path / "include")
+    header = tmp_path / "include" / "em_rank.h"
+    right = "em_pivoted(m, Delta, 0.0, L, pivot, row);"
+    assert header.read_text().count(right) == 1
+    header.write_text(header.read_text().replace(right, f"{right} pivot[m - 1] = 0.0;"))
+    for module in ("build", "toolchain"):
+        monkeypatch.setattr(sys.modules[f"eigenmotion.{module}"], "INCLUDE", tmp_path / "include")
+    sys.modules["eigenmotion.build"]._abi.cache_clear()
+    x = dynamicsymbols("x1:9")
+    rows = [one**2 + other**2 - 1 for one, other in pairwise(x[::2] + x[1::2])][:4]
+    model = em.Model(name="four_rows", coordinates=x, kinetic_energy=sum(one.diff() ** 2 for one in x),
+                     holonomic_constraints=rows, initial=dict.fromkeys(x, 0.5**0.5))  # fmt: skip
+    with pytest.raises(ProofError, match="ends at the start"):
+        em.build(model, formulation="lagrange", flags="-O1")
+    sys.modules["eigenmotion.build"]._abi.cache_clear()
 
 
 @pytest.mark.parametrize(("function", "old", "named"), [("position", "phi[0] = ", r"holonomic_constraints\[0\]"),

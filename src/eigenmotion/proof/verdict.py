@@ -12,6 +12,7 @@ from ..errors import BuildError
 from ..names import Vector
 from ..system import System
 from .augmented import factored
+from .first_steps import first_steps
 from .found import Found, ask
 from .identities import Identity, expressions, motion
 from .places import HAIR, Places, draw
@@ -34,14 +35,22 @@ def prove(model: Model, system: System) -> None:
     """Hold a compiled model against what the user stated, at random places.
 
     Lagrange's equations and the constraints, differentiated, hold for the accelerations and multipliers found;
-    M, A, energies, quasi-velocities, outputs and events are those of the expressions; and the right-hand side is the
-    rate of the state. Derivatives are taken in hyper-dual numbers, so that nothing is shared with the generator.
+    M, A, energies, quasi-velocities, outputs and events are those of the expressions; the right-hand side is the
+    rate of the state; and the first steps of a run go as the accelerations say. Derivatives are taken in hyper-dual
+    numbers, so that nothing is shared with the generator.
 
     Raises
     ------
     ProofError
         One of these does not hold.
     """
+    _prove_identities(model, system)
+    for method, what in first_steps(system):
+        raise ProofError(f"{model.name}: what was compiled is not the model: a run by {method} {what} {_rest(system)}")
+
+
+def _prove_identities(model: Model, system: System) -> None:
+    """Try places until each term had a value somewhere, and name those that had none."""
     for attempt in range(_ATTEMPTS):
         unproved, silent = _compare(model, system, draw(system, attempt))
         if not unproved:
@@ -98,7 +107,12 @@ def _refuse(model: Model, system: System, places: Places, identity: Identity, er
     place, row = max(wrong.tolist(), key=lambda at: (-at[0], error[tuple(at)]))
     raise ProofError(
         f"{model.name}: what was compiled is not the model: {identity.names[row]} is off by {error[place, row]:.1e} of "
-        f"its terms at {places.described(place, system)} ({system.formulation}). Nothing is kept of this build. This "
-        'is a fault of eigenmotion or of the C compiler, not of the model: please report it; flags="-O1" or another '
-        "compiler may do until it is mended"
+        f"its terms at {places.described(place, system)} {_rest(system)}"
+    )
+
+
+def _rest(system: System) -> str:
+    return (
+        f"({system.formulation}). Nothing is kept of this build. This is a fault of eigenmotion or of the C compiler, "
+        'not of the model: please report it; flags="-O1" or another compiler may do until it is mended'
     )
