@@ -48,6 +48,16 @@ def within(name: str, package: str) -> bool:
     return name == package or name.startswith(f"{package}.")
 
 
+def test_every_package_is_installed():
+    """A folder that pyproject.toml does not list is there in a checkout, and missing from a wheel."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    home = ROOT / "src" / "eigenmotion"
+    found = {"eigenmotion", *(f"eigenmotion.{file.parent.relative_to(home)}".replace("/", ".")
+                              for file in home.rglob("__init__.py") if file.parent != home)}  # fmt: skip
+    others = {name for name in PACKAGES if name != "eigenmotion"}
+    assert set(project["tool"]["setuptools"]["packages"]) == found | others
+
+
 def test_the_sources_are_found():
     assert {"eigenmotion", "eigenmotion.build", "eigenmotion.codegen.model", "eigenmotion.runtime.core"} <= set(MODULES)
 
