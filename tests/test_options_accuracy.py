@@ -17,6 +17,9 @@ CHOSEN = (
     {"close_eigenvalues": "extrapolate", "schur": "eigenfactor"},
 )
 TOLERANCES = (1e-6, 1e-8, 1e-10)
+NEAR = (0.8, 0.9, 1.0, 1.1, 1.25)
+"""Times a tolerance. On four_bar `lagrange` is off by 32, 28, 4, 34, 115 times 1e-6 there, and schur="eigenfactor" by
+14 times its error in the middle, but by twice the mean."""
 MEET = {"sphere", "veering", "quaternion_top"}
 """Eigenvalues of one block meet: what extrapolation leaves there is in docs/theory.md."""
 STABILISATIONS = ("project", "none")
@@ -31,14 +34,17 @@ def truth(scenario: Scenario):
     return run.sol
 
 
+def error(scenario: Scenario, system, tolerance: float, stabilisation: str) -> float:
+    """Largest error of x at the accepted steps, no less than a tenth of the tolerance: less is luck."""
+    run = system.simulate((0.0, scenario.t_end), rtol=tolerance, atol=tolerance, stabilisation=stabilisation)
+    assert run.success, run.message
+    return max(np.abs(run.x - truth(scenario)(run.t)[: system.n]).max(), tolerance / 10)
+
+
 def errors(scenario: Scenario, system, stabilisation: str) -> np.ndarray:
-    """Largest error of x at the accepted steps, for each tolerance, no less than a tenth of it: less is luck."""
-    found = []
-    for tolerance in TOLERANCES:
-        run = system.simulate((0.0, scenario.t_end), rtol=tolerance, atol=tolerance, stabilisation=stabilisation)
-        assert run.success, run.message
-        found.append(max(np.abs(run.x - truth(scenario)(run.t)[: system.n]).max(), tolerance / 10))
-    return np.array(found)
+    """The error at each tolerance: the geometric mean over some close to it, as one run's is much a matter of luck."""
+    runs = [[error(scenario, system, near * tolerance, stabilisation) for near in NEAR] for tolerance in TOLERANCES]
+    return np.exp(np.log(runs).mean(axis=1))
 
 
 @cache
