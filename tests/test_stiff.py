@@ -33,7 +33,7 @@ def complex_like_differences(fun, y):
 
 
 @pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky", "lagrange"])
-@pytest.mark.parametrize("name", ["dual_link", "four_bar", "double_pendulum"])
+@pytest.mark.parametrize("name", ["dual_link", "four_bar", "double_pendulum", "rolling_disk"])
 def test_jacobian(name, formulation):
     system = em.build(BY_NAME[name].model(), formulation=formulation)
     sol = system.simulate((0.0, 0.3), rtol=1e-8)

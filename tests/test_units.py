@@ -113,25 +113,31 @@ def test_without_constraints_on_positions_there_is_nothing_to_round():
 # --- Jacobians --------------------------------------------------------------------------------------------------------
 
 
+def hardening() -> Model:
+    """A spring that hardens within `L`: x'' = -u - u^3 + y'/2 with u = (x - origin) / L, in that unit."""
+    u = (X - X0) / L
+    return plane("hardening", forces=[-L * (u + u**3) + Y.diff() / 2, 0], parameters={L: 1.0, X0: 0.0})
+
+
 @pytest.mark.parametrize("origin", [0.0, 1.0, 1e3, 1e6])
 @pytest.mark.parametrize("length", [1e-12, 1e-6, 1.0, 1e6, 1e12])
 def test_a_jacobian_knows_neither_origin_nor_unit(length, origin):
-    """A spring that hardens within `length`: x'' = -u - u^3 + y'/2 with u = (x - origin) / length, in that unit."""
-    u = (X - X0) / L
-    system = system_for(
-        plane(
-            "hardening",
-            forces=[-L * (u + u**3) + Y.diff() / 2, 0],
-            parameters={L: 1.0, X0: 0.0},
-        ),
-        "lagrange",
-    )
+    system = system_for(hardening(), "lagrange")
     at = dict(zip(("L", "x_0"), (length, origin * length), strict=True))
     for place in (0.0, 0.3, 2.0):
         z = np.array([(origin + place) * length, 0.0, 0.0, 0.0])
         found = system.compiled.motion_jacobian(0.0, z, system.prepare(at), np.zeros(0), False)
         exact = np.array([[0, 0, 1, 0], [0, 0, 0, 1], [-1 - 3 * place**2, 0, 0, 0.5], [0, 0, 0, 0]])
         np.testing.assert_allclose(found, exact, atol=1e-9 * max(1.0, origin) ** 0.8)
+
+
+@pytest.mark.parametrize("power", [-40, -7, 1, 33])
+def test_a_jacobian_in_units_of_powers_of_two_is_the_same_to_the_last_bit(power):
+    system, found = system_for(hardening(), "lagrange"), []
+    for length in (1.0, 2.0**power):
+        given, z = system.prepare({"L": length, "x_0": length}), length * np.array([1.3, 0.7, 0.2, -0.9])
+        found.append(system.compiled.motion_jacobian(0.0, z, given, np.zeros(0), False))
+    np.testing.assert_array_equal(*found)
 
 
 @pytest.mark.parametrize("name", ["dual_link", "spatial_arm_3", "four_bar"])
