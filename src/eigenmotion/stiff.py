@@ -133,6 +133,11 @@ def _stepped(solver: Any) -> bool:
     return solver.status != "failed" and on and bool(np.isfinite(solver.y).all())
 
 
+_NEWTON = 0.01
+"""How near to its stages Radau must come, in tolerances. SciPy asks for sqrt(rtol), which may be less than rounding
+leaves of the rates of stiff springs: then stages seem not to converge, and steps get thousands of times too short."""
+
+
 def _solver(task: Task, kind: Callable[..., Any], u: Function, span: tuple[float, float], progress: _Progress) -> Any:
     """Return a solver between two kinks. It sees NaN where the rate has no value, and tries a shorter step."""
     (start, end), z = span, progress.z[-1]
@@ -151,10 +156,13 @@ def _solver(task: Task, kind: Callable[..., Any], u: Function, span: tuple[float
         return task.model.motion_jacobian(t, z, task.prepared, u(t), task.least_norm)
 
     first = min(task.first_step, abs(end - start)) or None
-    return kind(
+    solver = kind(
         rate, start, z, end, jac=jacobian, rtol=task.rtol, atol=np.tile(task.atol, 2), first_step=first,
         max_step=task.max_step,
     )  # fmt: skip
+    if kind is Radau:
+        solver.newton_tol = max(solver.newton_tol, _NEWTON)
+    return solver
 
 
 def _not_finite(task: Task, z: Vector) -> EvaluationError:
