@@ -7,13 +7,14 @@ coordinate, which another unit of time makes another tolerance: there atol is ne
 rest still a matter of atol, is given.
 """
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
 
-from eigenmotion import System
+from eigenmotion import Model, System
 
 from .frames import Frame, Run, framed, reordered
 from .generation import FORMULATIONS, loaded
@@ -38,15 +39,25 @@ FRAMES = {
 }
 OTHER_TIMES = {Frame(time=1e-6): 1e-14, Frame(time=1e-3): 1e-11, Frame(time=1e3): 1e-11, Frame(time=1e6): 1e-9}
 """-> atol: above the rounding of velocities that are 0, below rtol of those that are not."""
-RESTING = ("rolling_disk",)
-"""Models in which a velocity stays at 0: what it is off is a matter of atol, which another unit of time changes."""
+OFF_THE_CIRCLE = {"rolling_disk": {"theta": 0.5}}
+"""Rates at the start, where a model's own are those of a steady motion. There a velocity that stays at 0 is off by what
+atol lets it, which another unit of time changes; and of the triangular roots of M that of one order of coordinates
+makes all that is integrated constant, that of another nothing, which is three times the cost."""
 QUICK = {scene.name: FORMULATIONS[k % len(FORMULATIONS)] for k, scene in enumerate(SCENARIOS)}
 """One formulation a model; all of them are the nightly sweep."""
 
 
+def moving(scene: Scenario) -> Model:
+    """The model, with a start from which every velocity varies."""
+    model = scene.model()
+    rates = {x.diff(): value for x in model.coordinates
+             if (value := OFF_THE_CIRCLE.get(scene.name, {}).get(x.name)) is not None}  # fmt: skip
+    return replace(model, initial=dict(model.initial) | rates) if rates else model
+
+
 @cache
 def system_in_frames(name: str, formulation: str) -> System:
-    return loaded(compiler.generate(framed(BY_NAME[name].model()), formulation=formulation), "-O0")
+    return loaded(compiler.generate(framed(moving(BY_NAME[name])), formulation=formulation), "-O0")
 
 
 def span_of(scene: Scenario) -> float:
@@ -109,7 +120,7 @@ def test_the_order_of_coordinates_is_no_matter():
 
 def differences_in_order(scene: Scenario, formulation: str) -> str:
     one, other = (loaded(compiler.generate(framed(model), formulation=formulation), "-O0")
-                  for model in (scene.model(), reordered(scene.model())))  # fmt: skip
+                  for model in (moving(scene), reordered(moving(scene))))  # fmt: skip
     span = span_of(scene)
     own, run = Frame().run(one, span, *TOLERANCE), Frame().run(other, span, *TOLERANCE)
     error = np.abs(own.x - Frame().run(one, span, 1e-13, 1e-13).x).max()
@@ -125,8 +136,7 @@ def differences_in_order(scene: Scenario, formulation: str) -> str:
 def test_every_model_in_every_frame(scene, formulation):
     system = system_in_frames(scene.name, formulation)
     found = differences(system, scene, frames_for(formulation))
-    found += [] if scene.name in RESTING else differences_in_time(system, scene)
-    assert not found
+    assert not found + differences_in_time(system, scene)
 
 
 @pytest.mark.nightly
