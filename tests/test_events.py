@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from sympy import Rational, exp, log, sin, sqrt, symbols
+from sympy import Max, Rational, exp, log, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, System, t
@@ -227,3 +227,14 @@ def test_a_run_that_ends_before_an_event_loses_its_value_succeeds(method):
     found = system.simulate((0, 5), method=method, first_step=0.5, rtol=1e-8)
     assert found.stop is StopReason.TERMINAL_EVENT
     np.testing.assert_allclose(np.concatenate(found.t_events), [0.9, 1 - np.exp(-1)], rtol=1e-6)
+
+
+@EVERY
+def test_what_came_to_zero_before_the_end_and_rests_there_does_not_fire_at_the_end(method):
+    system = system_for(
+        Model(name="resting", coordinates=[X], kinetic_energy=X.diff() ** 2 / 2, initial={X: 1.0, X.diff(): -1.0},
+              events={"overlap": Max(X, 0)})
+    )  # fmt: skip
+    found = system.simulate((0, 5), method=method, max_step=0.4, first_step=0.25)
+    assert found.success
+    assert found.t_events[0].size == 0

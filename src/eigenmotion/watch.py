@@ -165,14 +165,15 @@ class Watch:
 
             points = list(zip(times.tolist(), g[:, k].tolist(), strict=True))
             before = points[0] if points else (0.0, 0.0)
+            rests = before[1] == 0
             for here in self._with_dips(points, at):
                 sign = np.sign(here[1]) * (self.side[k] != 0 or abs(here[1]) > self.quiet[k])
-                last = here[0] == self.task.t_end and here[1] == 0
+                last = here[0] == self.task.t_end and here[1] == 0 and not rests
                 passes = self.side[k] != 0 and (sign == -self.side[k] or last)
                 if passes and direction in (0, -self.side[k]):
                     yield _root(at, before, here), k
                 self.side[k] = sign or self.side[k]
-                before = here if here[1] != 0 else before
+                before, rests = (here, False) if here[1] != 0 else (before, True)
 
     def _with_dips(self, points: list[Point], g: Scalar) -> list[Point]:
         """Return the points and, between two of one sign, a place where g has the other one, if there is any."""

@@ -278,10 +278,11 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
     return 0;
 }
 
-/* What is zero at the end of the run has come there. */
-static void em_arrive(em_walk *w, int i) {
+/* What is zero at the end of the run has come there, unless it rested at zero before. */
+static void em_arrive(em_walk *w, const em_survey *s, int i) {
     const em_point end = {w->t_new, w->g_new[i]};
     if (w->t_new != w->run->t_end || end.g != 0.0 || w->side[i] == 0) return;
+    if (s->g[s->count - 2][i] == 0.0) return;
     if (em_fires(w->run->event_direction[i], w->side_new[i])) w->found[w->n_found++] = (em_found){end, end, i};
 }
 
@@ -298,7 +299,7 @@ static int em_watch(em_walk *w) {
         if (!em_may_cross(w, count, glances, i)) continue;
         if (survey.count == 0 && (em_build_interpolant(w) || em_survey_step(w, &survey))) return -1;
         if (em_search(w, &survey, i)) return -1;
-        em_arrive(w, i);
+        em_arrive(w, &survey, i);
     }
     w->has_interpolant = survey.count > 0;
     return 0;

@@ -108,7 +108,7 @@ static int em_keep_rows_at_start(em_walk *w) {
 #ifdef EM_MECHANICS_H
     double x[N];
     memcpy(x, w->y, sizeof x);
-    if (N_POSITIONS && em_newton_from_afar(w->t, x, w->run->prepared, EM_LEAST_NORM, &w->reason) < 0) return -1;
+    if (N_POSITIONS > 0 && em_newton_from_afar(w->t, x, w->run->prepared, EM_LEAST_NORM, &w->reason) < 0) return -1;
     return em_keep_rows(w, w->t, x);
 #else
     return (void)w, 0;

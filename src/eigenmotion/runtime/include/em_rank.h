@@ -108,6 +108,7 @@ EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
 EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double *terms) {
     double unit[m], L[m * m], D[m], null[m * m], largest = 0.0;
     int row[m], worst = -1;
+    memset(L, 0, sizeof L);
     memset(null, 0, sizeof null);
     em_row_units(m, Delta, unit);
     const int rank = em_pivoted_units(m, Delta, unit, EM_DEPENDENT, L, D, row);
