@@ -6,7 +6,7 @@
 
 #include "em_step.h"
 
-#define EM_BRIEF 0.1        /* the part of the longest step below which one is looked at, as the first is and retries, */
+#define EM_BRIEF 0.25       /* the part of the longest step below which one is looked at, as the first is and retries, */
 #define EM_NEAR_START 300.0 /* and every one where M is not resolved within so many tolerances of the start */
 #define EM_RESOLVED 4.0    /* the factor by which a pivot of M may change within half a step */
 
