@@ -22,6 +22,7 @@ from .solution import DenseOutput, Solution
 from .sundials import Cvode
 from .trajectory import Trajectory
 from .watch import Function, Watch
+from .witness import Witness
 
 METHODS: dict[str, Callable[..., Any]] = {"Radau": Radau, "BDF": BDF, "LSODA": LSODA, "CVODE": Cvode}
 
@@ -37,6 +38,7 @@ class _Progress:
     z: list[Vector]
     watch: Watch
     drift: Drift
+    witness: Witness
     pieces: list[Any] = field(default_factory=list)
     nfev: int = 0
     njev: int = 0
@@ -48,6 +50,7 @@ class _Progress:
         ends = {self.t[-1]: self.z[-1], float(solver.t): solver.y.copy()}
         between, (start, end) = cache(solver.dense_output), ends
         self.drift.check(end, solver.y)
+        self.witness.check(end, solver.y, abs(end - start))
         self.obstacle = None
         inside: Function = lambda t: ends[t] if t in ends else between()(t)  # noqa: E731
         stop = self.watch.step(start, end, inside, u) if self.watch.t else None
@@ -68,7 +71,9 @@ def simulate_stiff(task: Task, method: str) -> Solution:
     model = task.model
     rows = np.ascontiguousarray(task.y[None, :])
     v = model.velocity_rows(np.array([task.t_start]), rows, task.prepared)[0]
-    progress = _Progress([task.t_start], [np.concatenate((task.y[: model.n], v))], Watch(task), Drift(task))
+    progress = _Progress(
+        [task.t_start], [np.concatenate((task.y[: model.n], v))], Watch(task), Drift(task), Witness(task)
+    )
     try:
         stop, said = _advance(task, METHODS[method], progress)
     except EvaluationError as error:
@@ -88,6 +93,7 @@ def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple
     progress.watch.start(ends[0], progress.z[0], _inputs(task, *ends[:2])(ends[0]))
     if task.t_start == task.t_end:
         return StopReason.FINISHED, ""
+    progress.witness.begin(progress.z[0])
     for start, end in pairwise(ends):
         u = _inputs(task, start, end)
         solver = _solver(task, kind, u, (start, end), progress)

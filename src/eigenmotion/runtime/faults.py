@@ -98,6 +98,12 @@ _REMEDY = {
 }
 
 
+_NEAR_SINGULAR = (
+    "The mass matrix comes so near to being singular at coordinate {first} that no step is short enough to follow it, "
+    "or rounding leaves fewer digits of it than rtol asks for. Choose coordinates that are regular there (Euler angles "
+    "are not everywhere); where rounding is in the way, loosen rtol."
+)
+
 _CONTRADICTION = (
     "Constraint {row} contradicts those it depends on: no motion satisfies them all. Correct or remove one of them."
 )
@@ -134,6 +140,8 @@ def explain(
         return f"'{names[k]}'" if 0 <= k < len(names) else "(unknown)"
 
     words = _REMEDY[stop]
+    if stop is StopReason.SINGULAR_MASS_MATRIX and second != -1:
+        words = _NEAR_SINGULAR
     if stop is StopReason.DEPENDENT_CONSTRAINTS and second != -1:
         words = _CONTRADICTION if second >= 0 else _SINGULAR_START
     at = f" at coordinate {name(first)}" if first >= 0 else ""

@@ -200,7 +200,6 @@ static int em_check_rows(em_walk *w, const em_root *root) {
 static int em_check_branch(em_walk *w, const em_root *root) {
     const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
     double pivot;
-    w->longest_step = em_max(w->longest_step, size);
     if (!w->near && w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
     const int row = em_weakest_row(w, root, &pivot);
     if (row < 0) return 0;

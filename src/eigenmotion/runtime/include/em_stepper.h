@@ -16,6 +16,7 @@
 #include "em_dense.h"
 #include "em_roots.h"
 #include "em_guard.h"
+#include "em_chart.h"
 #include "em_witness.h"
 
 _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
@@ -199,7 +200,7 @@ static int em_land(em_walk *w) {
     if (last_is_first && !w->moved) memcpy(w->f_new, w->K[rk->solution], sizeof w->f_new);
     else if (em_rhs(w, w->mode_new, w->t_new, w->y_new, w->memory_new, w->f_new)) return -1;
     if (!em_all_finite(w->y_new) || !em_all_finite(w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
-    if (em_check_step(w) || em_check_factors(w) || em_check_energy(w)) return -1;
+    if (em_check_chart(w) || em_check_step(w) || em_check_factors(w) || em_check_energy(w)) return -1;
     if (N_EVENTS > 0 && em_watch(w)) return -1;
     return em_needs_interpolant(w) ? em_build_interpolant(w) : 0;
 }
@@ -241,6 +242,7 @@ static int em_step_forward(em_walk *w) {
         if (size < least) return em_underflow(w, size, obstacle);
         if (em_poll(w)) return EM_END;
         em_aim(w, size);
+        w->retries = rejected;
         const int failed = em_attempt(w) != 0;
         const double factor = em_size_factor(w, failed);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
@@ -260,6 +262,7 @@ static int em_step_forward(em_walk *w) {
 static void em_commit(em_walk *w) {
     em_run *run = w->run;
     ++run->n_steps;
+    w->longest_step = em_max(w->longest_step, fabs(w->h));
     run->n_bounded += w->mode != 0;
     w->t = w->t_new;
     w->mode = w->mode_new;
@@ -361,6 +364,7 @@ static int em_begin(em_walk *w) {
     em_weigh_start(w);
     const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
     if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
+    em_begin_chart(w);
     if (em_begin_witness(w) || (N_EVENTS > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w, d0, d1);
     return EM_GO_ON;

@@ -1,0 +1,87 @@
+/* em_chart.h: whether a step sees the motion where steps have become short, as near a singularity of the coordinates.
+ * eta may be constant to all digits while v = L^-T eta grows beyond bounds within the tolerance on x, and what rounding
+ * makes of a small pivot of M no tolerance removes: the error of a step shows neither. */
+#ifndef EM_CHART_H
+#define EM_CHART_H
+
+#include "em_step.h"
+
+#define EM_BRIEF 0.25       /* the part of the longest step below which one is looked at, as the first is and retries, */
+#define EM_NEAR_START 300.0 /* and every one where M is not resolved within so many tolerances of the start */
+#define EM_RESOLVED 4.0    /* the factor by which a pivot of M may change within half a step */
+
+/* Part of eps / p, p the least pivot beside its entry of M, that a passage adds to the error: measured. */
+#define EM_PASSAGE_ADDS 1e-4
+
+#ifdef EM_MECHANICS_H
+/* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. */
+static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {
+    double M[N * N], L[N * N], r[N];
+    EM_FACTORED(t, x, w->run->prepared, M);
+    const int singular = em_cholesky(N, M, L, r, 0.0);
+    for (int k = 0; k < N; ++k) {
+        diagonal[k] = M[k * N + k];
+        pivots[k] = singular >= 0 && k >= singular ? 0.0 : L[k * N + k] * L[k * N + k];
+    }
+}
+
+/* The first coordinate whose pivot changes by more than it may from `before` to `after`, or -1. */
+static int em_first_unresolved(const double *before, const double *after) {
+    for (int k = 0; k < N; ++k)
+        if (!(after[k] * EM_RESOLVED >= before[k] && before[k] * EM_RESOLVED >= after[k] && after[k] > 0.0)) return k;
+    return -1;
+}
+
+/* The first coordinate whose pivot changes by more than it may from x to the middle or on to x_new, or -1. No passage
+ * through 0 between two of three points is so small in all of them. */
+static int em_unresolved(const em_walk *w, double t, const double *x, double t_new, const double *x_new) {
+    double middle[N], pivots[3][N], diagonal[N];
+    for (int k = 0; k < N; ++k) middle[k] = 0.5 * (x[k] + x_new[k]);
+    em_pivots(w, t, x, pivots[0], diagonal);
+    em_pivots(w, 0.5 * (t + t_new), middle, pivots[1], diagonal);
+    em_pivots(w, t_new, x_new, pivots[2], diagonal);
+    const int first = em_first_unresolved(pivots[0], pivots[1]);
+    return first >= 0 ? first : em_first_unresolved(pivots[1], pivots[2]);
+}
+
+/* The first coordinate whose pivot rounding leaves with fewer digits than rtol asks for, or -1. */
+static int em_rounded(const em_walk *w, double t, const double *x) {
+    double pivots[N], diagonal[N];
+    em_pivots(w, t, x, pivots, diagonal);
+    for (int k = 0; k < N; ++k)
+        if (!(pivots[k] * w->rtol > EM_PASSAGE_ADDS * DBL_EPSILON * diagonal[k])) return k;
+    return -1;
+}
+
+EM_COLD int em_look_at_chart(em_walk *w) {
+    int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new);
+    if (lost < 0) lost = em_rounded(w, w->t_new, w->y_new);
+    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
+}
+#endif
+
+/* Beside the first step from near a singularity no other is long. */
+static void em_begin_chart(em_walk *w) {
+#ifdef EM_MECHANICS_H
+    const double rate = sqrt(em_weighted_squares(N, w->K[0], w->weight));
+    double ahead[N], behind[N];
+    for (int k = 0; k < N; ++k) {
+        const double away = rate > 0.0 ? EM_NEAR_START / rate * w->K[0][k] : 0.0;
+        ahead[k] = w->y[k] + away;
+        behind[k] = w->y[k] - away;
+    }
+    w->starts_near = em_unresolved(w, w->t, behind, w->t, ahead) >= 0;
+#endif
+    (void)w;
+}
+
+/* Whether the step under way sees the motion. 0, or -1 and w->reason. */
+EM_INLINE int em_check_chart(em_walk *w) {
+#ifdef EM_MECHANICS_H
+    if (fabs(w->h) >= EM_BRIEF * w->longest_step && w->longest_step > 0.0 && !w->retries && !w->starts_near) return 0;
+    return em_look_at_chart(w);
+#endif
+    return (void)w, 0;
+}
+
+#endif
