@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from sympy import Max, Rational, exp, log, sin, sqrt, symbols
+from sympy import Abs, Heaviside, Max, Rational, exp, log, pi, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, System, t
@@ -238,3 +238,19 @@ def test_what_came_to_zero_before_the_end_and_rests_there_does_not_fire_at_the_e
     found = system.simulate((0, 5), method=method, max_step=0.4, first_step=0.25)
     assert found.success
     assert found.t_events[0].size == 0
+
+
+@WAYS
+@EVERY
+@pytest.mark.parametrize(
+    ("g", "count"),
+    [(sin(20 * pi * X + Rational(1, 10)), 200), (Heaviside(X - 3) - Rational(1, 2), 1), (Abs(X - 3) - 1, 2)],
+    ids=["wild", "jump", "kink"],
+)
+def test_events_that_vary_faster_than_the_motion_are_not_missed(g, count, method, way):
+    """x = t: steps of the motion alone would hold up to fifty periods of g."""
+    free = system_for(Model(name="free", coordinates=[X], kinetic_energy=X.diff() ** 2 / 2, events={"g": g}))
+    start, end = (0.0, 10.0)[::way]
+    found = free.simulate((start, end), x0=[start], v0=[1.0], method=method)
+    assert found.success, found.message
+    assert len(found.t_events[0]) == count

@@ -1,11 +1,13 @@
 """Events of a model along a run of an implicit method, located to rounding on its interpolants."""
 
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial import Chebyshev
+from numpy.polynomial.chebyshev import chebfit, chebval
 from scipy.optimize import brentq, minimize_scalar
 
 from .names import Vector
@@ -23,6 +25,8 @@ _CLOSER: Vector = np.array(
     [0.25**j for j in range(26, 2, -1)]
 )  # places near the start of a run at which an event is zero
 _GRID = np.linspace(0.0, 1.0, 129)
+_PROBE = 0.38196601125010515
+_MOST_HALVINGS = 10  # as em_events.h tries steps shorter by up to 4^5
 _ULPS = 256 * np.finfo(float).eps
 _OF_TOLERANCE = 1e-3
 
@@ -95,8 +99,10 @@ class Watch:
             raise EvaluationError(explain(stop, model.coordinates, first, events=model.events), stop)
         return values
 
-    def step(self, start: float, end: float, z: Function, u: Function) -> float | None:
+    def step(self, start: float, end: float, z: Function, u: Function, halvings: int = 0) -> float | None:
         """Record the crossings of one step; return the time of the first terminal one, if there is any.
+
+        A step of which nine nodes tell nothing of g is looked at in halves.
 
         Parameters
         ----------
@@ -104,6 +110,8 @@ class Watch:
             The interpolant of the step.
         u
             The inputs within the step.
+        halvings
+            How often the step was halved already.
 
         Raises
         ------
@@ -113,6 +121,10 @@ class Watch:
         times: Vector = start + _NODES * (end - start)
         times[-1] = end
         times, g, undefined = self._survey(times, z, u)
+        if halvings < _MOST_HALVINGS and undefined is None and self._is_wild(g, start + _PROBE * (end - start), z, u):
+            middle = 0.5 * (start + end)
+            stop = self.step(start, middle, z, u, halvings + 1)
+            return self.step(middle, end, z, u, halvings + 1) if stop is None else stop
         if len(g) and not self.started:
             self._start_sides(g)
         leaves = (self.side == 0) & (np.abs(g) > self.quiet).any(axis=0)
@@ -138,6 +150,17 @@ class Watch:
             found = times[: len(rows)] if row is None else np.append(times[: len(rows)], last)
             return found, np.array(rows if row is None else [*rows, row]), error
         return times, np.array(rows), None
+
+    def _is_wild(self, g: Vector, probe: float, z: Function, u: Function) -> bool:
+        """Whether nine nodes tell nothing of an event, g (9, n_events): as em_is_wild of em_events.h."""
+        if not np.isfinite(g).all():
+            return False
+        coefficients = chebfit(2 * _NODES - 1, g, len(_NODES) - 1)
+        sizes, tail = np.abs(coefficients).sum(axis=0), np.abs(coefficients[-3:]).sum(axis=0)
+        with suppress(EvaluationError):
+            off = np.abs(chebval(2 * _PROBE - 1, coefficients) - self.values(probe, z(probe), u(probe)))
+            return bool((np.maximum(tail, off) > 0.02 * sizes).any())
+        return True
 
     def _last_defined(self, start: float, end: float, z: Function, u: Function) -> tuple[float, Vector | None]:
         """Return the last time at which every event has a value, which they have at start and not at end, and g."""

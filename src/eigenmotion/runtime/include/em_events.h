@@ -10,12 +10,14 @@
 
 #include "em_dense.h"
 
+#define EM_PROBE 0.38196601125010515 /* by no fraction of small numbers: what repeats itself from node to node shows there */
 #define EM_SLACK 0.25 /* how far from zero, beside how much it varies, g is far enough by a glance */
 
-/* g at places of a step, in the order of the run: at its start, `near` places close to that, the other nodes. */
+/* g at places of a step, in the order of the run: at its start, `near` places close to that, the other nodes; and at one
+ * more, EM_PROBE, where no node is. */
 typedef struct em_survey {
     int count, near;
-    double t[EM_PLACES], g[EM_PLACES][EM_SOME_EVENTS];
+    double t[EM_PLACES], g[EM_PLACES][EM_SOME_EVENTS], probe[EM_SOME_EVENTS];
 } em_survey;
 
 static int em_side_of(double g, double noise) { return (g > noise) - (g < -noise); }
@@ -114,7 +116,28 @@ static int em_glance(em_walk *w, double (*g)[EM_SOME_EVENTS]) {
     return EM_GLANCES;
 }
 
-/* Whether g_i may come to zero in this step: it changes sign, or comes close to it beside how much it varies. */
+/* cos(pi j / 8) */
+static double em_eighth(int j) {
+    static const double quarter[] = {1.0, 0.92387953251128674, 0.70710678118654752, 0.38268343236508977, 0.0};
+    j %= 16;
+    if (j > 8) j = 16 - j;
+    return j <= 4 ? quarter[j] : -quarter[8 - j];
+}
+
+/* Whether the glances say that g_i varies faster than they could show: with the ends they are Chebyshev's five nodes, and
+ * its coefficients do not fall off. */
+static int em_is_restless(const em_walk *w, double (*g)[EM_SOME_EVENTS], int i) {
+    const double at[EM_GLANCES + 2] = {0.5 * w->g[i], g[0][i], g[1][i], g[2][i], 0.5 * w->g_new[i]};
+    double size[EM_GLANCES + 2] = {0.0};
+    for (int k = 1; k < EM_GLANCES + 2; ++k) {
+        for (int j = 0; j < EM_GLANCES + 2; ++j) size[k] += at[j] * em_eighth(2 * j * k);
+        size[k] = fabs(size[k]);
+    }
+    return size[3] + 0.5 * size[4] > 0.25 * (size[1] + size[2]);
+}
+
+/* Whether g_i may come to zero in this step: it changes sign, comes close to it beside how much it varies,
+ * or varies too fast to say. */
 static int em_may_cross(const em_walk *w, int count, double (*g)[EM_SOME_EVENTS], int i) {
     const double side = w->side[i], noise = w->quiet[i];
     double low = em_min(side * w->g[i], side * w->g_new[i]), high = em_max(side * w->g[i], side * w->g_new[i]);
@@ -124,7 +147,7 @@ static int em_may_cross(const em_walk *w, int count, double (*g)[EM_SOME_EVENTS]
         high = em_max(high, side * g[j][i]);
         leaves |= em_side_of(g[j][i], noise) != 0;
     }
-    return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low));
+    return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low)) || em_is_restless(w, g, i);
 }
 
 /* In the first step: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
@@ -140,14 +163,6 @@ static void em_begin_sides(em_walk *w, int count, double (*g)[EM_SOME_EVENTS]) {
 }
 
 /* --- a search where that is not enough --- */
-
-/* cos(pi j / 8) */
-static double em_eighth(int j) {
-    static const double quarter[] = {1.0, 0.92387953251128674, 0.70710678118654752, 0.38268343236508977, 0.0};
-    j %= 16;
-    if (j > 8) j = 16 - j;
-    return j <= 4 ? quarter[j] : -quarter[8 - j];
-}
 
 /* The nodes of Chebyshev's polynomials, in [0, 1]. */
 static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
@@ -181,7 +196,7 @@ static int em_survey_step(em_walk *w, em_survey *s) {
     s->near = s->count - 1;
     for (int j = 1; j < EM_NODES - 1; ++j)
         if (em_look(w, s, w->t + em_node(j) * w->h)) return -1;
-    return em_look(w, s, w->t_new);
+    return em_look(w, s, w->t_new) || em_events_inside(w, w->t + EM_PROBE * w->h, s->probe) ? -1 : 0;
 }
 
 static double em_at_node(const em_survey *s, int j, int i) { return s->g[j > 0 ? j + s->near : 0][i]; }
@@ -205,6 +220,16 @@ static double em_polynomial_at(const double *a, double theta) {
         before = b, b = next;
     }
     return a[0] + z * b - before;
+}
+
+/* Whether nine nodes tell nothing of g_i: its coefficients, `size` the sum of their sizes, do not fall off, or their
+ * polynomial is not g_i elsewhere. A shorter step may tell more, but not of a jump: short beside others a step is good
+ * enough. */
+static int em_is_wild(const em_walk *w, const double *a, double size, double probe) {
+    enum { RETRIES = 5 };
+    const double tail = fabs(a[EM_NODES - 3]) + fabs(a[EM_NODES - 2]) + fabs(a[EM_NODES - 1]);
+    const double off = fabs(em_polynomial_at(a, EM_PROBE) - probe);
+    return w->retries < RETRIES && fabs(w->h) > 1e-3 * w->longest_step && em_max(tail, off) > 0.02 * size;
 }
 
 /* Between nodes j and j + 1, where g_i has the sign `side`: *theta <- where the polynomial is lowest, *low <- how low.
@@ -258,6 +283,7 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
     double a[EM_NODES], size = 0.0, theta = 0.0, low;
     em_polynomial(s, i, a);
     for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
+    if (em_is_wild(w, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
     em_point before = {w->t, w->g[i]};
     em_pass(w, i, &before, &before);
     for (int k = 0; k < s->count; ++k) {
@@ -289,7 +315,7 @@ static void em_arrive(em_walk *w, const em_survey *s, int i) {
 /* w->found <- what passes zero in the step under way, and the signs after it. 0, or -1 and w->reason. */
 static int em_watch(em_walk *w) {
     double glances[EM_GLANCES][EM_SOME_EVENTS];
-    em_survey survey = {0, 0, {0.0}, {{0.0}}};
+    em_survey survey = {0, 0, {0.0}, {{0.0}}, {0.0}};
     w->n_found = 0;
     if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
     const int count = em_glance(w, glances);

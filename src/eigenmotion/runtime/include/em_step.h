@@ -77,7 +77,7 @@ typedef struct em_walk {
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
     int starts_near;                           /* whether the start is near a singularity of the chart */
-    int retries;                               /* whether the step under way follows one that was rejected */
+    int retries;                               /* how many rejected ones the step under way follows */
     int near;                                  /* whether stages are settled: a singular position is near */
     int mode, mode_new, moved, has_interpolant, n_found;
     int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */

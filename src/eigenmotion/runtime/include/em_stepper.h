@@ -238,7 +238,7 @@ static int em_step_forward(em_walk *w) {
     const double proposed = em_max(least, em_min(w->h_next, run->max_step));
     em_fault obstacle = {EM_FINISHED, -1, -1, 0.0};
     double size = proposed;
-    for (int rejected = 0;; rejected = 1) {
+    for (int rejected = 0;; ++rejected) {
         if (size < least) return em_underflow(w, size, obstacle);
         if (em_poll(w)) return EM_END;
         em_aim(w, size);
