@@ -56,6 +56,7 @@ class Run(ct.Structure):
         ("dense_table", ct.POINTER(ct.c_double)),
         ("n_dense", ct.c_size_t),
         ("dense_capacity", ct.c_size_t),
+        ("kept", ct.c_int),
         ("n_rhs", ct.c_long),
         ("n_steps", ct.c_long),
         ("n_rejected", ct.c_long),

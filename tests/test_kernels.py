@@ -1,4 +1,4 @@
-"""em_linear.h as users compile it, against NumPy: every kernel, every size, every compiler there is.
+"""em_linear.h and em_rank.h as users compile it, against NumPy: every kernel, every size, every compiler there is.
 
 GCC 12 once ranked the rows of each Delta of four rows wrongly where it vectorised straight-line code for AVX-512.
 """

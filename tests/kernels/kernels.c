@@ -1,5 +1,5 @@
-/* Every kernel of em_linear.h at one size, a constant as in generated code: the compiler unrolls it as it does there. */
-#include "em_linear.h"
+/* Every kernel of em_linear.h and em_rank.h at one size, a constant as in generated code: the compiler unrolls it so. */
+#include "em_rank.h"
 
 enum { n = SIZE };
 
@@ -26,7 +26,7 @@ void onto_axes(const double *C, const double *s, double *v) { em_onto_axes(n, C,
 void ranked_rows(const double *Delta, double *pivot, int *row) { em_ranked_rows(n, Delta, pivot, row); }
 int rank_of(const double *Delta) { return em_rank(n, Delta); }
 int vanished_row(const double *Delta) { return em_vanished_row(n, Delta); }
-int least_norm(const double *Delta, double *rhs) { return em_least_norm(n, Delta, rhs); }
+int least_norm(const double *Delta, double *rhs) { return em_least_norm(n, Delta, rhs, NULL); }
 int solve_delta(double *Delta, double *rhs, int flags) {
     em_fault fault;
     return em_solve_delta(n, Delta, rhs, flags, &fault);
