@@ -13,6 +13,8 @@ from typing import Any
 import mpmath
 
 Tree = tuple[Any, ...]
+HAIR = mpmath.mpf(10) ** -30
+"""Nearer than this an order is rounding's: of 50 digits, sqrt(2)^2 - 2 leaves 1e-50."""
 
 
 class Undefined(ArithmeticError):
@@ -72,10 +74,16 @@ def _power(base: Dual, exponent: Any) -> Dual:
     return Dual(value, slope, base.real)
 
 
+def _meet(a: Any, b: Any) -> bool:
+    return bool(abs(a - b) <= HAIR * max(1, abs(a), abs(b)))
+
+
 def _piecewise(operands: list[Any], point: Mapping[str, float], direction: str) -> Dual:
     """("piecewise", relation, left, right, then, otherwise); otherwise may be missing (None)."""
     relation, left, right, then, otherwise = operands
     a, b = (dual(side, point, direction).on_the_line() for side in (left, right))
+    if a != b and _meet(a, b):
+        raise Undefined
     chosen = then if {"<": a < b, "<=": a <= b, ">": a > b, ">=": a >= b}[relation] else otherwise
     if chosen is None:
         raise Undefined
@@ -116,7 +124,7 @@ def _stepped(f: Callable[[Any], Any], at_jump: Callable[[Any], bool]) -> Callabl
 
 def _chosen(wanted: Callable[[Any, Any], bool]) -> Callable[[Dual, Dual], Dual]:
     def applied(a: Dual, b: Dual) -> Dual:
-        if a.on_the_line() == b.on_the_line() and a.slope != b.slope:
+        if _meet(a.on_the_line(), b.on_the_line()) and a.slope != b.slope:
             raise Undefined
         return a if wanted(a.value.real, b.value.real) else b
 
@@ -124,7 +132,7 @@ def _chosen(wanted: Callable[[Any, Any], bool]) -> Callable[[Dual, Dual], Dual]:
 
 
 def _abs(a: Dual) -> Dual:
-    if a.on_the_line() == 0:
+    if _meet(a.on_the_line(), 0):
         raise Undefined
     return a if a.value.real > 0 else Dual(-a.value, -a.slope)
 
@@ -156,6 +164,7 @@ OPERATIONS: Mapping[str, Callable[..., Dual]] = {
     "tan": _analytic(mpmath.tan, lambda a, f: 1 + f * f), "atan": _analytic(mpmath.atan, lambda a, f: 1 / (1 + a * a)),
     "tanh": _analytic(mpmath.tanh, lambda a, f: 1 - f * f), "exp": _analytic(mpmath.exp, lambda a, f: f),
     "asinh": _analytic(mpmath.asinh, lambda a, f: 1 / mpmath.sqrt(1 + a * a)),
-    "sign": _stepped(mpmath.sign, lambda a: a == 0), "floor": _stepped(mpmath.floor, mpmath.isint),
-    "step": _stepped(lambda a: a > 0, lambda a: a == 0),
+    "sign": _stepped(mpmath.sign, lambda a: _meet(a, 0)),
+    "floor": _stepped(mpmath.floor, lambda a: _meet(a, mpmath.nint(a))),
+    "step": _stepped(lambda a: a > 0, lambda a: _meet(a, 0)),
 }  # fmt: skip
