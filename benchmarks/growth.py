@@ -23,15 +23,15 @@ from common.counted import operations, timer
 from eigenmotion.codegen.model import ModelError
 
 from eigenmotion import Model, System, load_model
-from eigenmotion.errors import BuildError
-from eigenmotion.order import order
+from eigenmotion.building.errors import BuildError
+from eigenmotion.building.request import order
+from eigenmotion.building.toolchain import EXTENSION_SUFFIX, toolchain
 from eigenmotion.report.measure import Budget, Judge, Measurement, measure
 from eigenmotion.report.recommend import Curve, curves
 from eigenmotion.report.reference import Reference
 from eigenmotion.report.solvers import OUR_TOLERANCES, Motion, Scene, compiled_solvers
-from eigenmotion.toolchain import EXTENSION_SUFFIX, toolchain
 
-build_module = importlib.import_module("eigenmotion.build")
+build_module = importlib.import_module("eigenmotion.building.build")
 
 MODELS = Path(__file__).parents[1] / "models"
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")

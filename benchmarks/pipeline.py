@@ -24,8 +24,8 @@ from eigenmotion.codegen import compiler
 from eigenmotion.codegen.compiler import explain
 
 from eigenmotion import load_model
-from eigenmotion.cache import LOCATION
-from eigenmotion.toolchain import Toolchain, toolchain
+from eigenmotion.building.cache import LOCATION
+from eigenmotion.building.toolchain import Toolchain, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
 CASES = (("dual_link", {}, 3), ("spatial_arm", {"n": 6}, 1), ("chain", {"n": 10}, 1), ("chain", {"n": 20}, 1))
@@ -34,7 +34,7 @@ GENERATOR = ("derive", "specialise", "lower", "emit")
 COMPILER = {"compile_model": "C compiler", "compile_glue": "C of the wrapper", "link": "link"}
 REPEATS = 3
 
-build_module = importlib.import_module("eigenmotion.build")
+build_module = importlib.import_module("eigenmotion.building.build")
 
 Seconds = dict[str, float]
 Spent = tuple[float, float]

@@ -5,13 +5,13 @@ from __future__ import annotations
 import hashlib
 from dataclasses import astuple
 
-from .derive import derive
-from .emit import Sources, emit
-from .lower import CLOSE_EIGENVALUES, FORMULATIONS, SCHUR, Choices, Defaults, lower
+from .c.emit import Sources, emit
+from .c.lower import CLOSE_EIGENVALUES, FORMULATIONS, SCHUR, Choices, Defaults, lower
+from .c.program import Program
 from .model import Model, ModelError
-from .normalise import name_of
-from .program import Program
-from .specialise import ALL_SAVINGS, Saving, specialise
+from .model.normalise import name_of
+from .physics.derive import derive
+from .physics.specialise import ALL_SAVINGS, Saving, specialise
 
 
 def generate(

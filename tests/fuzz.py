@@ -17,7 +17,7 @@ from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import fields
 
-from eigenmotion.toolchain import OPTIMISED, toolchain
+from eigenmotion.building.toolchain import OPTIMISED, toolchain
 
 from . import mechanism_checks, tree_checks
 from .generation import FORMULATIONS

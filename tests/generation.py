@@ -9,13 +9,13 @@ from pathlib import Path
 
 import numpy as np
 from eigenmotion.codegen import compiler
+from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.codegen.compiler import FORMULATIONS
-from eigenmotion.codegen.emit import Sources
-from eigenmotion.codegen.specialise import ALL_SAVINGS, Saving
+from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, load_model
-from eigenmotion.cache import entry, key
-from eigenmotion.toolchain import INCLUDE, toolchain
+from eigenmotion.building.cache import entry, key
+from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
 NAMES = tuple(sorted(path.stem for path in MODELS.glob("*.py") if path.stem != "__init__"))

@@ -4,8 +4,8 @@ import numpy as np
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model
+from eigenmotion.results.solution import Solution
 from eigenmotion.runtime import StopReason
-from eigenmotion.solution import Solution
 
 X, Y = dynamicsymbols("x y")
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange")

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 import eigenmotion as em
-from eigenmotion import cache
+from eigenmotion.building import cache
+from eigenmotion.building.toolchain import EXTENSION_SUFFIX
 from eigenmotion.cli import main
-from eigenmotion.toolchain import EXTENSION_SUFFIX
 
 PENDULUM = Path(__file__).parents[1] / "models" / "pendulum.py"
 KEY = cache.key("something")
@@ -141,7 +141,7 @@ def test_one_without_rights_serves_what_it_has_and_names_what_it_lacks(rights, m
 
 def of_a_user(folder, rights):
     script = (
-        "import os; from eigenmotion import cache; from eigenmotion.errors import BuildError\n"
+        "import os; from eigenmotion.building import cache; from eigenmotion.building.errors import BuildError\n"
         "os.setgid(12345); os.setuid(12345)\n"
         "def fill(folder): (folder / 'text').write_text('x')\n"
         "for name in (cache.key('there'), cache.key('not there')):\n"
@@ -188,7 +188,7 @@ def test_a_home_of_nobody_is_named(monkeypatch):
 def test_what_killed_builds_left_behind_goes_and_what_is_under_way_stays(folder):
     started = folder.parent / "started"
     script = (
-        "from eigenmotion import cache; from pathlib import Path; import time\n"
+        "from eigenmotion.building import cache; from pathlib import Path; import time\n"
         f"def fill(folder): (folder / 'half').write_text(''); Path({str(started)!r}).touch(); time.sleep(60)\n"
         f"cache.entry('things', {cache.key('slow')!r}, fill)\n"
     )

@@ -8,8 +8,8 @@ from sympy import Max, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, System, t
+from eigenmotion.results.summary import summary
 from eigenmotion.runtime import StopReason
-from eigenmotion.summary import summary
 
 from .generation import system_for
 from .honest import X, check_honest, plane

@@ -9,7 +9,7 @@ import pytest
 from eigenmotion.codegen.model import ModelError
 
 import eigenmotion as em
-from eigenmotion.options import OptionError
+from eigenmotion.arguments.options import OptionError
 
 from .generation import model_of, system_for, system_of
 from .models_table import BY_NAME
@@ -134,7 +134,7 @@ def test_a_run_without_rows_says_so():
 
 
 def test_a_second_run_that_ends_before_the_first_row_says_so(monkeypatch):
-    module = sys.modules["eigenmotion.simulate"]
+    module = sys.modules["eigenmotion.running.simulate"]
     plain, methods = module._run, []
 
     def run(task, method):

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.emit import SourceFile, Sources
+from eigenmotion.codegen.c.emit import SourceFile, Sources
 from sympy import Piecewise, atan, log, sin, sqrt, symbols
 
 from eigenmotion import Model, ModelError, System, t

@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen import program as codegen_program
-from eigenmotion.codegen.emit import TEMPLATES, environment, undeclared
-from eigenmotion.codegen.printer import Body, Section, c_identifier, c_identifiers
-from eigenmotion.codegen.program import BlockView, Bodies, EventView, Place, Program, Slice
+from eigenmotion.codegen.c import program as codegen_program
+from eigenmotion.codegen.c.emit import TEMPLATES, environment, undeclared
+from eigenmotion.codegen.c.printer import Body, Section, c_identifier, c_identifiers
+from eigenmotion.codegen.c.program import BlockView, Bodies, EventView, Place, Program, Slice
 from jinja2 import nodes
 from sympy import Rational, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, multiplier
-from eigenmotion.toolchain import INCLUDE, toolchain
+from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 from .generation import FORMULATIONS, NAMES, STRICT, model_of, relative, states, system_for
 

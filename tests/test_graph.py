@@ -5,13 +5,13 @@ from fractions import Fraction
 import mpmath
 import pytest
 import sympy
-from eigenmotion.codegen.convert import FromSympy, ToSympy
-from eigenmotion.codegen.differentiate import Tangent, gradient
-from eigenmotion.codegen.evaluate import Zeros
-from eigenmotion.codegen.graph import Graph, Kind
-from eigenmotion.codegen.rewrite import Rewriter, Substitution
-from eigenmotion.codegen.schedule import schedule
-from eigenmotion.codegen.trigonometry import expansion
+from eigenmotion.codegen.graph.convert import FromSympy, ToSympy
+from eigenmotion.codegen.graph.derivatives import Tangent, gradient
+from eigenmotion.codegen.graph.graph import Graph, Kind
+from eigenmotion.codegen.graph.rewrite import Rewriter, Substitution
+from eigenmotion.codegen.graph.schedule import schedule
+from eigenmotion.codegen.graph.trigonometry import expansion
+from eigenmotion.codegen.graph.zeros import Zeros
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Rational, cos, exp, log, sin, sqrt, symbols, tan

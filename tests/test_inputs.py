@@ -10,8 +10,8 @@ from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
-from eigenmotion.signals import Signal
-from eigenmotion.summary import summary
+from eigenmotion.arguments.signals import Signal
+from eigenmotion.results.summary import summary
 
 from .generation import FORMULATIONS, system_for, system_of
 

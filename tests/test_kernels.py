@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from eigenmotion.toolchain import INCLUDE, STANDARD, toolchain
+from eigenmotion.building.toolchain import INCLUDE, STANDARD, toolchain
 
 from .generation import COMPILERS
 

@@ -6,6 +6,7 @@ import re
 import sys
 import tomllib
 from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -29,10 +30,22 @@ def modules() -> dict[str, Path]:
     return found
 
 
-def imports(module: str, file: Path) -> Iterator[str]:
+def is_for_types(node: ast.AST) -> bool:
+    return isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
+
+
+def walked(node: ast.AST, types: bool) -> Iterator[ast.AST]:
+    """Everything in a file; with `types` also what only a type checker reads."""
+    for child in ast.iter_child_nodes(node):
+        if types or not is_for_types(child):
+            yield child
+            yield from walked(child, types)
+
+
+def imports(module: str, file: Path, types: bool = True) -> Iterator[str]:
     """Absolute names of what a file imports, anywhere in it."""
     package = module if file.stem == "__init__" else module.rpartition(".")[0]
-    for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+    for node in walked(ast.parse(file.read_text(encoding="utf-8")), types):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
@@ -42,6 +55,23 @@ def imports(module: str, file: Path) -> Iterator[str]:
 
 
 MODULES = modules()
+ROOMS: dict[str, tuple[str, ...]] = {
+    "codegen.model": (),
+    "codegen.graph": ("codegen.model",),
+    "codegen.physics": ("codegen.model", "codegen.graph"),
+    "codegen.c": ("codegen.model", "codegen.graph", "codegen.physics"),
+    "codegen": ("codegen.model", "codegen.physics", "codegen.c"),
+    "runtime": (),
+    "arguments": ("codegen.model", "runtime"),
+    "results": ("codegen.model", "runtime", "arguments", "files"),
+    "running": ("codegen.model", "runtime", "arguments", "results"),
+    "system": ("codegen.model", "runtime", "arguments", "running"),
+    "building": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "results", "system", "files"),
+    "reference": ("codegen.model", "arguments"),
+    "pages": ("building",),
+    "files": (),
+}
+"""What each room may import while the program runs, itself apart; rooms that are not here, anything but `cli`."""
 
 
 def within(name: str, package: str) -> bool:
@@ -51,15 +81,18 @@ def within(name: str, package: str) -> bool:
 def test_every_package_is_installed():
     """A folder that pyproject.toml does not list is there in a checkout, and missing from a wheel."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    home = ROOT / "src" / "eigenmotion"
-    found = {"eigenmotion", *(f"eigenmotion.{file.parent.relative_to(home)}".replace("/", ".")
-                              for file in home.rglob("__init__.py") if file.parent != home)}  # fmt: skip
-    others = {name for name in PACKAGES if name != "eigenmotion"}
-    assert set(project["tool"]["setuptools"]["packages"]) == found | others
+    assert set(project["tool"]["setuptools"]["packages"]) == {
+        name for name, file in MODULES.items() if file.stem == "__init__"
+    }
 
 
 def test_the_sources_are_found():
-    assert {"eigenmotion", "eigenmotion.build", "eigenmotion.codegen.model", "eigenmotion.runtime.core"} <= set(MODULES)
+    assert {
+        "eigenmotion",
+        "eigenmotion.building.build",
+        "eigenmotion.codegen.model.model",
+        "eigenmotion.runtime.core",
+    } <= set(MODULES)
 
 
 @pytest.mark.parametrize("module", [name for name in MODULES if within(name, "eigenmotion.codegen")])
@@ -81,6 +114,38 @@ def test_runtime_extension_imports_nothing_of_ours():
     named = [line.split()[1] for line in text.splitlines() if line.startswith(("from ", "import ", "cimport "))]
     assert named
     assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
+
+
+def running_imports(module: str) -> set[str]:
+    """The modules of ours that one imports, packages only where no module of theirs is meant."""
+    named = [name for name in imports(module, MODULES[module], types=False) if name in MODULES]
+    return {name for name in named if not any(other.startswith(f"{name}.") for other in named)} - {module}
+
+
+def room_of(module: str) -> str:
+    """Return the longest name of a room that holds a module; else its first folder."""
+    inner = module.removeprefix("eigenmotion").removeprefix(".")
+    rooms = [room for room in ROOMS if within(inner, room)]
+    return max(rooms, key=len) if rooms else inner.partition(".")[0]
+
+
+def test_modules_import_each_other_in_no_circle():
+    try:
+        list(TopologicalSorter({module: running_imports(module) for module in MODULES}).static_order())
+    except CycleError as error:
+        pytest.fail(" -> ".join(error.args[1]))
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_imports_what_it_may(room):
+    used = {room_of(name): f"{module} imports {name}" for module in MODULES if room_of(module) == room
+            for name in running_imports(module)}  # fmt: skip
+    assert not [words for other, words in used.items() if other not in (room, *ROOMS[room])]
+    assert set(ROOMS[room]) <= set(used), "a room that may be imported is"
+
+
+def test_the_rooms_are_there():
+    assert set(ROOMS) <= {room_of(module) for module in MODULES}
 
 
 def included(header: str, folder: Path) -> set[str]:

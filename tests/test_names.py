@@ -4,13 +4,13 @@ import subprocess
 
 import pytest
 import sympy
+from eigenmotion.codegen.c.emit import commented, quoted
+from eigenmotion.codegen.c.printer import c_identifier
 from eigenmotion.codegen.compiler import FORMULATIONS, generate
-from eigenmotion.codegen.emit import commented, quoted
-from eigenmotion.codegen.printer import c_identifier
 
 import eigenmotion as em
-from eigenmotion.order import order
-from eigenmotion.toolchain import INCLUDE, toolchain
+from eigenmotion.building.request import order
+from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 from .generation import loaded
 

@@ -9,8 +9,8 @@ from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, System, multiplier, t
+from eigenmotion.arguments.signals import Signal
 from eigenmotion.runtime import StopReason
-from eigenmotion.signals import Signal
 
 from .generation import FORMULATIONS, system_for
 

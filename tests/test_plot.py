@@ -6,7 +6,7 @@ from sympy import Symbol
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.plot import coordinates
+from eigenmotion.results.plot import coordinates
 
 from .generation import system_for, system_of
 

@@ -10,18 +10,18 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 import sympy
-from eigenmotion.codegen import convert
 from eigenmotion.codegen.compiler import generate
-from eigenmotion.codegen.evaluate import Zeros
-from eigenmotion.codegen.graph import Graph, Kind, exact
+from eigenmotion.codegen.graph import convert
+from eigenmotion.codegen.graph.graph import Graph, Kind, exact
+from eigenmotion.codegen.graph.zeros import Zeros
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.build import compiled
-from eigenmotion.proof import ProofError, prove
-from eigenmotion.proof.evaluate import Evaluation
-from eigenmotion.proof.hyperdual import FUNCTIONS, RELATIONS, HyperDual
-from eigenmotion.toolchain import INCLUDE, toolchain
+from eigenmotion.building.build import compiled
+from eigenmotion.building.proof import ProofError, prove
+from eigenmotion.building.proof.evaluate import Evaluation
+from eigenmotion.building.proof.hyperdual import FUNCTIONS, RELATIONS, HyperDual
+from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 from .generation import FORMULATIONS, NAMES, loaded, model_of, system_for, system_of
 from .test_random_mechanisms import SHAPES, mechanism
@@ -175,16 +175,16 @@ def test_steps_that_a_compiler_spoilt_are_found(own_cache, tmp_path, monkeypatch
     right = "em_pivoted(m, Delta, 0.0, L, pivot, row);"
     assert header.read_text().count(right) == 1
     header.write_text(header.read_text().replace(right, f"{right} pivot[m - 1] = 0.0;"))
-    for module in ("build", "toolchain"):
+    for module in ("building.build", "building.toolchain"):
         monkeypatch.setattr(sys.modules[f"eigenmotion.{module}"], "INCLUDE", tmp_path / "include")
-    sys.modules["eigenmotion.build"]._abi.cache_clear()
+    sys.modules["eigenmotion.building.build"]._abi.cache_clear()
     x = dynamicsymbols("x1:9")
     rows = [one**2 + other**2 - 1 for one, other in pairwise(x[::2] + x[1::2])][:4]
     model = em.Model(name="four_rows", coordinates=x, kinetic_energy=sum(one.diff() ** 2 for one in x),
                      holonomic_constraints=rows, initial=dict.fromkeys(x, 0.5**0.5))  # fmt: skip
     with pytest.raises(ProofError, match="ends at the start"):
         em.build(model, formulation="lagrange", flags="-O1")
-    sys.modules["eigenmotion.build"]._abi.cache_clear()
+    sys.modules["eigenmotion.building.build"]._abi.cache_clear()
 
 
 @pytest.mark.parametrize(("function", "old", "named"), [("position", "phi[0] = ", r"holonomic_constraints\[0\]"),
@@ -260,7 +260,7 @@ def test_a_function_without_a_counterpart_is_named_and_the_rest_is_proved(caplog
     model = two(qd**2 + rd**2, potential_energy=sympy.erf(q) + r)
     faulty = loaded(changed(model, "mass_matrix", "M[0] = ", "M[0] = 1.0001*"), "-O0")
     fewer = {name: function for name, function in FUNCTIONS.items() if name != "erf"}
-    with patch("eigenmotion.proof.evaluate.FUNCTIONS", fewer), caplog.at_level(logging.INFO):
+    with patch("eigenmotion.building.proof.evaluate.FUNCTIONS", fewer), caplog.at_level(logging.INFO):
         prove(model, system_for(model))
         assert "two: not proved where erf stands" in caplog.text
         assert "the equation of motion of q" in caplog.text

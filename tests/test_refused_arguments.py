@@ -7,8 +7,8 @@ from sympy import Rational, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, System
+from eigenmotion.results.summary import summary
 from eigenmotion.runtime import StopReason
-from eigenmotion.summary import summary
 
 from .generation import system_for, system_of
 

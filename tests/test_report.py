@@ -15,17 +15,17 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from eigenmotion.codegen.lower import FORMULATIONS
+from eigenmotion.codegen.c.lower import FORMULATIONS
 from eigenmotion.codegen.model import ModelError
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.cli import report as cli
+from eigenmotion.reference.classical import accelerations, classical, double, explicit
+from eigenmotion.reference.collocation import Collocation
+from eigenmotion.reference.extended import NotReachedError, extended, followed, trajectory
 from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, peers, recommendation, write_report
-from eigenmotion.report.classical import accelerations, classical, double, explicit
-from eigenmotion.report.collocation import Collocation
-from eigenmotion.report.extended import NotReachedError, extended, followed, trajectory
 from eigenmotion.report.measure import Judge, measure, skipped
 from eigenmotion.report.peers import Peers
 from eigenmotion.report.recommend import Curve, curves, recommend

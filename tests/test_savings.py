@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy
 from eigenmotion.codegen.compiler import FORMULATIONS
-from eigenmotion.codegen.specialise import ALL_SAVINGS, Saving
+from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, t
 

@@ -5,12 +5,12 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 import pytest
-from eigenmotion.codegen.convert import FromSympy
-from eigenmotion.codegen.derive import derive
-from eigenmotion.codegen.graph import Graph, Kind
-from eigenmotion.codegen.schedule import Cost, operands_of, schedule
-from eigenmotion.codegen.specialise import specialise
-from eigenmotion.codegen.terms import Terms
+from eigenmotion.codegen.graph.convert import FromSympy
+from eigenmotion.codegen.graph.graph import Graph, Kind
+from eigenmotion.codegen.graph.schedule import Cost, operands_of, schedule
+from eigenmotion.codegen.physics.derive import derive
+from eigenmotion.codegen.physics.specialise import specialise
+from eigenmotion.codegen.physics.terms import Terms
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import Integer, Max, Piecewise, Rational, cos, exp, sin, sqrt, symbols

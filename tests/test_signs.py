@@ -5,8 +5,8 @@ from functools import cache
 
 import numpy as np
 import pytest
-from eigenmotion.codegen.differentiate import gradient
-from eigenmotion.codegen.terms import Terms
+from eigenmotion.codegen.graph.derivatives import gradient
+from eigenmotion.codegen.physics.terms import Terms
 from sympy import Rational, symbols
 from sympy.physics.mechanics import dynamicsymbols
 

@@ -14,11 +14,11 @@ from scipy.interpolate import CubicSpline
 from scipy.optimize import OptimizeResult
 from scipy.special import ellipk
 
+from eigenmotion.arguments.signals import Signal
+from eigenmotion.results.solution import Solution
+from eigenmotion.results.trajectory import _filled
+from eigenmotion.running.simulate import simulate
 from eigenmotion.runtime import StopReason
-from eigenmotion.signals import Signal
-from eigenmotion.simulate import simulate
-from eigenmotion.solution import Solution
-from eigenmotion.trajectory import _filled
 
 from .hand_written import bead
 

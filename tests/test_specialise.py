@@ -2,9 +2,9 @@
 
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.derive import derive
-from eigenmotion.codegen.lower import Choices
-from eigenmotion.codegen.specialise import ALL_SAVINGS, Kind, Saving, specialise
+from eigenmotion.codegen.c.lower import Choices
+from eigenmotion.codegen.physics.derive import derive
+from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Kind, Saving, specialise
 from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 

@@ -6,13 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy
-from eigenmotion.codegen.emit import SourceFile, Sources
+from eigenmotion.codegen.c.emit import SourceFile, Sources
 from eigenmotion.models import chain as chain_model
 
 from eigenmotion import Model, build
-from eigenmotion.build import compiled, load
-from eigenmotion.order import order
-from eigenmotion.report.extended import EPSILON
+from eigenmotion.building.build import compiled, load
+from eigenmotion.building.request import order
+from eigenmotion.building.toolchain import toolchain
+from eigenmotion.reference.extended import EPSILON
 from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, survey, write_matrix
 from eigenmotion.stability.case import EXPLICIT
 from eigenmotion.stability.collocation import collocated
@@ -20,8 +21,7 @@ from eigenmotion.stability.models import elastic_link
 from eigenmotion.stability.outcome import judged
 from eigenmotion.stability.reference import reference_of
 from eigenmotion.stability.truth import FINE, chain, lagrange
-from eigenmotion.system import System
-from eigenmotion.toolchain import toolchain
+from eigenmotion.system.system import System
 
 EIGENFACTOR = Variant("eigenfactor")
 

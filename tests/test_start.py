@@ -8,7 +8,7 @@ from eigenmotion.codegen.compiler import FORMULATIONS
 from eigenmotion.codegen.model import ModelError
 from sympy import log, sin, sqrt
 
-from eigenmotion.start import _first_bad_pivot, _Start, start_state
+from eigenmotion.running.start import _first_bad_pivot, _Start, start_state
 
 from .generation import system_for, system_of
 from .hand_written import bead

@@ -7,7 +7,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from eigenmotion.toolchain import INCLUDE
+from eigenmotion.building.toolchain import INCLUDE
 
 PROGRAM = """
 #include <stdio.h>

@@ -3,7 +3,7 @@
 import mpmath
 import numpy as np
 import pytest
-from eigenmotion.codegen.pivots import is_singular
+from eigenmotion.codegen.model.pivots import is_singular
 from sympy import Expr, atan2, cos, exp, lambdify, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 

@@ -13,7 +13,7 @@ from eigenmotion.codegen.compiler import FORMULATIONS, generate
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.toolchain import INCLUDE, toolchain
+from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 from .generation import COMPILERS, STRICT
 

@@ -13,12 +13,12 @@ from fractions import Fraction
 
 import mpmath
 import sympy
-from eigenmotion.codegen.convert import FromSympy, ToSympy
-from eigenmotion.codegen.differentiate import Tangent, gradient
-from eigenmotion.codegen.evaluate import Zeros
-from eigenmotion.codegen.graph import Graph, Kind, Node
+from eigenmotion.codegen.graph.convert import FromSympy, ToSympy
+from eigenmotion.codegen.graph.derivatives import Tangent, gradient
+from eigenmotion.codegen.graph.graph import Graph, Kind, Node
+from eigenmotion.codegen.graph.zeros import Zeros
 from eigenmotion.codegen.model import ModelError
-from eigenmotion.codegen.normalise import expression
+from eigenmotion.codegen.model.normalise import expression
 
 from .oracles.principal import Dual, Tree, Undefined, dual
 from .trees import PARAMETERS, VARYING, Grower, Meaning, node_of, symbols_of, sympy_of

@@ -9,7 +9,7 @@ from typing import Any
 
 import mpmath
 import sympy
-from eigenmotion.codegen.graph import Graph, Kind, Node
+from eigenmotion.codegen.graph.graph import Graph, Kind, Node
 
 from .oracles.principal import Tree, number
 

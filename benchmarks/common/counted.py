@@ -6,7 +6,7 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
-from eigenmotion.toolchain import INCLUDE, STANDARD, run, toolchain
+from eigenmotion.building.toolchain import INCLUDE, STANDARD, run, toolchain
 
 TIMER, COUNTER = (Path(__file__).with_name(name) for name in ("right_hand_side.c", "operations.cpp"))
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from eigenmotion import Model
-from eigenmotion.order import order
-from eigenmotion.toolchain import INCLUDE, STANDARD, run, toolchain
+from eigenmotion.building.request import order
+from eigenmotion.building.toolchain import INCLUDE, STANDARD, run, toolchain
 
 HERE = Path(__file__).parent
 

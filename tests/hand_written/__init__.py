@@ -6,8 +6,8 @@ import tempfile
 from functools import cache
 from pathlib import Path
 
-from eigenmotion.system import System
-from eigenmotion.toolchain import INCLUDE, toolchain
+from eigenmotion.building.toolchain import INCLUDE, toolchain
+from eigenmotion.system.system import System
 
 _HERE = Path(__file__).parent
 _NAMES: dict[bytes, ctypes.Array[ctypes.c_char]] = {}

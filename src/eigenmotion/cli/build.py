@@ -5,8 +5,8 @@ from typing import Any
 
 import click
 
-from eigenmotion.build import make
-from eigenmotion.toolchain import toolchain
+from eigenmotion.building.build import make
+from eigenmotion.building.toolchain import toolchain
 
 from .options import Shape, distinct, models, output, shaping
 from .progress import clock

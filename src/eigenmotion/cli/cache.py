@@ -2,7 +2,7 @@
 
 import click
 
-from eigenmotion.cache import clear, contents, location
+from eigenmotion.building.cache import clear, contents, location
 
 
 @click.command("cache")

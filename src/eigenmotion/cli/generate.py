@@ -6,10 +6,10 @@ from typing import Any
 
 import click
 
-from eigenmotion.checking import compared, stamped, unified
-from eigenmotion.codegen.emit import Sources
+from eigenmotion.building.compare import compared, stamped, unified
+from eigenmotion.building.request import Order
+from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.files import write
-from eigenmotion.order import Order
 
 from .options import Shape, distinct, models, output, shaping
 from .progress import clock

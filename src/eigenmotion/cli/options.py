@@ -9,9 +9,9 @@ from typing import Any, TypeVar
 
 import click
 
+from eigenmotion.arguments.names import spelled
+from eigenmotion.building.request import Order, order
 from eigenmotion.codegen.model import Model
-from eigenmotion.names import spelled
-from eigenmotion.order import Order, order
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 

@@ -7,16 +7,16 @@ from typing import Any
 
 import click
 
-from eigenmotion.build import load, make
+from eigenmotion.building.build import load, make
+from eigenmotion.building.toolchain import toolchain
 from eigenmotion.codegen.model import ModelError
-from eigenmotion.plot import FORMATS, draw_coordinates, require_matplotlib
+from eigenmotion.results.plot import FORMATS, draw_coordinates, require_matplotlib
+from eigenmotion.results.saving import SAVERS, save
+from eigenmotion.results.solution import Solution
+from eigenmotion.results.summary import summary
+from eigenmotion.running.simulate import simulate
 from eigenmotion.runtime import StopReason
-from eigenmotion.saving import SAVERS, save
-from eigenmotion.simulate import simulate
-from eigenmotion.solution import Solution
-from eigenmotion.summary import summary
-from eigenmotion.system import System
-from eigenmotion.toolchain import toolchain
+from eigenmotion.system.system import System
 
 from .options import Finite, Shape, check_writable, ending, model, setting, shaping, values
 from .progress import clock

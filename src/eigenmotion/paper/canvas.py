@@ -7,9 +7,9 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from ..arguments.names import Vector
 from ..files import write
-from ..names import Vector
-from ..plot import COLOURS, require_matplotlib
+from ..results.plot import COLOURS, require_matplotlib
 
 WIDTH, HEIGHT = 7.5, 4.2
 FAINT = "0.88"

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from ..build import build
+from ..arguments.names import Vector
+from ..building.build import build
 from ..models.dual_link import model
-from ..names import Vector
-from ..solution import Solution
-from ..system import System
+from ..results.solution import Solution
+from ..system.system import System
 
 T_END = 10.0
 MEAN_STEP = 0.024

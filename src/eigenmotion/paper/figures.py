@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..names import Vector
-from ..plot import COLOURS
+from ..arguments.names import Vector
+from ..results.plot import COLOURS
 from .canvas import axes, draw, save
 from .experiment import PAIRS, Experiment, History, experiment
 from .findings import Finding, findings

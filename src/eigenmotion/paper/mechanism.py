@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from ..names import Vector
-from ..plot import COLOURS, require_matplotlib
+from ..arguments.names import Vector
+from ..results.plot import COLOURS, require_matplotlib
 from .canvas import FAINT, save
 from .experiment import History
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..plot import require_matplotlib
+from ..results.plot import require_matplotlib
 from .examine import Findings
 from .recommend import Curve
 from .solvers import METHODS, OURS, RADAU_ORDER

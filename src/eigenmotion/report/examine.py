@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments.names import Vector
 from ..codegen.model import Model, ModelError
-from ..names import Vector
-from ..simulate import simulate
-from ..solution import Solution
-from ..system import System
-from .classical import Classical, classical
+from ..reference.classical import Classical, classical
+from ..results.solution import Solution
+from ..running.simulate import simulate
+from ..system.system import System
 from .measure import Budget, Judge, Measurement, Progress, measure, skipped
 from .peers import Start, peers
 from .recommend import Curve, Recommendation, curves, recommend

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from scipy.integrate import trapezoid
 
-from ..names import Vector
-from ..system import System
+from ..arguments.names import Vector
+from ..system.system import System
 from .reference import Reference, scaled_error
 from .solvers import Attempt, Motion, Solver
 

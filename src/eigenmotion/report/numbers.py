@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from dataclasses import asdict, fields
 from typing import Any
 
+from ..pages.machine import machine
 from .examine import Findings
-from .machine import machine
 from .measure import Measurement
 from .recommend import LEVELS, Curve, Recommendation
 from .subject import Built

@@ -8,9 +8,9 @@ from importlib.resources import files
 from jinja2 import Environment, StrictUndefined, Template
 from markupsafe import Markup
 
+from ..pages.machine import machine
 from .curves import Picture
 from .examine import Findings
-from .machine import machine
 from .measure import SLOW, SLOW_TURNS, Measurement
 from .peers import LONGEST
 from .recommend import LEVELS, Curve

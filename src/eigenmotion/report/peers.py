@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from ..names import Vector
-from .classical import Classical, double, explicit
+from ..arguments.names import Vector
+from ..reference.classical import Classical, double, explicit
 from .solvers import MOST_STEPS, Attempt, Motion, Solver
 
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))

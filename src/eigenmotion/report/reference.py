@@ -5,11 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arguments.names import Vector
 from ..codegen.model import ModelError
-from ..names import Vector
-from .classical import Classical
-from .collocation import Collocation, jacobian
-from .extended import EPSILON, Extended, Midpoint, NotReachedError, Rhs, Scheme, extended, followed
+from ..reference.classical import Classical
+from ..reference.collocation import Collocation, jacobian
+from ..reference.extended import EPSILON, Extended, Midpoint, NotReachedError, Rhs, Scheme, extended, followed
 
 ROWS = 201
 _HOW = (

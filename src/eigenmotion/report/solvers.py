@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from ..names import Vector
-from ..simulate import simulate
-from ..solution import Solution
-from ..system import System
+from ..arguments.names import Vector
+from ..results.solution import Solution
+from ..running.simulate import simulate
+from ..system.system import System
 
 METHODS = {"rk34": 4, "dopri5": 5, "dop853": 8}  # compiled ones, with the order that error falls with
 IMPLICIT = ("Radau", "BDF", "LSODA", "CVODE")

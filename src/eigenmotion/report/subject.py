@@ -6,14 +6,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..build import compile_in, load
-from ..codegen.derive import derive
-from ..codegen.lower import FORMULATIONS
+from ..building.build import compile_in, load
+from ..building.errors import BuildError, CompilerNotFoundError
+from ..building.request import order
+from ..building.toolchain import EXTENSION_SUFFIX, toolchain
+from ..codegen.c.lower import FORMULATIONS
 from ..codegen.model import Model, ModelError
-from ..errors import BuildError, CompilerNotFoundError
-from ..order import order
-from ..system import System
-from ..toolchain import EXTENSION_SUFFIX, toolchain
+from ..codegen.physics.derive import derive
+from ..system.system import System
 
 
 @dataclass(frozen=True, slots=True)

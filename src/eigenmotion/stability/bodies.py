@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..names import Vector
-from ..report.extended import Extended
+from ..arguments.names import Vector
+from ..reference.extended import Extended
 from .truth import FINE, Integrated
 
 WEIGHT = 0.3  # m g l [N m]

@@ -7,9 +7,9 @@ from types import MappingProxyType
 
 import numpy as np
 
+from ..arguments.names import Vector
+from ..arguments.signals import Signal
 from ..codegen.model import Model
-from ..names import Vector
-from ..signals import Signal
 from .truth import Truth
 from .variants import UNCONSTRAINED, Variant
 

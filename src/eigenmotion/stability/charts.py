@@ -5,8 +5,8 @@ from math import asin, cos, pi, sin, sqrt
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from ..arguments.names import Vector
 from ..models import heavy_top
-from ..names import Vector
 from .bodies import body_rows, body_start, upwards
 from .case import Case, Point, power, rows
 from .models import body_in_cardan_angles, polar_on_cart

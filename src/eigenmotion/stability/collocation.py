@@ -10,9 +10,9 @@ import numpy as np
 from numpy.polynomial import Polynomial, legendre
 from scipy.linalg import lu_factor, lu_solve
 
-from ..names import Vector
-from ..report.collocation import jacobian
-from ..report.extended import Extended, NotReachedError, Rhs
+from ..arguments.names import Vector
+from ..reference.collocation import jacobian
+from ..reference.extended import Extended, NotReachedError, Rhs
 
 STAGES = 5
 _MOST = 40  # Newton steps

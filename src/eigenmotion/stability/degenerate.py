@@ -4,7 +4,7 @@ from math import cos, sin
 
 import numpy as np
 
-from ..names import Vector
+from ..arguments.names import Vector
 from .bodies import body_rows, body_start
 from .case import Case, Point, power, rows
 from .degenerate_models import height_of_pendulum, pendulum_with_bead, quaternion_body, three_cranks

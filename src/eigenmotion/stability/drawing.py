@@ -4,8 +4,8 @@ import io
 from collections.abc import Sequence
 from typing import Any
 
-from ..plot import require_matplotlib
 from ..report.curves import Picture
+from ..results.plot import require_matplotlib
 from .case import Case
 from .examine import Examined
 from .matrix import Matrix

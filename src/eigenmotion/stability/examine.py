@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from ..build import build
+from ..building.build import build
+from ..building.errors import BuildError
 from ..codegen.model import Model, ModelError
-from ..errors import BuildError
+from ..results.solution import Solution
+from ..running.simulate import simulate
 from ..runtime import EvaluationError, StopReason
-from ..simulate import simulate
-from ..solution import Solution
-from ..system import System
+from ..system.system import System
 from .case import EXPLICIT, Case, Point
 from .indicators import indicators
 from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged

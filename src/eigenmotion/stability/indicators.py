@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..names import Vector
-from ..solution import Solution
-from ..system import System
+from ..arguments.names import Vector
+from ..results.solution import Solution
+from ..system.system import System
 from .case import Point
 
 _TINY = 1e-300

@@ -9,8 +9,8 @@ from math import acos, atan2, hypot, pi, sin, sqrt
 
 import numpy as np
 
-from ..names import Vector
-from ..signals import Signal
+from ..arguments.names import Vector
+from ..arguments.signals import Signal
 from .case import Case, Point, power, rows
 from .models import kinked_oscillators, rooted_oscillators
 from .scenes import start_of

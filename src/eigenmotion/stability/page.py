@@ -7,8 +7,8 @@ from importlib.resources import files
 from jinja2 import Environment, StrictUndefined
 from markupsafe import Markup
 
+from ..pages.machine import machine
 from ..report.curves import Picture
-from ..report.machine import machine
 from ..report.words import number
 from .case import Case
 from .matrix import Matrix

@@ -4,8 +4,8 @@ from math import asin, cos, sin
 
 import numpy as np
 
+from ..arguments.names import Vector
 from ..models import slider_crank
-from ..names import Vector
 from .case import Case, Point, power, rows
 from .models import blade_and_slave, folding_crank
 from .scenes import scale_of, start_of

@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..names import Vector
-from ..report.extended import NotReachedError
+from ..arguments.names import Vector
+from ..reference.extended import NotReachedError
 from ..runtime import EvaluationError
-from ..system import System
+from ..system.system import System
 from .case import Point
 from .truth import CHECK, FINE, ROUGH
 

@@ -5,10 +5,10 @@ from math import pi, sqrt
 
 import numpy as np
 
+from ..arguments.names import Vector
 from ..codegen.model import Model
 from ..models import chain as chain_model
 from ..models import veering as veering_model
-from ..names import Vector
 from .case import Case, Point, power, rows
 from .models import elastic_link, parallel_eigenvalues, triple_veering
 from .truth import Collocated, Integrated, Truth, chain, lagrange

@@ -5,9 +5,9 @@ from math import cos, pi, sin, sqrt
 import numpy as np
 from scipy.special import ellipj, ellipk, ellipkinc
 
+from ..arguments.names import Vector
 from ..models import chain as chain_model
 from ..models import slider_crank
-from ..names import Vector
 from .case import Case, Point, power, rows
 from .models import bent_oscillators, cartesian_pendulum, elastic_link, hung_pendulum
 from .places import closed_loop

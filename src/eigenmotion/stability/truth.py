@@ -7,10 +7,10 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from ..arguments.names import Vector
 from ..codegen.model import Model
-from ..names import Vector
-from ..report.classical import Classical, classical
-from ..report.extended import Extended, Rhs, extended, trajectory
+from ..reference.classical import Classical, classical
+from ..reference.extended import Extended, Rhs, extended, trajectory
 from .collocation import collocated
 
 FINE, CHECK, ROUGH = range(3)  # how well rows are wanted: to compare with; to tell the error of that; to 1e-9

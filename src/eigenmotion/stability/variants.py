@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..codegen.lower import FORMULATIONS
+from ..codegen.c.lower import FORMULATIONS
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..files import write
-from ..report.machine import machine
+from ..pages.machine import machine
 from .drawing import pictures
 from .matrix import Matrix
 from .outcome import RULES, Outcome

@@ -1,0 +1,1 @@
+"""From the terms of the equations to the text of C files."""

@@ -1,0 +1,185 @@
+"""Between SymPy's expressions and the graph's."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
+from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, Not, Or
+
+from ..model.model import ModelError
+from .graph import Graph, Kind, Node, Number, exact
+
+FUNCTIONS: dict[type[sympy.Basic], str] = {
+    sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.asin: "asin", sympy.acos: "acos", sympy.atan: "atan",
+    sympy.atan2: "atan2", sympy.sinh: "sinh", sympy.cosh: "cosh", sympy.tanh: "tanh", sympy.asinh: "asinh",
+    sympy.acosh: "acosh", sympy.atanh: "atanh", sympy.exp: "exp", sympy.log: "log", sympy.Abs: "abs",
+    sympy.sign: "sign", sympy.Min: "min", sympy.Max: "max", sympy.erf: "erf", sympy.floor: "floor",
+    sympy.ceiling: "ceil", sympy.Heaviside: "step",
+}  # fmt: skip
+RELATIONS: dict[type[sympy.Basic], str] = {
+    sympy.StrictLessThan: "<", sympy.LessThan: "<=", sympy.StrictGreaterThan: ">", sympy.GreaterThan: ">=",
+    sympy.Equality: "==", sympy.Unequality: "!=", And: "and", Or: "or", Not: "not",
+}  # fmt: skip
+BACK: Mapping[str, type[sympy.Basic]] = {name: function for function, name in (FUNCTIONS | RELATIONS).items()}
+SPLIT_IN_TWO = {"min", "max"}
+
+
+class FromSympy:
+    """Puts SymPy expressions in plain symbols into a graph, each subexpression once."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph = graph
+        self._known: dict[sympy.Basic, Node] = {}
+
+    def __call__(self, expression: sympy.Basic) -> Node:
+        """Return the node of an expression.
+
+        Raises
+        ------
+        ModelError
+            A function has no counterpart in C; names it.
+        """
+        node = self._known.get(expression)
+        if node is None:
+            node = self._known[expression] = self._convert(expression)
+        return node
+
+    def _convert(self, expression: sympy.Basic) -> Node:
+        graph = self.graph
+        if isinstance(expression, sympy.Symbol):
+            return graph.symbol(expression.name)
+        if isinstance(expression, sympy.Number | sympy.NumberSymbol):
+            return graph.number(_number(expression))
+        if isinstance(expression, sympy.Add):
+            return graph.add(*map(self, expression.args))
+        if isinstance(expression, sympy.Mul):
+            return graph.mul(*map(self, expression.args))
+        if isinstance(expression, sympy.Pow):
+            return self._power(*expression.args)
+        return self._function(expression)
+
+    def _power(self, base: sympy.Basic, exponent: sympy.Basic) -> Node:
+        if base == sympy.E:
+            return self.graph.call("exp", self(exponent))
+        if isinstance(exponent, sympy.Number):
+            return self.graph.power(self(base), _number(exponent))
+        return self.graph.call("pow", self(base), self(exponent))
+
+    def _function(self, expression: sympy.Basic) -> Node:
+        graph = self.graph
+        if isinstance(expression, Piecewise):
+            return self._piecewise(expression.args)
+        if isinstance(expression, BooleanTrue | BooleanFalse):
+            return graph.number(int(bool(expression)))
+        if isinstance(expression, ITE):
+            condition, yes, no = expression.args
+            ways = And(condition, yes, evaluate=False), And(Not(condition), no, evaluate=False)
+            return self(Or(*ways, evaluate=False))
+        name = {**FUNCTIONS, **RELATIONS}.get(type(expression))
+        if name is None:
+            raise ModelError(
+                f"the function {expression.func} in {expression} has no counterpart in C; "
+                f"use one of {', '.join(sorted(FUNCTIONS.values()))} or a Piecewise of them"
+            )
+        operands = [self(argument) for argument in expression.args]
+        if name in SPLIT_IN_TWO or name in ("and", "or"):
+            return self._fold(name, operands)
+        if name == "step":
+            return self._step(*expression.args)
+        if name in ("sin", "cos", "tan"):
+            return self._odd_or_even(name, operands[0])
+        return graph.call(name, *operands)
+
+    def _step(self, argument: sympy.Basic, at_zero: sympy.Basic = sympy.S.Half) -> Node:
+        step = self.graph.call("step", self(argument))
+        if at_zero == sympy.S.Half:
+            return step
+        return self.graph.call("select", self.graph.call("==", self(argument), self.graph.zero), self(at_zero), step)
+
+    def _odd_or_even(self, name: str, angle: Node) -> Node:
+        """Let sin(-a) and sin(a) share: the graph's own sign of a sum decides, not SymPy's."""
+        kind, operands = self.graph.records[angle]
+        if kind is Kind.SUM and len(operands) == 1 and operands[0][1] < 0:
+            positive = self.graph.call(name, self.graph.negative(angle))
+            return positive if name == "cos" else self.graph.negative(positive)
+        return self.graph.call(name, angle)
+
+    def _fold(self, name: str, operands: list[Node]) -> Node:
+        node = operands[0]
+        for operand in operands[1:]:
+            node = self.graph.call(name, node, operand)
+        return node
+
+    def _piecewise(self, pairs: tuple[sympy.Basic, ...]) -> Node:
+        """Nest (value, condition) pairs as selections; without a last `True` the rest is not a number."""
+        assert all(isinstance(pair, ExprCondPair) for pair in pairs)
+        node = None
+        for value, condition in reversed([pair.args for pair in pairs]):
+            if condition == True or node is None:  # noqa: E712  (SymPy's true is not Python's)
+                rest = self(value) if condition == True else self.graph.number(float("nan"))  # noqa: E712
+                node = rest
+            if condition != True:  # noqa: E712
+                node = self.graph.call("select", self(condition), self(value), node)
+        assert node is not None
+        return node
+
+
+def _number(expression: sympy.Basic) -> Number:
+    if isinstance(expression, sympy.Rational):
+        return exact(int(expression.p), int(expression.q))
+    value = float(expression)
+    if math.isinf(value):
+        raise ModelError(f"the number {expression} is beyond what C's double holds; choose other units")
+    return value
+
+
+class ToSympy:
+    """Gives a graph's nodes back as SymPy expressions in plain symbols."""
+
+    def __init__(self, graph: Graph, symbols: Mapping[str, sympy.Symbol]) -> None:
+        self.graph = graph
+        self._symbols = symbols
+        self._known: dict[Node, sympy.Expr] = {}
+
+    def __call__(self, root: Node) -> sympy.Expr:
+        """Return the expression of a node."""
+        for node in self.graph.reachable([root]):
+            if node not in self._known:
+                self._known[node] = self._convert(node)
+        return self._known[root]
+
+    def _convert(self, node: Node) -> sympy.Expr:
+        kind, operands = self.graph.records[node]
+        if kind is Kind.NUMBER:
+            return _from_number(operands[0])
+        if kind is Kind.SYMBOL:
+            return self._symbols[operands[0]]
+        if kind is Kind.SUM:
+            return sympy.Add(*(_from_number(factor) * self._known[child] for child, factor in operands))
+        if kind is Kind.PRODUCT:
+            return sympy.Mul(*(self._known[child] ** _from_number(power) for child, power in operands))
+        return self._call(operands[0], [self._known[child] for child in operands[1:]])
+
+    def _call(self, name: str, operands: list[sympy.Expr]) -> sympy.Expr:
+        if name == "select":
+            is_condition = isinstance(operands[0], Boolean)
+            condition = operands[0] if is_condition else sympy.Ne(operands[0], 0)
+            return Piecewise((operands[1], condition), (operands[2], True))
+        if name == "pow":
+            return operands[0] ** operands[1]
+        return BACK[name](*operands)
+
+
+def _from_number(value: Number) -> sympy.Number:
+    if isinstance(value, float):
+        return sympy.Float(value)
+    return sympy.Rational(value.numerator, value.denominator)
+
+
+def is_undefined(expression: sympy.Basic) -> bool:
+    """Whether an expression still holds a function of time that nothing defines."""
+    return bool(expression.atoms(AppliedUndef, sympy.Derivative))

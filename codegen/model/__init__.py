@@ -1,0 +1,7 @@
+"""What a mechanism is: the user's SymPy, checked and in one form."""
+
+from .model import Event as Event
+from .model import Model as Model
+from .model import ModelError as ModelError
+from .model import multiplier as multiplier
+from .model import t as t

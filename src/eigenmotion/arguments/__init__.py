@@ -1,0 +1,1 @@
+"""What users hand over, checked: names and arrays, inputs, options of a run."""

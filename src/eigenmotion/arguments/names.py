@@ -1,0 +1,100 @@
+"""Values given by name: overlaid on defaults, with unknown names refused in words that help."""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from difflib import get_close_matches
+from math import isfinite
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..codegen.model.normalise import ModelError, real, shown
+
+Vector = NDArray[np.float64]
+
+
+def spelled(key: object) -> str:
+    """Return the name of a key: a string, or a SymPy symbol or function of time."""
+    return str(key).removesuffix("(t)")
+
+
+def unknown(what: str, names: Iterable[str], known: Sequence[str]) -> str:
+    """Say which names are not known, which are, and which is nearest."""
+    wrong = sorted(names)
+    near = [match for name in wrong for match in get_close_matches(name, known, n=1)]
+    listed = ", ".join(known) if known else "there are none"
+    hint = f" Did you mean {', '.join(repr(name) for name in near)}?" if near else ""
+    return f"unknown {what} {', '.join(repr(name) for name in wrong)}; known: {listed}.{hint}"
+
+
+def by_spelling(given: Mapping[Any, Any], what: str, spelling: Callable[[object], str] = spelled) -> dict[str, Any]:
+    """Return the mapping with its keys as strings; none may be there twice, by its name and as a symbol."""
+    spelt = {spelling(key): value for key, value in given.items()}
+    if len(spelt) < len(given):
+        raise ModelError(f"{what}: one of {', '.join(map(repr, spelt))} is given twice, by name and as a symbol")
+    return spelt
+
+
+def by_name(given: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[str, Any]:
+    """Return the mapping with its keys as strings.
+
+    Raises
+    ------
+    ModelError
+        A key is not among `known` (names it, the known ones and the nearest), or given twice.
+    """
+    spelt = by_spelling(given, what)
+    if wrong := spelt.keys() - set(known):
+        raise ModelError(unknown(what, wrong, known))
+    return spelt
+
+
+def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], defaults: Vector, what: str) -> Vector:
+    """Return one number for each name: from an array in their order, or from a mapping over the defaults.
+
+    Raises
+    ------
+    ModelError
+        An unknown name, a wrong shape, or something that is not a finite number; names it.
+    """
+    values = defaults.copy()
+    if given is None:
+        return values
+    if isinstance(given, Mapping):
+        for name, value in by_name(given, names, what).items():
+            values[list(names).index(name)] = real(value, f"{what} {name!r}")
+    else:
+        values = vector(given, what)
+    if values.shape != (len(names),):
+        raise ModelError(f"{what}: an array of shape {values.shape}, but {len(names)} are needed: {', '.join(names)}")
+    if not all(map(isfinite, values.tolist())):  # quicker than NumPy for as many numbers as a mechanism has
+        raise ModelError(f"{what} {names[int(np.argmin(np.isfinite(values)))]!r} is not a finite number")
+    return values
+
+
+def vector(given: object, what: str) -> Vector:
+    """Return real numbers as a new float64 array, whatever its shape; infinite ones and NaN too.
+
+    Raises
+    ------
+    ModelError
+        Ragged, of texts, truth values, complex numbers or objects, masked, or beyond a double; shows it.
+    """
+    if type(given) is np.ndarray and given.dtype == np.float64:
+        return given.copy()
+    try:
+        array = np.asarray(given)
+    except Exception as error:  # ragged, or what an object of the user's raises
+        raise ModelError(f"{what} is {shown(given)}, not an array of real numbers") from error
+    if array.dtype.kind == "O" and array.ndim:  # SymPy's numbers, fractions
+        numbers = [real(value, f"{what}[{k}]") for k, value in enumerate(array.flat)]
+        return np.array(numbers, dtype=np.float64).reshape(array.shape)
+    if array.dtype.kind not in "fiu" or _has_truths(given) or np.ma.isMaskedArray(given):
+        raise ModelError(f"{what} is {shown(given)}, not an array of real numbers")
+    with np.errstate(over="ignore"):  # of long doubles: infinite ones are refused where they are read
+        return np.array(array, dtype=np.float64)
+
+
+def _has_truths(given: object) -> bool:
+    """Say whether a list holds True or False: in NumPy's eyes they are 1 and 0 beside numbers."""
+    return isinstance(given, list | tuple) and any(isinstance(value, bool | np.bool_) for value in given)

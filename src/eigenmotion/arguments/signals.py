@@ -1,0 +1,147 @@
+"""Inputs u(t) of a run: constants, and samples with zero-order hold, linear or cubic interpolation."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import CubicSpline
+
+from ..codegen.model.normalise import ModelError, number, shown
+from .names import Vector, by_name, vector
+
+Compiled: TypeAlias = tuple[int, Vector, NDArray[np.float64]]
+_KINDS = {"hold": 1, "linear": 2, "cubic": 3}  # em_signal_kind
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Signal:
+    """Samples u(t_k) = u_k and what happens between them.
+
+    Parameters
+    ----------
+    times
+        (k,) increasing [s].
+    values
+        (k,) [unit of the input].
+    kind
+        "hold" (the last sample's value), "linear", or "cubic" (the not-a-knot spline).
+
+    Raises
+    ------
+    ModelError
+        Fewer samples than the kind needs, unequal lengths, times that do not increase, or numbers that are not finite.
+    """
+
+    times: ArrayLike
+    values: ArrayLike
+    kind: Literal["hold", "linear", "cubic"] = "linear"
+
+    def __post_init__(self) -> None:
+        for name in ("times", "values"):
+            numbers = vector(getattr(self, name), f"{name} of a signal")
+            numbers.flags.writeable = False  # runs read them where they are
+            object.__setattr__(self, name, numbers)
+        times, values = np.asarray(self.times), np.asarray(self.values)
+        if not isinstance(self.kind, str) or self.kind not in _KINDS:
+            raise ModelError(f"a signal's kind is one of {', '.join(_KINDS)}, not {shown(self.kind)}")
+        if times.ndim != 1 or times.shape != values.shape:
+            raise ModelError(f"a signal needs as many values {values.shape} as times {times.shape}, one-dimensional")
+        if times.size < (1 if self.kind == "hold" else 2):
+            raise ModelError(f"a {self.kind} signal needs more than {times.size} samples")
+        if not (np.isfinite(times).all() and np.isfinite(values).all()):
+            raise ModelError("a signal's times and values must be finite")
+        if not (np.diff(times) > 0).all():
+            raise ModelError("a signal's times must increase strictly")
+
+    def __call__(self, t: ArrayLike) -> Vector:
+        """Return u at t, any shape. Beyond the samples: the nearest one's value, as in compiled runs."""
+        times, values = np.asarray(self.times), np.asarray(self.values)
+        inside = np.clip(t, times[0], times[-1])
+        if self.kind == "hold":
+            return np.asarray(values[np.searchsorted(times, inside, side="right") - 1])
+        if self.kind == "linear":
+            return np.asarray(np.interp(inside, times, values))
+        return np.asarray(CubicSpline(times, values)(inside))
+
+    @property
+    def compiled(self) -> Compiled:
+        """Kind, times and values as `em_signal` has them."""
+        times, values = np.asarray(self.times), np.asarray(self.values)
+        if self.kind == "cubic":  # (k - 1, 4), highest power first, time from the left sample on
+            values = CubicSpline(times, values).c.T.ravel()
+        return _KINDS[self.kind], times, values
+
+    @property
+    def kinks(self) -> Vector:
+        """Times at which u or its rate jumps."""
+        return np.empty(0) if self.kind == "cubic" else np.asarray(self.times)
+
+
+@dataclass(frozen=True, eq=False)
+class Inputs:
+    """The inputs of one run, in the model's order."""
+
+    signals: tuple[float | Signal, ...]
+
+    @cached_property
+    def compiled(self) -> tuple[Compiled, ...]:
+        """One `em_signal` for each input."""
+        return tuple(
+            signal.compiled if isinstance(signal, Signal) else (0, np.empty(0), np.array([signal]))
+            for signal in self.signals
+        )
+
+    @property
+    def constant(self) -> bool:
+        """Whether no input depends on time."""
+        return not any(isinstance(signal, Signal) for signal in self.signals)
+
+    def at(self, t: ArrayLike) -> Vector:
+        """Return u at times t: (..., n_inputs)."""
+        columns = [signal(t) if isinstance(signal, Signal) else np.full(np.shape(t), signal) for signal in self.signals]
+        return np.stack(columns, axis=-1) if columns else np.empty((*np.shape(t), 0))
+
+    def kinks(self, start: float, end: float) -> Vector:
+        """Return the times strictly between start and end, increasing, at which an input or its rate jumps."""
+        times = np.concatenate([np.empty(0), *(s.kinks for s in self.signals if isinstance(s, Signal))])
+        return np.unique(times[(times > min(start, end)) & (times < max(start, end))])
+
+    def uncovered(self, start: float, end: float) -> tuple[int, str] | None:
+        """Return the first input, and in words how, whose samples do not cover the span; held samples last for ever."""
+        for k, signal in enumerate(self.signals):
+            if not isinstance(signal, Signal):
+                continue
+            first, last = float(np.asarray(signal.times)[0]), float(np.asarray(signal.times)[-1])
+            if min(start, end) < first or (signal.kind != "hold" and max(start, end) > last):
+                return k, f"is sampled on [{first:g}, {last:g}]"
+        return None
+
+
+def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:
+    """Read a run's inputs: name -> number, (times, values) (linear), or Signal; the others at their defaults.
+
+    Raises
+    ------
+    ModelError
+        An unknown name, or a value that is none of these; names it.
+    """
+    if not isinstance(given, Mapping):
+        raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values) or Signal")
+    named = by_name(given, names, "input")
+    return Inputs(tuple(_signal(named.get(name, default), name) for name, default in zip(names, defaults, strict=True)))
+
+
+def _signal(given: Any, name: str) -> float | Signal:
+    if isinstance(given, Signal):
+        return given
+    if not isinstance(given, tuple | list):
+        return number(given, f"input {name!r}: a number, a pair (times, values) or a Signal is needed; what is given")
+    if len(given) != 2:
+        raise ModelError(f"input {name!r} is {shown(given)}: neither a number, a pair (times, values) nor a Signal")
+    try:
+        return Signal(*given)
+    except ModelError as error:
+        raise ModelError(f"input {name!r}: {error}") from error

@@ -1,0 +1,166 @@
+"""Model files: run one, and hand over the `model` it defines."""
+
+import inspect
+import os
+import stat
+import sys
+import traceback
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from os import PathLike
+from pathlib import Path
+from threading import RLock
+from types import ModuleType
+from typing import TypeVar
+
+from ..codegen.model import Model, ModelError
+
+T = TypeVar("T")
+_loading = RLock()
+"""What a model file imports is found by way of sys.path, and that is the whole process's."""
+_TRUTH = {"1": True, "true": True, "yes": True, "on": True, "0": False, "false": False, "no": False, "off": False}
+
+
+def load_model(path: str | PathLike[str], **keywords: object) -> Model:
+    """Run the Python file at `path` and return the `model` it defines.
+
+    Parameters
+    ----------
+    path
+        A file that defines `model`: a Model, or a function returning one whose arguments all have defaults.
+    **keywords
+        Arguments of that function. Text is parsed to the type of the default, as for `-D` on the command line.
+
+    Raises
+    ------
+    ModelError
+        The file is not there, fails (says where), defines no `model`, or knows no such keyword.
+    """
+    file = _file(path)
+    with _loading, _importable(file.parent):
+        found = _guarded(file, lambda: _run(file)).get("model")
+        if isinstance(found, Model):
+            return _without(file, found, keywords)
+        if found is None:
+            raise ModelError(f"{file}: defines no `model` (a Model, or a function that returns one)")
+        if not callable(found):
+            raise ModelError(f"{file}: `model` is {_article(found)}, not a Model or a function that returns one")
+        arguments = _arguments(file, found, keywords)
+        built = _guarded(file, lambda: found(**arguments))
+    if not isinstance(built, Model):
+        raise ModelError(f"{file}: model() returned {_article(built)}, not a Model")
+    return built
+
+
+def _file(path: object) -> Path:
+    """Return the path of a file that is there."""
+    try:
+        file = Path(path)  # type: ignore[arg-type]
+        if stat.S_ISREG(file.stat().st_mode):
+            return file
+    except TypeError as error:
+        raise ModelError(f"{path!r} is neither a Model nor the path of a file that defines one") from error
+    except FileNotFoundError as error:
+        raise ModelError(f"{file}: no such file") from error
+    except (OSError, ValueError) as error:
+        raise ModelError(f"{str(file)!r}: {getattr(error, 'strerror', None) or error}") from error
+    raise ModelError(f"{file}: not a file")
+
+
+def _run(file: Path) -> dict[str, object]:
+    """Execute the file's text (never a byte code cache of it) and return its names."""
+    module = ModuleType(f"_eigenmotion_model_{file.stem}")
+    module.__file__ = str(file)
+    exec(compile(file.read_bytes(), str(file), "exec", dont_inherit=True), module.__dict__)
+    return module.__dict__
+
+
+@contextmanager
+def _importable(folder: Path) -> Iterator[None]:
+    """Let a model file import its neighbours, after everything installed; they are read anew with the next file.
+
+    Neither the folder nor they stay: the `geometry` beside one model is not the one beside another.
+    """
+    place = str(folder.resolve())
+    before = set(sys.modules)
+    sys.path.append(place)
+    try:
+        yield
+    finally:
+        if place in sys.path:
+            del sys.path[len(sys.path) - 1 - sys.path[::-1].index(place)]
+        if place not in sys.path:
+            for name in [name for name in set(sys.modules) - before if _lies_in(sys.modules[name], place)]:
+                del sys.modules[name]
+
+
+def _lies_in(module: ModuleType, place: str) -> bool:
+    return (getattr(module, "__file__", None) or "").startswith(os.path.join(place, ""))  # noqa: PTH118
+
+
+def _guarded(file: Path, action: Callable[[], T]) -> T:
+    """Do `action`; what goes wrong in it is a ModelError that names the line of the user's file."""
+    try:
+        return action()
+    except Exception as error:
+        raise ModelError(f"{_place(file, error)}: {_words(error)}") from error
+    except SystemExit as error:
+        raise ModelError(f"{file}: the file ended the program (SystemExit) instead of defining `model`") from error
+
+
+def _place(file: Path, error: Exception) -> str:
+    """FILE:LINE of the last line of the user's file that led to `error`."""
+    if isinstance(error, SyntaxError) and error.filename == str(file):
+        return f"{file}:{error.lineno}"
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(file)]
+    return f"{file}:{lines[-1]}" if lines else str(file)
+
+
+def _words(error: Exception) -> str:
+    if isinstance(error, ModelError):
+        return str(error)
+    words = f"{type(error).__name__}: {error}"
+    if isinstance(error, TypeError) and "truth value" in str(error):
+        words += "\na Python `if`, `and` or `min` would decide now what depends on the motion: use sympy.Piecewise, Min"
+    return words
+
+
+def _without(file: Path, model: Model, keywords: Mapping[str, object]) -> Model:
+    if keywords:
+        raise ModelError(f"{file}: `model` is a Model and takes no keywords; {_quoted(keywords)} given")
+    return model
+
+
+def _arguments(file: Path, function: Callable[..., object], keywords: Mapping[str, object]) -> dict[str, object]:
+    parameters = inspect.signature(function).parameters
+    needed = [name for name, parameter in parameters.items() if _is_needed(parameter)]
+    if needed:
+        raise ModelError(f"{file}: every argument of model() must have a default; {_quoted(needed)} has none")
+    unknown = [name for name in keywords if name not in parameters]
+    if unknown:
+        raise ModelError(f"{file}: model() has no argument {_quoted(unknown)}; it has {_quoted(parameters) or 'none'}")
+    return {name: _parsed(file, name, value, parameters[name].default) for name, value in keywords.items()}
+
+
+def _is_needed(parameter: inspect.Parameter) -> bool:
+    free = (inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.VAR_KEYWORD)
+    return parameter.default is inspect.Parameter.empty and parameter.kind not in free
+
+
+def _parsed(file: Path, name: str, value: object, default: object) -> object:
+    """Text -> the type of the default; anything else stays."""
+    if not isinstance(value, str) or isinstance(default, str):
+        return value
+    try:
+        return _TRUTH[value.lower()] if isinstance(default, bool) else type(default)(value)  # type: ignore[call-arg]
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
+        raise ModelError(f"{file}: {name}={value} is not {_article(default)} as the default {default!r} is") from error
+
+
+def _quoted(names: object) -> str:
+    return ", ".join(f"`{name}`" for name in names)  # type: ignore[attr-defined]
+
+
+def _article(value: object) -> str:
+    name = type(value).__name__
+    return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"

@@ -1,0 +1,42 @@
+"""What is factored where M is singular: M + A^T W A, with weights that the compiled model chose."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from ...arguments.names import Vector
+from ...system.system import System
+from .found import Found
+from .identities import Identity, flat, geometric
+from .stated import Stated
+
+
+def factored(system: System, found: Found, stated: Stated) -> tuple[Stated, Iterator[Identity]]:
+    """Return the statement with M + A^T W A and its rate in place of M's, and that the model factors that.
+
+    Any weights will do, of which those that fit are taken; where M itself is factored, all is as it was.
+    """
+    difference = found.factored - found.M
+    if not np.nan_to_num(difference).any():
+        return stated, iter(())
+    W = _weights(stated.A, difference, 1.0 / geometric(found.factored))[:, :, None]
+    turned, rate = stated.A.transpose(0, 2, 1), stated.A_rate.transpose(0, 2, 1)
+    M = stated.M + turned @ (W * stated.A)
+    M_rate = stated.M_rate + rate @ (W * stated.A) + turned @ (W * stated.A_rate)
+    names = [f"M + A^T W A of {one}, {two}" for one in system.coordinates for two in system.coordinates]
+    same = Identity(names, [flat(found.factored), -flat(M)], flat(geometric(found.factored)))
+    return replace(stated, M=M, M_rate=M_rate), iter((same,))
+
+
+def _weights(A: Vector, difference: Vector, units: Vector) -> Vector:
+    """(k, m): the least squares of A^T W A = difference in `units` (k, n, n); NaN where there are no numbers."""
+    columns = np.moveaxis((A[:, :, :, None] * A[:, :, None, :]) * units[:, None], 1, 3).reshape(len(A), -1, A.shape[1])
+    right = flat(difference * units)
+    known = np.isfinite(columns).all(axis=(1, 2)) & np.isfinite(right).all(axis=1)
+    found = np.full(A.shape[:2], np.nan)
+    for k in np.flatnonzero(known):
+        found[k] = np.linalg.lstsq(columns[k], right[k])[0]
+    return found

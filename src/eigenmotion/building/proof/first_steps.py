@@ -1,0 +1,85 @@
+"""The first steps of a run, held against accelerations that have been proved: the steppers, settling and guards."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ...arguments.names import Vector
+from ...codegen.model import ModelError
+from ...results.solution import Solution
+from ...runtime import EvaluationError, StopReason
+from ...system.system import System
+from .identities import geometric
+
+STEPS = 2
+"""Steps of each method; so short a run is the same in every formulation."""
+SUBSTEPS = 32
+"""Steps of fourth order for each of them, by which they are judged."""
+TOLERANCE = 1e-9
+"""Of the run; what is left of x and v is judged by a thousand times that part of what they change by."""
+SOUND = 1e-6
+"""The least eigenvalue, of a matrix with ones on its diagonal, from which nothing there is singular to anybody."""
+_REASONS = (StopReason.SINGULAR_MASS_MATRIX, StopReason.DEPENDENT_CONSTRAINTS)
+
+
+def first_steps(system: System) -> Iterator[tuple[str, str]]:
+    """Yield (method, what is wrong) where a run from the model's own start does not go as its accelerations say.
+
+    A start that cannot be, or a run that ends there for a reason of its own, says nothing.
+    """
+    x = system.initial[0]
+    with np.errstate(all="ignore"):
+        for method in ("rk34", "dopri5", "dop853"):
+            try:
+                run = system.simulate((0.0, 1e9), method=method, rtol=TOLERANCE, atol=0.0, max_steps=STEPS)
+            except ModelError:
+                return
+            if run.stop in _REASONS and run.t[-1] == 0.0 and _is_sound(system, x):
+                yield method, f"ends at the start ({run.message}), where nothing is singular"
+            elif run.nsteps and (error := _error(system, run)) > 1e3 * TOLERANCE:
+                yield method, f"is off by {error:.1e} of the way after {run.nsteps} steps"
+
+
+def _is_sound(system: System, x: Vector) -> bool:
+    """Whether M, and A M^-1 A^T, are regular at the start beyond doubt."""
+    M, A = system.mass_matrix(x), system.pfaffian(x)[0]
+    return _least(M) > SOUND and _least(A @ np.linalg.solve(M, A.T)) > SOUND
+
+
+def _least(W: Vector) -> float:
+    scaled = W / geometric(W[None])[0]
+    return float(np.linalg.eigvalsh(scaled).min(initial=1.0)) if np.isfinite(scaled).all() else 0.0
+
+
+def _error(system: System, run: Solution) -> float:
+    """Return how far the run is off, relative to the way of x and the change of v in the mass metric; NaN: unknown."""
+    n, times = system.n, np.linspace(0.0, run.t[-1], SUBSTEPS * run.nsteps + 1)
+    start = z = np.concatenate([run.x[:, 0], run.v[:, 0]])
+    try:
+        for t, h in zip(times, np.diff(times), strict=False):
+            z = _classical_step(system, t, z, h)
+        M = system.compiled.factored_matrix(0.0, start[:n], system.prepare())
+    except EvaluationError:
+        return np.nan
+    end = np.concatenate([run.x[:, -1], run.v[:, -1]])
+    off = [np.sqrt(d @ M @ d) for d in (end[:n] - z[:n], end[n:] - z[n:])]
+    way = run.t[-1] * (np.sqrt(start[n:] @ M @ start[n:]) + np.sqrt(z[n:] @ M @ z[n:]))
+    change = np.sqrt((z - start)[n:] @ M @ (z - start)[n:])
+    rounding = [np.sqrt(s @ M @ s) * np.finfo(float).eps / TOLERANCE for s in (start[:n], start[n:])]
+    return float(max(off[0] / (way + rounding[0]), off[1] / (change + way / run.t[-1] + rounding[1])))
+
+
+def _classical_step(system: System, t: float, z: Vector, h: float) -> Vector:
+    """One step of the classical fourth-order method."""
+    k1 = _rate(system, t, z)
+    k2 = _rate(system, t + h / 2, z + h / 2 * k1)
+    k3 = _rate(system, t + h / 2, z + h / 2 * k2)
+    k4 = _rate(system, t + h, z + h * k3)
+    return np.asarray(z + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4))
+
+
+def _rate(system: System, t: float, z: Vector) -> Vector:
+    n = system.n
+    return np.concatenate([z[n:], system.acceleration(z[:n], z[n:], t)[0]])

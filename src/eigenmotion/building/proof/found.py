@@ -1,0 +1,88 @@
+"""What a compiled model says at many places; NaN where it declines to answer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arguments.names import Vector
+from ...runtime import CompiledModel, EvaluationError, Prepared
+from ...system.system import System
+from .places import Places
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """Answers at k places, the places first.
+
+    M, factored (k, n, n); dM (k, n, n, n), of what is factored; A (k, m, n); b (k, m); phi (k, h); energies (k, 4);
+    quasi (k, n or 0);
+    events (k, n_events); a (k, n); multipliers (k, m); outputs (k, n_outputs); C (k, n, n); s (k, n);
+    y, dy (k, n_state); velocity (k, n) of y;
+    least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
+    """
+
+    M: Vector
+    factored: Vector
+    dM: Vector
+    A: Vector
+    b: Vector
+    phi: Vector
+    energies: Vector
+    quasi: Vector
+    events: Vector
+    a: Vector
+    multipliers: Vector
+    outputs: Vector
+    C: Vector
+    s: Vector
+    y: Vector
+    dy: Vector
+    velocity: Vector
+    least_norm: Vector
+
+
+def ask(system: System, places: Places) -> Found:
+    """Ask a model everything at every place."""
+    columns = zip(places.t, places.x, places.v, places.u, places.p, strict=True)
+    rows = [_ask(system.compiled, *place) for place in columns]
+    return Found(*(np.array(column) for column in zip(*rows, strict=True)))
+
+
+def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector) -> tuple[Vector, ...]:
+    """Return the fields of Found at one place."""
+    try:
+        prepared = c.prepare(p)
+    except EvaluationError:
+        return tuple(np.full(shape, np.nan) for shape in _shapes(c))
+    time, position, moving, inputs = np.array([t]), x[None], v[None], u[None]
+    a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, False)
+    least_norm = bool(np.isnan(a).any())
+    if least_norm:
+        a, multipliers = c.acceleration_rows(time, position, moving, inputs, prepared, True)
+    C, s = c.eigenfactor_rows(time, position, prepared)
+    y = c.state_rows(time, position, moving, prepared)
+    return (
+        c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), c.factored_gradient(t, x, prepared),
+        *c.pfaffian(t, x, prepared),
+        c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
+        c.quasi_rows(time, position, moving, prepared)[0], c.event_rows(time, position, moving, inputs, prepared)[0],
+        a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
+        _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
+        np.array(least_norm),
+    )  # fmt: skip
+
+
+def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) -> Vector:
+    try:
+        return c.rhs(t, y, prepared, u)
+    except EvaluationError:
+        return np.full(c.n_state, np.nan)
+
+
+def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
+    """Shapes of the fields of Found at one place."""
+    n, m, state = c.n, c.m, (c.n_state,)
+    return ((n, n), (n, n), (n, n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,), (n,),
+            (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

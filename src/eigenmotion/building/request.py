@@ -1,0 +1,120 @@
+"""What to generate: a model, the options that shape its code, and the command that a header states."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import version
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from os import PathLike
+from pathlib import Path
+
+from ..arguments.names import unknown
+from ..codegen.c.emit import Sources
+from ..codegen.compiler import explain, generate, input_hash
+from ..codegen.model import Model, ModelError
+from .cache import key
+from .loading import load_model
+
+SUFFIXES = (".h", ".c", ".pyx")
+OPTIONS = ("formulation", "close_eigenvalues", "schur", "output", "compiler", "flags")
+"""Of `build`."""
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """One model and the options of its generated code; `origin` is the command its headers name."""
+
+    model: Model
+    formulation: str = "eigenfactor"
+    close_eigenvalues: str = "bounded"
+    schur: str = "auto"
+    origin: str = ""
+
+    @property
+    def input_hash(self) -> str:
+        """Hash of all that the generated code depends on but the generator itself."""
+        return input_hash(
+            self.model, formulation=self.formulation, close_eigenvalues=self.close_eigenvalues, schur=self.schur
+        )
+
+    @property
+    def question(self) -> str:
+        """Hash of all that the generated text depends on, the generator included."""
+        return key(self.input_hash, self.origin, generator())
+
+    def sources(self) -> Sources:
+        """Derive and render."""
+        return generate(
+            self.model,
+            formulation=self.formulation,
+            close_eigenvalues=self.close_eigenvalues,
+            schur=self.schur,
+            origin=self.origin,
+        )
+
+    def explanation(self) -> str:
+        """Say in words what the generated code carries and what it left out."""
+        return explain(
+            self.model, formulation=self.formulation, close_eigenvalues=self.close_eigenvalues, schur=self.schur
+        )
+
+    @property
+    def file_names(self) -> tuple[str, ...]:
+        """Names of the generated files, known without generating them."""
+        return tuple(self.model.name + suffix for suffix in SUFFIXES)
+
+
+def order(
+    source: Model | str | PathLike[str],
+    definitions: Mapping[str, object] | None = None,
+    *,
+    formulation: str = "eigenfactor",
+    close_eigenvalues: str = "bounded",
+    schur: str = "auto",
+) -> Order:
+    """Order the code of a model, or of the model that the file `source` defines.
+
+    Parameters
+    ----------
+    definitions
+        Arguments of the file's function `model`.
+
+    Raises
+    ------
+    ModelError
+        The file or the model has a mistake, or takes no such arguments.
+    """
+    options = {"formulation": formulation, "close_eigenvalues": close_eigenvalues, "schur": schur}
+    given = definitions or {}
+    if isinstance(source, Model):
+        if given:
+            raise ModelError(f"model {source.name}: {unknown('option', given, OPTIONS)} A Model takes no keywords.")
+        return Order(source, **options)
+    return Order(load_model(source, **given), **options, origin=_command(Path(source).name, given, options))
+
+
+def _command(file: str, definitions: Mapping[str, object], options: Mapping[str, str]) -> str:
+    """Write the command that generates these files, without what it takes by default and without folders."""
+    defaults = Order.__dataclass_fields__
+    words = ["eigenmotion", "generate", file]
+    words += [f"-D {name}={value}" for name, value in sorted(definitions.items())]
+    chosen = {name: value for name, value in options.items() if value != defaults[name].default}
+    words += [f"--{name.replace('_', '-')} {value}" for name, value in chosen.items()]
+    return " ".join(words)
+
+
+@cache
+def generator() -> str:
+    """Hash of the generator: its Python, its templates, and the versions of SymPy and Jinja."""
+    texts = [text for package in ("eigenmotion.codegen", "eigenmotion.templates") for text in _texts(files(package))]
+    return key(version("sympy"), version("jinja2"), *texts)
+
+
+def _texts(folder: Traversable) -> Iterator[bytes]:
+    """Every Python file and template of a package, the rooms in it included."""
+    for file in sorted(folder.iterdir(), key=lambda file: file.name):
+        if file.name.endswith((".py", ".jinja")):
+            yield file.read_bytes()
+        elif file.is_dir():
+            yield from _texts(file)

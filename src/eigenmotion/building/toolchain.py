@@ -1,0 +1,136 @@
+"""The C compiler: which one, with which flags, and what it said."""
+
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import sysconfig
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from .cache import key
+from .errors import BuildError, CompilerNotFoundError
+
+INCLUDE = Path(__file__).parents[1] / "runtime" / "include"
+OPTIMISED = (
+    "-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno", "-fno-trapping-math",
+    "-fno-tree-slp-vectorize",  # GCC 12 packs straight-line code into vectors wrongly where a loop unrolls
+)  # fmt: skip
+"""Default flags, as far as a compiler knows them (docs/flags.md)."""
+STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend its code
+SHARED = ("-fPIC", "-fvisibility=hidden")
+GLUE = ("-O1", "-fwrapv", "-w")  # what Cython writes: seldom called, not ours to lint
+LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
+FLAGS = "EIGENMOTION_CFLAGS"
+_MACROS = ("-dM", "-E", "-x", "c", os.devnull)
+EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
+
+
+@dataclass(frozen=True)
+class Toolchain:
+    """A C compiler of the GCC or Clang kind and the flags that follow ours (the last of two that disagree wins)."""
+
+    command: tuple[str, ...]
+    flags: tuple[str, ...] = field(default=())
+
+    @cached_property
+    def optimised(self) -> tuple[str, ...]:
+        """Those of OPTIMISED that the compiler takes: it is asked, not known by its name."""
+        return OPTIMISED if self._takes(*OPTIMISED) else tuple(flag for flag in OPTIMISED if self._takes(flag))
+
+    @cached_property
+    def identity(self) -> str:
+        """Hash of what the code it makes depends on: version, flags, and the processor `-march=native` stands for.
+
+        The macros that the compiler predefines tell all three.
+        """
+        macros = self._run(*self.optimised, *self.flags, *_MACROS)
+        flags = (*self.optimised, *STANDARD, *SHARED, *GLUE, *LINK, *self.flags)
+        return key(*self.command, "", *flags, "", macros)
+
+    def compile_model(self, folder: Path, stem: str) -> None:
+        """STEM.c -> STEM.o."""
+        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}")
+        self._run(*flags, "-c", f"{stem}.c", "-o", f"{stem}.o", folder=folder)
+
+    def compile_glue(self, folder: Path, stem: str) -> None:
+        """STEM.c, written by Cython -> STEM.o."""
+        headers = (f"-I{INCLUDE}", f"-I{sysconfig.get_path('include')}", f"-I{sysconfig.get_path('platinclude')}")
+        self._run(*GLUE, *SHARED, *headers, "-c", f"{stem}.c", "-o", f"{stem}.o", folder=folder)
+
+    def link(self, folder: Path, stems: tuple[str, ...], name: str) -> None:
+        """STEM.o ... -> the extension module NAME."""
+        objects = [f"{stem}.o" for stem in stems]
+        self._run(*LINK, *SHARED, *self.flags, *objects, "-lm", "-o", f"{name}{EXTENSION_SUFFIX}", folder=folder)
+
+    def _takes(self, *flags: str) -> bool:
+        """Whether the compiler takes flags without a word; one that cannot be started takes all, and says so later."""
+        try:
+            self._run("-Werror", *flags, *_MACROS)
+        except BuildError as error:
+            return error.__cause__ is not None
+        return True
+
+    def _run(self, *arguments: str, folder: Path | None = None) -> str:
+        return run((*self.command, *arguments), folder)
+
+
+def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchain:
+    """Return the compiler to use: the argument, else $CC, else the first of cc, gcc, clang.
+
+    Parameters
+    ----------
+    compiler
+        A command, words as in a shell.
+    flags
+        Flags after ours, words as in a shell; else $EIGENMOTION_CFLAGS.
+
+    Raises
+    ------
+    CompilerNotFoundError
+        The compiler asked for, or any, is not on the PATH.
+    BuildError
+        The command or the flags are no words of a shell.
+    """
+    chosen = _words("" if compiler is None else compiler, "compiler") or _words(os.environ.get("CC", ""), "$CC")
+    candidates = [chosen] if chosen else [("cc",), ("gcc",), ("clang",)]
+    more = _words(os.environ.get(FLAGS, ""), f"${FLAGS}") if flags is None else _words(flags, "flags")
+    for command in candidates:
+        found = shutil.which(command[0])
+        if found:  # absolute, for it is started in other folders; links stay, for some compilers go by their own name
+            return Toolchain((os.path.abspath(found), *command[1:]), more)  # noqa: PTH100
+    raise CompilerNotFoundError(
+        f"no C compiler: {' '.join(command[0] for command in candidates)} not found. Install GCC or Clang "
+        "(Debian, Ubuntu: apt install gcc libc6-dev; macOS: xcode-select --install; Windows: use WSL), "
+        "or set CC to the compiler's command"
+    )
+
+
+def _words(text: object, what: str) -> tuple[str, ...]:
+    try:
+        if isinstance(text, str) and "\0" not in text:
+            return tuple(shlex.split(text))
+        problem = "give a text"
+    except ValueError as error:
+        problem = f"{str(error).lower()}; words are split as in a shell"
+    raise BuildError(f"{what} is {text!r}: {problem}")
+
+
+def run(command: tuple[str, ...], folder: Path | None = None) -> str:
+    """Run a tool and return its standard output.
+
+    Raises
+    ------
+    BuildError
+        It could not be started, or did not answer 0.
+    """
+    try:
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", check=False)
+    except (OSError, ValueError) as error:
+        raise BuildError(f"cannot start {command[0]}: {error}") from error
+    if done.returncode:
+        words = (done.stderr + done.stdout).strip() or f"(no output; exit code {done.returncode})"
+        raise BuildError(f"{words}\n\nthe command was: {shlex.join(command)}")
+    return done.stdout

@@ -1,0 +1,135 @@
+"""Pictures of a solution; needs the extra `plot` (matplotlib)."""
+
+import io
+from collections.abc import Sequence
+from importlib.util import find_spec
+from itertools import cycle
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.optimize import isotonic_regression
+from sympy import Symbol, latex
+
+from ..arguments.names import Vector
+from ..codegen.model import ModelError
+from ..files import write
+from .solution import Solution
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+# Okabe & Ito's palette, told apart with any colour vision; its yellow is left out: too faint on white.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")
+STYLES = ("-", "--", ":", "-.")
+MARKERS = ("o", "s", "^", "D", "v")
+_MARKS = 8  # on each line
+_FEW = 30  # events that a line each does not hide the picture
+FORMATS = (".png", ".svg", ".pdf")
+
+
+def require_matplotlib() -> None:
+    """Raise ModelError where matplotlib is missing."""
+    if find_spec("matplotlib") is None:
+        raise ModelError("pictures need matplotlib: pip install 'eigenmotion[plot]'")
+
+
+def draw_coordinates(system: "System", solution: Solution, path: Path) -> None:
+    """Write the picture of a run to a file whose ending names one of FORMATS."""
+    picture = io.BytesIO()
+    coordinates(system, solution).savefig(picture, format=path.suffix[1:], dpi=150)
+    write(path, picture.getvalue())
+
+
+def coordinates(system: "System", solution: Solution) -> Any:
+    """Return a figure of x over t, one line a coordinate, with a row for each event below.
+
+    Each line has a style, markers and its name at its end, so that none needs its colour. The unit of the time is the
+    second; those of the coordinates are the model's and not known here.
+    """
+    require_matplotlib()
+    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
+
+    rows = len(system.events)
+    heights = [max(4.0, 0.5 + 0.2 * system.n), *([0.2 * rows + 0.05] if rows else [])]
+    figure = Figure(figsize=(8, sum(heights) + 0.6), layout="constrained")
+    axes, *strip = figure.subplots(len(heights), sharex=True, squeeze=False, height_ratios=heights)[:, 0]
+    t, x = _smooth(system, solution)
+    _draw_lines(axes, t, x, system.coordinates)
+    _name_lines(axes, x, system.coordinates)
+    axes.set(ylabel="coordinates", title=system.name.replace("_", " "))
+    for events in strip:
+        _draw_events(events, axes, system.events, solution.t_events)
+    if t[0] != t[-1]:
+        axes.set_xlim(t[0], t[-1])
+    figure.axes[-1].set_xlabel("time $t$ [s]")
+    return figure
+
+
+def _draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
+    """Draw each with a colour, style and marker of its own: the cycles have no common divisor until 140 lines."""
+    looks = zip(names, x, cycle(COLOURS), cycle(STYLES), cycle(MARKERS), strict=False)
+    for k, (name, row, colour, style, marker) in enumerate(looks):
+        beside = (k + 0.5) / (_MARKS * len(names))  # those of the other lines
+        place = (beside, 1 / _MARKS) if t[0] != t[-1] else None
+        axes.plot(t, row, style, color=colour, marker=marker, markevery=place, markersize=5, linewidth=1.6, label=name)
+    axes.grid(color="0.9")
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
+    """Write each name, with a piece of its line, behind the line's end: one above the other where ends are close."""
+    from matplotlib.lines import Line2D  # noqa: PLC0415, an optional package
+
+    low, high = axes.get_ylim()
+    ends = np.clip(np.nan_to_num((x[:, -1] - low) / (high - low)), 0.0, 1.0)
+    gap = min(0.18 / (axes.get_figure().get_size_inches()[1] - 0.6), 1 / len(names))
+    for line, name, end, place in zip(list(axes.get_lines()), names, ends, _apart(ends, gap), strict=True):
+        look = {"color": line.get_color(), "transform": axes.transAxes, "clip_on": False}
+        style = {"linestyle": line.get_linestyle(), "marker": line.get_marker(), "markevery": [1], "markersize": 5}
+        axes.add_line(Line2D([1.0, 1.03], [end, place], linewidth=0.6, **look))
+        axes.add_line(Line2D([1.03, 1.055, 1.08], [place] * 3, linewidth=1.6, **style, **look))
+        axes.text(1.09, place, _label(name), va="center", **look)
+
+
+def _apart(ends: Vector, gap: float) -> Vector:
+    """Return places (k,) within [0, 1], nearest to `ends` of those in their order and at least `gap` apart."""
+    order = np.argsort(ends, kind="stable")
+    steps = gap * np.arange(len(ends))
+    places = np.empty_like(ends)
+    places[order] = np.clip(isotonic_regression(ends[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
+    return places
+
+
+def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Vector] | None) -> None:
+    """Draw a row of ticks for each event, and lines across the picture where these are few."""
+    found = [np.asarray(row) for row in times] if times is not None else [np.empty(0)] * len(names)
+    strip.eventplot(
+        found, lineoffsets=range(len(names)), linelengths=0.8, colors="black", linewidths=1.2, clip_on=False
+    )
+    strip.set(yticks=range(len(names)), yticklabels=names, ylim=(len(names) - 0.5, -0.5))
+    strip.tick_params(axis="y", length=0)
+    strip.spines[["top", "right", "left"]].set_visible(False)
+    if sum(map(len, found)) <= _FEW:
+        for time in np.concatenate(found):
+            axes.axvline(time, color="0.6", linewidth=0.8, linestyle=(0, (1, 2)), zorder=0)
+
+
+def _label(name: str) -> str:
+    """Return a name as mathematics, or as it is where matplotlib cannot read that."""
+    from matplotlib.mathtext import MathTextParser  # noqa: PLC0415, an optional package
+
+    label = f"${latex(Symbol(name))}$"
+    try:
+        MathTextParser("path").parse(label)
+    except ValueError:
+        return name.replace("$", r"\$")
+    return label
+
+
+def _smooth(system: "System", solution: Solution) -> tuple[Vector, Vector]:
+    """Return t (k,) and x (n, k): dense enough for the eye where the solution was kept dense, else its rows."""
+    if solution.sol is None:
+        return solution.t, solution.x
+    t = np.linspace(solution.t[0], solution.t[-1], 2000)
+    return t, solution.sol(t)[system.layout["x"]]

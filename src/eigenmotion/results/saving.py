@@ -1,0 +1,50 @@
+"""Solutions as files: .npz holds every row there is, .csv the motion as a table."""
+
+import csv
+import io
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..files import write
+from .solution import Solution
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+_ARRAYS = (
+    "t", "y", "x", "v", "eta", "C", "s", "multipliers", "energy", "jacobi_integral",
+    "constraint_residual", "position_residual", "factor_residual",
+)  # fmt: skip
+
+
+def save(system: "System", solution: Solution, path: Path) -> None:
+    """Write a solution in the format that the ending of `path` names; the file is there in full or not at all."""
+    write(path, SAVERS[path.suffix](system, solution))
+
+
+def _npz(system: "System", solution: Solution) -> bytes:
+    buffer = io.BytesIO()
+    arrays = {name: solution[name] for name in _ARRAYS}
+    arrays |= {f"output_{name}": values for name, values in solution.outputs.items()}
+    arrays |= {f"quasi_velocity_{name}": values for name, values in solution.quasi_velocities.items()}
+    np.savez_compressed(buffer, coordinates=np.array(system.coordinates), **arrays)
+    return buffer.getvalue()
+
+
+def _csv(system: "System", solution: Solution) -> bytes:
+    """Columns: t, each coordinate, each rate (marked '), each multiplier, energy, each output; full precision."""
+    names = ["t", *system.coordinates, *(f"{name}'" for name in system.coordinates)]
+    names += [*(f"lambda{k}" for k in range(system.m)), "energy", *solution.outputs]
+    columns = np.vstack([solution.t, solution.x, solution.v, solution.multipliers, solution.energy,
+                         *solution.outputs.values()])  # fmt: skip
+    text = io.StringIO(newline="")
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(names)
+    table.writerows(columns.T.tolist())
+    return text.getvalue().encode()
+
+
+SAVERS: dict[str, Callable[["System", Solution], bytes]] = {".npz": _npz, ".csv": _csv}

@@ -1,0 +1,167 @@
+"""The result of a run: SciPy's fields, and the mechanism's own, computed when asked for."""
+
+from collections.abc import Callable, ItemsView, Iterator, KeysView, ValuesView
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import OptimizeResult
+
+from ..arguments.names import Vector, vector
+from ..codegen.model.normalise import ModelError
+from ..runtime import StopReason
+from .trajectory import Trajectory
+
+__all__ = ["DenseOutput", "Solution", "StopReason"]
+
+_DERIVED: dict[str, Callable[[Trajectory], Any]] = {
+    "x": lambda rows: rows.x.T,
+    "v": lambda rows: rows.v.T,
+    "eta": lambda rows: rows.eta.T,
+    "C": lambda rows: np.moveaxis(rows.factors[0], 0, -1),
+    "s": lambda rows: rows.factors[1].T,
+    "multipliers": lambda rows: rows.multipliers.T,
+    "energy": lambda rows: rows.energies.sum(axis=1),
+    "jacobi_integral": lambda rows: rows.energies @ (1.0, 0.0, -1.0, 1.0),
+    "constraint_residual": lambda rows: rows.constraint_residual.T,
+    "position_residual": lambda rows: rows.position_residual.T,
+    "factor_residual": lambda rows: rows.factor_residual,
+    "outputs": lambda rows: rows.outputs,
+    "quasi_velocities": lambda rows: rows.quasi_velocities,
+}
+
+
+class DenseOutput:
+    """y(t) between the accepted steps of a run, each value projected like an accepted step.
+
+    Parameters
+    ----------
+    rows_at
+        Gives y (k, n_state) at times (k,) within the run.
+
+    Attributes
+    ----------
+    t_min, t_max
+        Where it is defined.
+    ts
+        (k + 1,) the ends of the steps.
+    """
+
+    def __init__(self, ts: Vector, rows_at: Callable[[Vector], Vector]) -> None:
+        self.ts, self._rows_at = ts, rows_at
+        self.t_min, self.t_max = float(ts.min()), float(ts.max())
+
+    def __call__(self, t: ArrayLike) -> Vector:
+        """Return y (n_state,) at a number t, (n_state, k) at t (k,).
+
+        Raises
+        ------
+        ModelError
+            A t outside [t_min, t_max]: a run says nothing about times it did not reach.
+        """
+        times = vector(t, "t")
+        if times.ndim > 1:
+            raise ModelError(f"t has shape {times.shape}, but must be a number or one-dimensional")
+        if times.size and not (self.t_min <= times.min() and times.max() <= self.t_max):
+            raise ModelError(f"t is outside the interval of the run, [{self.t_min:.9g}, {self.t_max:.9g}]")
+        rows = self._rows_at(np.atleast_1d(times))
+        return rows.T if times.ndim else rows[0]
+
+
+class Solution(OptimizeResult):  # type: ignore[misc]
+    """The motion, by attribute or by item, time last. k rows; n coordinates; m constraint rows, h of them holonomic.
+
+    t : (k,)
+    y : (n_state, k), published meaning: any column is a state to restart from
+    sol : y(t) as a function, with dense_output
+    t_events, y_events : for each event of the model (e,) and (e, n_state); None where the model has none
+    nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (SciPy's stiff methods)
+    nsteps, nrejected : steps accepted; rejected (None: implicit methods do not say)
+    n_bounded : steps accepted that did not run the published equations
+    error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
+    stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; what to do
+
+    Computed when asked for, and found by `in` and `keys()`:
+
+    x, v, eta : (n, k); eta is what y carries, else S C v
+    C : (n, n, k), s : (n, k): what y carries, else eigenfactors of M(x), continuous in sign and order
+    multipliers : (m, k); the constraints push with -A^T lambda (7)
+    energy, jacobi_integral : (k,), T + V and T2 - T0 + V
+    constraint_residual : (m, k), A v + b
+    position_residual : (h, k), phi
+    factor_residual : (k,), max|M - C^T S^2 C| / max|M|, M what is factored (docs/theory.md)
+    outputs, quasi_velocities : name -> (k,)
+
+    Where a row has no such value (singular M, dependent constraint rows) it is NaN.
+    """
+
+    __slots__ = ("_rows",)
+    _rows: Trajectory | None
+
+    def __init__(self, rows: Trajectory | None, fields: dict[str, Any]) -> None:
+        super().__init__(fields)
+        object.__setattr__(self, "_rows", rows)
+
+    def __missing__(self, name: str) -> Any:
+        if self._rows is None or name not in _DERIVED:
+            raise KeyError(name)
+        self[name] = value = _DERIVED[name](self._rows)
+        return value
+
+    def __contains__(self, name: object) -> bool:
+        return super().__contains__(name) or (self._rows is not None and name in _DERIVED)
+
+    def __iter__(self) -> Iterator[str]:
+        yield from list(super().__iter__())
+        if self._rows is not None:
+            yield from (name for name in _DERIVED if not super(Solution, self).__contains__(name))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def keys(self) -> KeysView[str]:
+        """Names of all fields, derived ones included."""
+        return KeysView(self)
+
+    def values(self) -> ValuesView[Any]:
+        """All fields; computes what was not asked for before."""
+        return ValuesView(self)
+
+    def items(self) -> ItemsView[str, Any]:
+        """Names and fields; computes what was not asked for before."""
+        return ItemsView(self)
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """Return a field, or the default where there is none of that name."""
+        try:
+            return self[name]
+        except KeyError:
+            return default
+
+    @property
+    def cost(self) -> str:
+        """What the run took, in words."""
+        rejected = "" if self["nrejected"] is None else f"{self['nrejected']} rejected, "
+        return f"{self['nsteps']} steps, {rejected}{self['nfev']} right-hand sides"
+
+    def __dir__(self) -> list[str]:
+        return sorted({*object.__dir__(self), *self})
+
+    def __repr__(self) -> str:
+        t = self["t"]
+        span = f"t = {t[0]:g} ... {t[-1]:g}" if len(t) else "no rows"
+        model = f" of {self._rows.model.name}" if self._rows is not None else ""
+        return f"<Solution{model}: {self['stop']}, {span} in {len(t)} rows, {self.cost}>\n{self['message']}"
+
+    __str__ = __repr__
+
+    def __reduce__(self) -> tuple[Callable[[dict[str, Any]], "Solution"], tuple[dict[str, Any]]]:
+        """Give copies in other processes every field; `sol` where they can make the model, which it needs."""
+        fields = dict(self.items())
+        if self._rows is not None and self._rows.model.recipe is None:
+            fields["sol"] = None
+        return _restored, (fields,)
+
+
+def _restored(fields: dict[str, Any]) -> Solution:
+    return Solution(None, fields)

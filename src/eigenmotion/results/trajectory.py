@@ -1,0 +1,114 @@
+"""What follows from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
+
+from functools import cached_property
+
+import numpy as np
+
+from ..arguments.names import Vector
+from ..arguments.options import Task
+from ..runtime import CompiledModel
+
+
+class Trajectory:
+    """Rows of a run, time first, and what is derived from them (all arrays here have the time first).
+
+    Parameters
+    ----------
+    t : (k,) [s]
+    rows : (k, n_state), published meaning
+    """
+
+    def __init__(self, task: Task, t: Vector, rows: Vector) -> None:
+        self.task, self.model, self.t, self.rows = task, task.model, t, rows
+
+    @cached_property
+    def x(self) -> Vector:
+        """(k, n)."""
+        return np.ascontiguousarray(self.rows[:, : self.model.n])
+
+    @cached_property
+    def v(self) -> Vector:
+        """(k, n)."""
+        return self.model.velocity_rows(self.t, self.rows, self.task.prepared)
+
+    @cached_property
+    def u(self) -> Vector:
+        """(k, n_inputs)."""
+        return np.ascontiguousarray(self.task.inputs.at(self.t))
+
+    @cached_property
+    def eta(self) -> Vector:
+        """(k, n): the quasi-velocities the state carries (S C xdot (17), or L^T xdot), else S C xdot of M(x)."""
+        for name, start, length in self.model.layout:
+            if name == "eta":
+                return self.rows[:, start : start + length]
+        C, s = self.factors
+        return np.asarray(s * np.einsum("kij,kj->ki", C, self.v / self.model.scales))
+
+    @cached_property
+    def factors(self) -> tuple[Vector, Vector]:
+        """C (k, n, n), s (k, n): those the state carries, the others (and all, where it has none) those of M(x)."""
+        found = self.model.eigenfactor_rows(self.t, self.x, self.task.prepared)
+        parts = {name: self.rows[:, start : start + length] for name, start, length in self.model.layout}
+        if "s" not in parts:
+            return found
+        return _filled(found, parts["C"], parts["s"], _carried_blocks(self.model))
+
+    @cached_property
+    def factor_residual(self) -> Vector:
+        """(k,): max|M - C^T S^2 C| / max|M|."""
+        return self.model.factor_rows(self.t, self.x, *self.factors, self.task.prepared)
+
+    @cached_property
+    def energies(self) -> Vector:
+        """(k, 4): T2, T1, T0, V [J]."""
+        return self.model.energy_rows(self.t, self.x, self.v, self.task.prepared)
+
+    @cached_property
+    def multipliers(self) -> Vector:
+        """(k, m)."""
+        if self.model.m == 0:
+            return np.empty((len(self.t), 0))
+        arguments = self.t, self.x, self.v, self.u, self.task.prepared, self.task.least_norm
+        return self.model.acceleration_rows(*arguments)[1]
+
+    @cached_property
+    def constraint_residual(self) -> Vector:
+        """(k, m): A v + b."""
+        return self.model.constraint_rows(self.t, self.x, self.v, self.task.prepared)
+
+    @cached_property
+    def position_residual(self) -> Vector:
+        """(k, h): phi."""
+        return self.model.position_rows(self.t, self.x, self.task.prepared)
+
+    @cached_property
+    def quasi_velocities(self) -> dict[str, Vector]:
+        """Name -> (k,): y = P(x, t) xdot (3)."""
+        columns = self.model.quasi_rows(self.t, self.x, self.v, self.task.prepared)
+        return {name: columns[:, k] for k, name in enumerate(self.model.quasi_velocities)}
+
+    @cached_property
+    def outputs(self) -> dict[str, Vector]:
+        """Name -> (k,)."""
+        arguments = self.t, self.x, self.v, self.u, self.task.prepared, self.task.least_norm
+        columns = self.model.output_rows(*arguments)
+        return {name: columns[:, k] for k, name in enumerate(self.model.outputs)}
+
+
+def _carried_blocks(model: CompiledModel) -> list[list[int]]:
+    """Return the coordinates of each block of M whose C and s the state carries."""
+    numbers = sorted({model.block[k] for k in model.carried})
+    return [[k for k, number in enumerate(model.block) if number == which] for which in numbers]
+
+
+def _filled(found: tuple[Vector, Vector], C: Vector, s: Vector, blocks: list[list[int]]) -> tuple[Vector, Vector]:
+    """Return the eigenfactors found, with those of the given blocks replaced by the ones carried, block by block."""
+    full, roots = found[0].copy(), found[1].copy()
+    at, root = 0, 0
+    for block in blocks:
+        size = len(block)
+        full[np.ix_(range(len(full)), block, block)] = C[:, at : at + size**2].reshape(-1, size, size)
+        roots[:, block] = s[:, root : root + size]
+        at, root = at + size**2, root + size
+    return full, roots

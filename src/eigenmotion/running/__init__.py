@@ -1,0 +1,1 @@
+"""From a start to a motion: steps, what watches them, and how a run ends."""

@@ -1,0 +1,106 @@
+"""The consistent state nearest to a given one."""
+
+from dataclasses import dataclass
+from math import sqrt
+
+import numpy as np
+
+from ..arguments.names import Vector
+from ..runtime import CompiledModel, Prepared
+
+_ENOUGH = 100
+"""Sweeps along the constraints; each reduces what is left by about (distance x curvature)."""
+
+
+class ConsistentState(tuple[Vector, Vector]):
+    """(x, v), each (n,), on the constraints; unpacks as a pair.
+
+    Attributes
+    ----------
+    x, v : (n,)
+    dx, dv : (n,), how far each coordinate [u_k] and each velocity [u_k / s] moved
+    distance : sqrt(dx^T M dx) [sqrt(J) s], with M at the x0 given: the mass metric
+    velocity_distance : sqrt(dv^T M dv) [sqrt(J)], with M at x: half its square is the kinetic energy of dv
+    """
+
+    x: Vector
+    v: Vector
+    dx: Vector
+    dv: Vector
+    distance: float
+    velocity_distance: float
+
+    def __new__(cls, x: Vector, v: Vector, **moved: object) -> "ConsistentState":
+        """Make the pair; see the attributes."""
+        made = super().__new__(cls, (x, v))
+        made.__dict__.update(moved, x=x, v=v)
+        return made
+
+    def __repr__(self) -> str:
+        return f"ConsistentState(x={self.x}, v={self.v}, distance={self.distance:.3g})"
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _remade, (self.__dict__,)
+
+
+def _remade(fields: dict[str, Vector]) -> ConsistentState:
+    return ConsistentState(**fields)
+
+
+@dataclass(frozen=True, slots=True)
+class Projection:
+    """The mass metric at one time and parameter set.
+
+    least_norm : whether constraint rows may depend on each other
+    """
+
+    model: CompiledModel
+    prepared: Prepared
+    t: float
+    least_norm: bool
+
+    def __call__(self, x0: Vector, v0: Vector) -> ConsistentState:
+        """Return the state with phi(x, t) = 0 and A v + b = 0 nearest to x0, v0.
+
+        First (x - x0)^T M(x0) (x - x0) is least, then (v - v0)^T M(x) (v - v0). Newton's method in the mass metric
+        reaches phi = 0; steps along the constraints, each followed by Newton's method, take away what of x - x0 is
+        tangential to them.
+
+        Raises
+        ------
+        EvaluationError
+            phi = 0 is not reached, constraint rows depend on each other, or M is singular; names the row.
+        """
+        M = self._mass(x0)
+        x, v = self._reached(x0, v0)
+        for _ in range(_ENOUGH if self.model.h else 0):
+            tangential = self._tangential(M, x, x - x0)
+            if _norm(M, tangential) <= 1e-15 * _norm(M, x) + 1e-12 * _norm(M, x - x0):
+                break
+            nearer, v = self._reached(x - tangential, v0)
+            if not _norm(M, nearer - x0) < _norm(M, x - x0):
+                break
+            x = nearer
+        x, v = self._reached(x, v0)
+        dx, dv = x - x0, v - v0
+        moved = {"dx": dx, "dv": dv, "distance": _norm(M, dx), "velocity_distance": _norm(self._mass(x), dv)}
+        return ConsistentState(x, v, **moved)
+
+    def _reached(self, x: Vector, v: Vector) -> tuple[Vector, Vector]:
+        return self.model.project(self.t, x, v, self.prepared, self.least_norm)
+
+    def _mass(self, x: Vector) -> Vector:
+        return self.model.factored_matrix(self.t, x, self.prepared)
+
+    def _tangential(self, M: Vector, x: Vector, d: Vector) -> Vector:
+        """Return the part of d along the constraints at x: d - M^-1 A^T (A M^-1 A^T)^+ A d."""
+        A = self.model.pfaffian(self.t, x, self.prepared)[0][: self.model.h]
+        W = np.linalg.solve(M, A.T)
+        lengths = np.sqrt(np.einsum("ij,ji->i", A, W))
+        units = 1.0 / np.where(lengths > 0.0, lengths, 1.0)  # rows of length one: which depend is no matter of units
+        A, W = units[:, None] * A, W * units
+        return np.asarray(d - W @ np.linalg.lstsq(A @ W, A @ d, rcond=1e-12)[0])
+
+
+def _norm(M: Vector, d: Vector) -> float:
+    return sqrt(max(float(d @ M @ d), 0.0))

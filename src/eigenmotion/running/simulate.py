@@ -1,0 +1,183 @@
+"""A run: its options, the checks before it, and its result."""
+
+from collections.abc import Mapping
+from functools import partial
+from typing import TYPE_CHECKING, Any, Never
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments.names import Vector, unknown
+from ..arguments.options import OptionError, Task, choice, least_norm_of, rows_at, span, step_limits, tolerances
+from ..codegen.model.normalise import ModelError, shown, truth
+from ..results.solution import DenseOutput, Solution
+from ..results.trajectory import Trajectory
+from ..runtime import CompiledModel, EvaluationError, Run
+from .error_estimate import with_error_estimate
+from .start import start_state
+from .stiff import METHODS, simulate_stiff
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+_COMPILED = {"rk34": 0, "dopri5": 1, "dop853": 2}  # em_method
+_METHODS = {name.lower(): name for name in (*_COMPILED, *METHODS)}
+_STABILISATIONS = {"project": True, "none": False}
+_OPTIONS = (
+    *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
+    *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
+)
+
+
+def simulate(
+    system: "System",
+    t_span: tuple[float, float],
+    *positional: Never,
+    x0: Mapping[Any, float] | ArrayLike | None = None,
+    v0: Mapping[Any, float] | ArrayLike | None = None,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | None = None,
+    method: str = "dop853",
+    rtol: float = 1e-6,
+    atol: float | Mapping[Any, float] | ArrayLike = 1e-9,
+    t_eval: ArrayLike | None = None,
+    dense_output: bool = False,
+    first_step: float | None = None,
+    max_step: float = np.inf,
+    max_steps: int = 1_000_000,
+    stabilisation: str = "project",
+    dependent_constraints: str = "refuse",
+    estimate_error: "bool | System" = False,
+    **misspelt: Any,
+) -> Solution:
+    """Integrate the motion from t_span[0] to t_span[1], forwards or backwards.
+
+    Parameters
+    ----------
+    x0, v0
+        (n,), or mapping coordinate -> value over the model's `initial`; v0 also quasi-velocity -> value. They must
+        satisfy the constraints (to ten times rtol); `System.project_initial_state` gives the nearest that do.
+    parameters
+        Mapping name -> value over the defaults, array, or what `System.prepare` returned.
+    inputs
+        Mapping name -> number, (times, values) (linear interpolation), or Signal.
+    method
+        "rk34", "dopri5", "dop853": compiled. "Radau", "BDF", "LSODA" (SciPy), "CVODE" (SUNDIALS): implicit, for stiff
+        scenes, on the motion (x, v); what they integrate is not projected, so that drift adds up, but every row and
+        event is ("project"). Upper or lower case.
+    rtol, atol
+        A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
+        (carried over to the velocity; 1e-9 where missing).
+    t_eval
+        (k,) times of the rows, sorted in the direction of time; None: one row for every accepted step.
+    dense_output
+        Keep y(t) as `Solution.sol`.
+    first_step, max_step
+        [s]; chosen and unbounded by default.
+    max_steps
+        Accepted steps before the run ends as TOO_MANY_STEPS, in every method. A million rows of 20 states are 160 MB.
+    stabilisation
+        "project": constraints and eigenfactors are restored after every step. "none": the paper.
+    dependent_constraints
+        "refuse", or "least_norm": dependent but consistent rows share the multipliers of least norm.
+    estimate_error
+        True: run again at a hundredth of the tolerances or less; the solution's `error_estimate` is the difference and
+        `error_cost` what that took, about twice the time of a run of dop853. A System, the same model in another
+        formulation: let that one do the second run, so that what a formulation got wrong shows too.
+
+    Returns
+    -------
+    Solution
+        What was computed, also where the run failed or Ctrl-C ended it: `success`, `stop` and `message` say.
+
+    Raises
+    ------
+    ModelError
+        Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
+    """
+    _check_call(system, positional, misspelt)
+    chosen = choice(method, _METHODS, "method")
+    start, end = span(t_span)
+    relative, absolute = tolerances(system.compiled, rtol, atol)
+    first, longest, most = step_limits(first_step, max_step, max_steps, abs(end - start))
+    prepared = _prepared(system, parameters)
+    signals = _inputs(system, inputs, start, end)
+    x, v = system.start(x0, v0, start, prepared)
+    y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
+    project = choice(stabilisation, _STABILISATIONS, "stabilisation")
+    task = Task(
+        system.compiled, prepared, signals, start, end, y, relative, absolute,
+        rows_at(t_eval, start, end), truth(dense_output, "dense_output"), first, longest, most, project,
+        least_norm_of(dependent_constraints),
+    )  # fmt: skip
+    if estimate_error is False:
+        return _run(task, chosen)
+    checker = None if estimate_error is True else _checker(estimate_error)
+    return with_error_estimate(task, chosen, checker, chosen in _COMPILED, _run)
+
+
+def _check_call(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> None:
+    """Refuse what Python would take, or refuse in words that do not help."""
+    if not _is_system(system):
+        raise OptionError(
+            f"simulate: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
+            "first: simulate(em.build(model), t_span)"
+        )
+    if positional:
+        words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
+        raise OptionError(f"simulate: everything after t_span is given by keyword; did you mean {words}?")
+    if misspelt:
+        raise OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
+
+
+def _is_system(given: object) -> bool:
+    return isinstance(getattr(given, "compiled", None), CompiledModel)
+
+
+def _checker(given: Any) -> "System":
+    if not _is_system(given):
+        raise OptionError(f"estimate_error is {shown(given)}; give True, False, or a System in another formulation")
+    checker: System = given
+    return checker
+
+
+def _run(task: Task, method: str) -> Solution:
+    found = _simulate_compiled(task, _COMPILED[method]) if method in _COMPILED else simulate_stiff(task, method)
+    if task.dense and task.t_start == task.t_end and found.success and len(found.t):
+        row = found.y.T[:1]  # there are no steps to interpolate in
+        found["sol"] = DenseOutput(found.t, partial(_standing, row))
+    return found
+
+
+def _standing(row: Vector, t: Vector) -> Vector:
+    """Return the one row (1, n_state) there is at every t (k,)."""
+    return np.repeat(row, len(t), axis=0)
+
+
+def _prepared(system: "System", parameters: Any) -> Any:
+    try:
+        return system.prepare(parameters)
+    except EvaluationError as error:
+        raise ModelError(str(error)) from error
+
+
+def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end: float) -> Any:
+    bound = system.bind(given)
+    if (gap := bound.uncovered(start, end)) is not None:
+        name = tuple(system.inputs)[gap[0]]
+        raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")
+    return bound
+
+
+def _simulate_compiled(task: Task, method: int) -> Solution:
+    run = Run(task, method)
+    t, rows = run.rows
+    t_events, y_events = run.events
+    nfev, nsteps, nrejected, n_bounded = run.counts
+    fields = {
+        "t": t, "y": rows.T, "sol": DenseOutput(run.step_times, run.interpolate) if run.n_dense else None,
+        "t_events": t_events, "y_events": y_events, "nfev": nfev, "njev": 0, "nlu": 0, "status": run.status,
+        "message": run.message, "success": run.status >= 0, "nsteps": nsteps, "nrejected": nrejected,
+        "n_bounded": n_bounded, "stop": run.stop, "error_estimate": None, "error_cost": None,
+    }  # fmt: skip
+    return Solution(Trajectory(task, t, rows), fields)

@@ -1,0 +1,116 @@
+"""Whether a mechanism can start where it is told to."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..arguments.names import Vector
+from ..codegen.model import ModelError
+from ..runtime import CompiledModel, EvaluationError, Prepared
+from .consistent import Projection
+
+_LOOSEST = 1e-4  # a start is never further off the constraints than this, relative to the terms that cancel in them
+_TIGHTEST = 1e-9  # and rounding in what the user computed is forgiven up to this
+
+
+_STEPS = 10  # how many times the tolerances of a run its start may be off the constraints
+
+
+def start_state(
+    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
+) -> Vector:
+    """Return y (n_state,) at x, v (n,), having checked M > 0, phi = 0 and A v + b = 0.
+
+    Left to the projection are residuals up to ten times rtol of the terms that cancel in a row, and what a change of
+    every x_k and v_k by ten times atol_k would make.
+
+    Raises
+    ------
+    ModelError
+        One of them does not hold; says which coordinate or row, by how much, and which start would do.
+    """
+    tolerance, least = min(max(_STEPS * rtol, _TIGHTEST), _LOOSEST), _STEPS * atol
+    y = model.start(t, x, v, prepared, tolerance, least)
+    return _Start(model, prepared, t, x, v).examined(tolerance, least) if y is None else y
+
+
+@dataclass(frozen=True, slots=True)
+class _Start:
+    """A start that the compiled checks (em_start.h) did not pass: the same ones, with what is wrong in words."""
+
+    model: CompiledModel
+    prepared: Prepared
+    t: float
+    x: Vector
+    v: Vector
+
+    def examined(self, tolerance: float, least: Vector) -> Vector:
+        """Return y, or raise as `start_state`; least (n,): changes of x and v that are forgiven."""
+        self._check_mass_matrix()
+        self._check_position(tolerance, least)
+        self._check_velocity(tolerance, least)
+        try:
+            y = self.model.state(self.t, self.x, self.v, self.prepared)
+        except EvaluationError as error:
+            raise ModelError(str(error)) from error
+        if not np.isfinite(y).all():
+            raise ModelError(f"{self.model.name}: the state at x0, v0 is not finite; look for a division by zero there")
+        return y
+
+    def _check_mass_matrix(self) -> None:
+        names, M = self.model.coordinates, self.model.factored_matrix(self.t, self.x, self.prepared)
+        if (k := _first_bad_pivot(M)) is None:
+            return
+        if not np.isfinite(M).all():
+            i, j = (names[k] for k in np.argwhere(~np.isfinite(M))[0])
+            raise ModelError(f"{self.model.name}: the mass matrix at x0 is not finite in row {i!r}, column {j!r}")
+        alone = ", not even along the constraints" if self.model.augmented else ""
+        raise ModelError(
+            f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}{alone}. "
+            "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
+        )
+
+    def _check_position(self, tolerance: float, least: Vector) -> None:
+        if self.model.h == 0:
+            return
+        phi, terms = self.model.position(self.t, self.x, self.prepared)
+        A = self.model.pfaffian(self.t, self.x, self.prepared)[0][: self.model.h]
+        self._refuse("x0 is off holonomic constraint", phi, tolerance * terms + np.abs(A) @ least)
+
+    def _check_velocity(self, tolerance: float, least: Vector) -> None:
+        if self.model.m == 0:
+            return
+        A, b = self.model.pfaffian(self.t, self.x, self.prepared)
+        terms = np.abs(A) @ np.abs(self.v) + np.abs(b)
+        allowed = tolerance * terms + np.abs(A) @ least
+        self._refuse("v0 does not satisfy A v + b = 0 in constraint", A @ self.v + b, allowed)
+
+    def _refuse(self, what: str, residual: Vector, allowed: Vector) -> None:
+        pairs = enumerate(zip(residual.tolist(), allowed.tolist(), strict=True))
+        wrong = [(k, r) for k, (r, limit) in pairs if not abs(r) <= limit]  # NaN is wrong too
+        if wrong:
+            rows = ", ".join(f"row {k} by {r:.6g}" for k, r in wrong)
+            raise ModelError(f"{self.model.name}: {what} {rows}. {self._offer()}")
+
+    def _offer(self) -> str:
+        remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
+        try:
+            x, v = Projection(self.model, self.prepared, self.t, least_norm=True)(self.x, self.v)
+        except EvaluationError:
+            return f"Start closer to a consistent state; {remedy} where it can be reached."
+        return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
+
+
+def _first_bad_pivot(M: Vector) -> int | None:
+    """Return the first k at which the pivot M_kk - M_k: M_::^-1 M_:k is not above rounding."""
+    rest = M.copy()
+    for k in range(len(M)):
+        if not rest[k, k] > 1e-13 * abs(M[k, k]):
+            return k
+        with np.errstate(all="ignore"):  # what is not finite makes a later pivot so
+            rest -= np.outer(rest[:, k], rest[k]) / rest[k, k]
+    return None
+
+
+def _listed(values: Vector) -> str:
+    return "[" + ", ".join(f"{value:.9g}" for value in values) + "]"

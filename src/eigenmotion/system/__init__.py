@@ -1,0 +1,3 @@
+"""One compiled model in Python's terms."""
+
+from .system import System as System

@@ -1,0 +1,378 @@
+"""One compiled model, in Python's terms."""
+
+from collections.abc import Mapping
+from functools import partial
+from importlib import import_module
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments.names import Vector, overlay, vector
+from ..arguments.options import least_norm_of
+from ..arguments.signals import Inputs, Signal, bind
+from ..codegen.model.normalise import ModelError, number, real
+from ..running.consistent import ConsistentState, Projection
+from ..running.simulate import simulate
+from ..runtime import CompiledModel, EvaluationError, Prepared
+from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
+from .velocities import initial_rates
+
+Parameters: TypeAlias = Mapping[Any, float] | ArrayLike | Prepared | None
+Coordinates: TypeAlias = Mapping[Any, float] | ArrayLike | None
+
+
+def _of_module(name: str) -> Any:
+    return import_module(name).system
+
+
+class System:
+    """The functions of one compiled model. Immutable; threads may share it.
+
+    Everywhere: x0, v0 are arrays (n,) or mappings coordinate -> value over the model's `initial`, v0 also of
+    quasi-velocities -> value; `parameters` is a
+    mapping name -> value over the defaults, an array in the order of `System.parameters`, or what `prepare` returned;
+    `inputs` a mapping name -> number, (times, values) or Signal. A mapping with an unknown name raises ModelError.
+
+    Parameters
+    ----------
+    capsule
+        A PyCapsule "eigenmotion.em_model", as generated modules make it.
+    module
+        Name of the importable module whose `system` this is; as that it pickles, unless `build` knows better.
+    """
+
+    __slots__ = ("_compiled", "_defaults", "_inputs", "_layout")
+
+    def __init__(self, capsule: object, module: str | None = None) -> None:
+        self._compiled = CompiledModel(capsule)
+        self._compiled.recipe = partial(_of_module, module) if module else None
+        self._defaults = self._compiled.prepare(self._compiled.parameter_defaults)
+        self._inputs = bind({}, self._compiled.inputs, self._compiled.input_defaults)
+        self._layout = {name: slice(start, start + length) for name, start, length in self._compiled.layout}
+
+    def __repr__(self) -> str:
+        c = self._compiled
+        return f"<System {c.name}: n={c.n}, m={c.m}, {c.n_state} states, {c.formulation}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle as the model and its options: built, or found in the cache, where it is loaded."""
+        self._compiled.__reduce__()  # says why where there is no way
+        return self._compiled.recipe, ()
+
+    @property
+    def name(self) -> str:
+        """The model's name."""
+        return self._compiled.name
+
+    @property
+    def n(self) -> int:
+        """How many coordinates."""
+        return self._compiled.n
+
+    @property
+    def m(self) -> int:
+        """How many constraint rows."""
+        return self._compiled.m
+
+    @property
+    def h(self) -> int:
+        """How many of the rows, the first ones, are holonomic."""
+        return self._compiled.h
+
+    @property
+    def n_state(self) -> int:
+        """How many numbers y has."""
+        return self._compiled.n_state
+
+    @property
+    def formulation(self) -> str:
+        """One of "eigenfactor", "cholesky", "lagrange", "inverse"."""
+        return self._compiled.formulation
+
+    @property
+    def close_eigenvalues(self) -> str:
+        """One of "bounded", "extrapolate"."""
+        return self._compiled.close_eigenvalues
+
+    @property
+    def schur(self) -> str:
+        """How Delta is factored."""
+        return self._compiled.schur
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of x, in order."""
+        return self._compiled.coordinates
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Names and defaults, in order. A copy: defaults do not change."""
+        return dict(zip(self._compiled.parameters, self._compiled.parameter_defaults.tolist(), strict=True))
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Names and defaults, in order. A copy."""
+        return dict(zip(self._compiled.inputs, self._compiled.input_defaults.tolist(), strict=True))
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs."""
+        return self._compiled.outputs
+
+    @property
+    def events(self) -> tuple[str, ...]:
+        """Names of the events, in the order of `Solution.t_events`."""
+        return self._compiled.events
+
+    @property
+    def quasi_velocities(self) -> tuple[str, ...]:
+        """Names of the quasi-velocities y = P(x, t) xdot (3), where the model states any."""
+        return self._compiled.quasi_velocities
+
+    @property
+    def initial(self) -> tuple[Vector, Vector]:
+        """The model's x (n,), v (n,) at the start. Copies."""
+        return self._compiled.initial_x.copy(), self._compiled.initial_v.copy()
+
+    @property
+    def layout(self) -> dict[str, slice]:
+        """Name of a part of y -> its slice."""
+        return dict(self._layout)
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """What this model's program does without, and why."""
+        return self._compiled.left_out
+
+    @property
+    def blocks(self) -> tuple[tuple[int, ...], ...]:
+        """The coordinates of each diagonal block of M."""
+        block = self._compiled.block
+        return tuple(tuple(k for k, b in enumerate(block) if b == which) for which in sorted(set(block)))
+
+    @property
+    def scales(self) -> Vector:
+        """(n,) units of the coordinates inside the eigenproblem. A copy."""
+        return self._compiled.scales.copy()
+
+    @property
+    def conserves_energy(self) -> bool:
+        """Whether `jacobi_integral` is a constant of the motion."""
+        return self._compiled.conserves_energy
+
+    @property
+    def compiled(self) -> CompiledModel:
+        """The functions on bare float64 arrays."""
+        return self._compiled
+
+    def prepare(self, parameters: Parameters = None) -> Prepared:
+        """Return the constants of a parameter set, to be passed as `parameters` in its place.
+
+        Raises
+        ------
+        EvaluationError
+            A block of M that no state changes is not positive definite.
+        """
+        if parameters is None:
+            return self._defaults
+        if isinstance(parameters, Prepared):
+            if parameters.model is not self._compiled:
+                raise ModelError(f"parameters were prepared for {parameters.model.name}, another compiled model")
+            return parameters
+        values = overlay(parameters, self._compiled.parameters, self._compiled.parameter_defaults, "parameter")
+        return self._compiled.prepare(values)
+
+    def state(
+        self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
+    ) -> Vector:
+        """Return y (n_state,) of the published equations at x0, v0.
+
+        Raises
+        ------
+        EvaluationError
+            M is not positive definite at x0; names the coordinate.
+        """
+        c, t = self.prepare(parameters), number(t, "t")
+        return self._compiled.state(t, *self.start(x0, v0, t, c), c)
+
+    def start(
+        self, x0: Coordinates = None, v0: Coordinates = None, t: float = 0.0, parameters: Parameters = None
+    ) -> tuple[Vector, Vector]:
+        """Return x (n,), v (n,): what is given, over the model's `initial`.
+
+        v0 may name quasi-velocities instead of rates. Quasi-velocities that `initial` gives hold at any x0.
+        """
+        c, t = self._compiled, number(t, "t")
+        if x0 is None and v0 is None and c.initial_y is None:
+            return self.initial
+        x = overlay(x0, c.coordinates, c.initial_x, "coordinate of x0")
+        return x, initial_rates(c, self.prepare(parameters), t, x, v0)
+
+    def bind(self, inputs: Mapping[Any, Any] | None = None) -> Inputs:
+        """Return the inputs of a run: what is given, over the defaults."""
+        if inputs is None:
+            return self._inputs
+        return bind(inputs, self._compiled.inputs, self._compiled.input_defaults)
+
+    def rhs(
+        self,
+        t: float,
+        y: ArrayLike,
+        parameters: Parameters = None,
+        inputs: Mapping[Any, Any] | ArrayLike | None = None,
+        out: Vector | None = None,
+    ) -> Vector:
+        """Return dy/dt (n_state,), equations (20), (30), (35), (46): `fun` of `scipy.integrate.solve_ivp`.
+
+        Parameters
+        ----------
+        y
+            (n_state,) any stride; never written.
+        inputs
+            As everywhere, or an array in the order of `System.inputs`.
+        out
+            Where to write; returned.
+
+        Raises
+        ------
+        EvaluationError
+            M is singular, constraint rows depend on each other, or eigenvalues of one block coincide; names which.
+        """
+        c = self._defaults if parameters is None else self.prepare(parameters)
+        u = None if inputs is None else self._signals(inputs, t)
+        try:
+            return self._compiled.rhs(t, y, c, u, out)
+        except (TypeError, ValueError, OverflowError) as error:  # afterwards: solvers call this in a loop
+            self._place(t, y)
+            raise _ours(error) from error
+
+    def _signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
+        if isinstance(inputs, Mapping) and any(isinstance(u, tuple | list | Signal) for u in inputs.values()):
+            return self.bind(inputs).at(t)
+        return overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
+
+    def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
+        """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
+        return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))
+
+    def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
+        """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
+        return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))
+
+    def jacobian(
+        self,
+        t: float,
+        y: ArrayLike,
+        parameters: Parameters = None,
+        inputs: Mapping[Any, Any] | ArrayLike | None = None,
+    ) -> Vector:
+        """Return d rhs / d y, (n_state, n_state), row i the derivatives of dy_i: `jac` of SciPy's implicit methods.
+
+        By central differences of fourth order in compiled code, 4 n_state right-hand sides: about ten digits.
+
+        Raises
+        ------
+        EvaluationError
+            As `rhs`.
+        """
+        t, y = self._place(t, y)
+        try:
+            return self._compiled.jacobian(t, y, self.prepare(parameters), self._signals(inputs, t))
+        except (TypeError, ValueError, OverflowError) as error:
+            raise _ours(error) from error
+
+    def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
+        """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
+
+        Raises
+        ------
+        EvaluationError
+            Eigenvalues of one block coincide: C has no derivative there.
+        """
+        prepared, c, t, x = self.prepare(parameters), self._compiled, number(t, "t"), self._x(x)
+        (C,), (s,) = c.eigenfactor_rows(np.array([t]), x[None], prepared)
+        return eigenfactor_gradient(c.factored_gradient(t, x, prepared), C, s, c.scales, self.blocks)
+
+    def eta_sensitivity(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
+        """Return J = d eta / dx at fixed xdot, (n, n) (23)."""
+        x, v = self.start(x, v, t, parameters)
+        gradient = self.eigenfactor_gradient(x, t, parameters)
+        eta = gradient.s * (gradient.C @ (v / self._compiled.scales))
+        return eta_sensitivity(gradient, eta)
+
+    def pfaffian(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> tuple[Vector, Vector]:
+        """Return A (m, n), b (m,) of A v + b = 0 (8); the h holonomic rows come first."""
+        return self._compiled.pfaffian(number(t, "t"), self._x(x), self.prepare(parameters))
+
+    def acceleration(
+        self,
+        x: ArrayLike,
+        v: ArrayLike,
+        t: float = 0.0,
+        parameters: Parameters = None,
+        inputs: Mapping[Any, Any] | ArrayLike | None = None,
+        *,
+        dependent_constraints: str = "refuse",
+    ) -> tuple[Vector, Vector]:
+        """Return d2x/dt2 (n,) and multipliers (m,); the constraints push with -A^T lambda (7).
+
+        Raises
+        ------
+        EvaluationError
+            M is singular, or constraint rows depend on each other and "least_norm" was not asked for.
+        """
+        c, t = self.prepare(parameters), number(t, "t")
+        x, v = self.start(x, v, t, c)
+        least_norm = least_norm_of(dependent_constraints)
+        return self._compiled.acceleration(t, x, v, c, self._signals(inputs, t), least_norm)
+
+    def project_initial_state(
+        self,
+        x0: Coordinates = None,
+        v0: Coordinates = None,
+        t: float = 0.0,
+        parameters: Parameters = None,
+        *,
+        dependent_constraints: str = "refuse",
+    ) -> ConsistentState:
+        """Return x (n,), v (n,): the nearest state, in the mass metric, with phi(x, t) = 0 and A v + b = 0.
+
+        The pair carries how far it moved: `dx`, `dv` (n,), and `distance`, `velocity_distance` in the mass metric.
+
+        Raises
+        ------
+        EvaluationError
+            Newton's method does not reach phi = 0 from x0, or constraint rows depend on each other; names the row.
+        """
+        c, t = self.prepare(parameters), number(t, "t")
+        nearest = Projection(self._compiled, c, t, least_norm_of(dependent_constraints))
+        return nearest(*self.start(x0, v0, t, c))
+
+    def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
+        """Return T + V [J]."""
+        return float(self._energies(x, v, t, parameters) @ (1.0, 1.0, 1.0, 1.0))
+
+    def jacobi_integral(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
+        """Return T2 - T0 + V [J], conserved where nothing depends on time and no force does work."""
+        return float(self._energies(x, v, t, parameters) @ (1.0, 0.0, -1.0, 1.0))
+
+    def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> Vector:
+        c, t = self.prepare(parameters), number(t, "t")
+        x, v = self.start(x, v, t, c)
+        rows = self._compiled.energy_rows(np.array([t]), x[None], v[None], c)
+        return np.asarray(rows[0])
+
+    def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
+        """Return t and y (n_state,) as numbers; infinite ones and NaN, which solvers try, are for the equations."""
+        return real(t, "t"), vector(y, "y")
+
+    def _x(self, x: Coordinates) -> Vector:
+        return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
+
+    simulate = simulate  # the function as a method, with its options
+
+
+def _ours(error: Exception) -> Exception:
+    """Return what the compiled functions raised, as an error of ours: they know none but their own."""
+    return error if isinstance(error, EvaluationError | ModelError) else ModelError(str(error))
