@@ -1,6 +1,7 @@
 """Whether a mechanism can start where it is told to."""
 
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 
@@ -11,15 +12,15 @@ from .consistent import Projection
 
 _LOOSEST = 1e-4  # a start is never further off the constraints than this, relative to the terms that cancel in them
 _TIGHTEST = 1e-9  # and rounding in what the user computed is forgiven up to this
-
-
 _STEPS = 10  # how many times the tolerances of a run its start may be off the constraints
+_CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
+_STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
 
 
 def start_state(
     model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
 ) -> Vector:
-    """Return y (n_state,) at x, v (n,), having checked M > 0, phi = 0 and A v + b = 0.
+    """Return y (n_state,) at x, v (n,), having checked M > 0, phi = 0, A v + b = 0 and that Omega is known.
 
     Left to the projection are residuals up to ten times rtol of the terms that cancel in a row, and what a change of
     every x_k and v_k by ten times atol_k would make.
@@ -31,7 +32,29 @@ def start_state(
     """
     tolerance, least = min(max(_STEPS * rtol, _TIGHTEST), _LOOSEST), _STEPS * atol
     y = model.start(t, x, v, prepared, tolerance, least)
-    return _Start(model, prepared, t, x, v).examined(tolerance, least) if y is None else y
+    if y is None:
+        y = _Start(model, prepared, t, x, v).examined(tolerance, least)
+    if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
+        _check_turning(model, prepared, t, x)
+    return y
+
+
+def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
+    """Refuse to extrapolate Omega (32) from where eigenvalues that part coincide: nothing says how axes turn."""
+    C, s = (part[0] for part in model.eigenfactor_rows(np.array([t]), x[None], prepared))
+    mu = C @ (model.scales[:, None] * model.factored_gradient(t, x, prepared) * model.scales) @ C.T
+    size = np.abs(mu).max(initial=0.0)
+    for i, j in combinations(range(model.n), 2):
+        if model.block[i] != model.block[j] or abs(s[i] ** 2 - s[j] ** 2) >= _CLOSE * max(s[i], s[j]) ** 2:
+            continue
+        if max(np.abs(mu[:, i, j]).max(), np.abs(mu[:, i, i] - mu[:, j, j]).max()) > _STILL * size:
+            names = ", ".join(repr(name) for name, block in zip(model.coordinates, model.block, strict=True)
+                              if block == model.block[i])  # fmt: skip
+            raise ModelError(
+                f"{model.name}: eigenvalues of the mass matrix coincide at x0, among {names}, and "
+                'close_eigenvalues="extrapolate" has nothing yet to extrapolate from. Start elsewhere, or build with '
+                'close_eigenvalues="bounded", which runs through.'
+            )
 
 
 @dataclass(frozen=True, slots=True)
