@@ -16,7 +16,7 @@ from .symbols import check_symbols, declared
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from .model import Model
+    from .mechanism import Mechanism
 
 
 LONGEST_NAME = 200
@@ -42,7 +42,7 @@ def check_name(name: Any) -> None:
         raise ModelError(f"Model {name!r}: what it is built with has that name. Choose another.")
 
 
-def check(model: Model) -> None:
+def check(model: Mechanism) -> None:
     """Raise ModelError at the first mistake found."""
     check_functions_of_time("inputs", [u for u, _ in model.inputs])
     check_functions_of_time("quasi_velocities", [y for y, _ in model.quasi_velocities])
@@ -57,7 +57,7 @@ def check(model: Model) -> None:
     _check_rows(model)
 
 
-def solve_rates(model: Model, x: Iterable[float], y: Iterable[float]) -> tuple[float, ...]:
+def solve_rates(model: Mechanism, x: Iterable[float], y: Iterable[float]) -> tuple[float, ...]:
     """Return xdot = P(x)^-1 y (3) at the default parameters and t = 0, to rounding.
 
     Raises
@@ -75,12 +75,12 @@ def solve_rates(model: Model, x: Iterable[float], y: Iterable[float]) -> tuple[f
     return tuple(map(float, P.LUsolve(y_column)))
 
 
-def _transformation(model: Model, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
+def _transformation(model: Mechanism, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
     """P(x) in numbers of 30 digits."""
     return _in_numbers(model, _symbolic_transformation(model), at)
 
 
-def _terms(model: Model, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
+def _terms(model: Mechanism, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
     """(n, n) |P_ij| + sum_k |x_k dP_ij / dx_k|: what the rounding of P and of x is in proportion to."""
     P = _symbolic_transformation(model)
     parts = [P, *(x * P.diff(x) for x in model.coordinates)]
@@ -88,16 +88,16 @@ def _terms(model: Model, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
     return sum(sizes[1:], sizes[0])
 
 
-def _symbolic_transformation(model: Model) -> sympy.Matrix:
+def _symbolic_transformation(model: Mechanism) -> sympy.Matrix:
     return sympy.Matrix([[expression.coeff(v) for v in model.rates] for _, expression in _expanded(model)])
 
 
-def _in_numbers(model: Model, matrix: sympy.Matrix, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
+def _in_numbers(model: Mechanism, matrix: sympy.Matrix, at: dict[sympy.Expr, sympy.Float]) -> sympy.Matrix:
     values = {symbol: sympy.Float(value, 30) for symbol, value in [*model.parameters, (t, 0.0)]}
     return matrix.xreplace(at | values).evalf(30)
 
 
-def _expanded(model: Model) -> list[tuple[sympy.Expr, sympy.Expr]]:
+def _expanded(model: Mechanism) -> list[tuple[sympy.Expr, sympy.Expr]]:
     return [(y, sympy.expand(expression)) for y, expression in model.quasi_velocities]
 
 
@@ -120,13 +120,13 @@ def check_functions_of_time(kind: str, symbols: Iterable[Any]) -> None:
         raise ModelError("coordinates is empty. A mechanism has at least one.")
 
 
-def _check_parameters(model: Model) -> None:
+def _check_parameters(model: Mechanism) -> None:
     for symbol, _ in model.parameters:
         if not isinstance(symbol, sympy.Symbol):
             raise ModelError(f"parameters contains {shown(symbol)}, which is not a Symbol. Make it with sympy.symbols.")
 
 
-def _check_names(model: Model) -> None:
+def _check_names(model: Mechanism) -> None:
     """One name, one symbol; none named like the time."""
     seen: dict[str, tuple[str, sympy.Expr]] = {t.name: ("the time", t)}
     for kind, symbol in declared(model):
@@ -160,7 +160,7 @@ def _clash(kind: str, name: str, other: str, same: bool) -> str:
     return f"two different symbols have the name {name!r}: {other} and {kind}. Rename one of them."
 
 
-def _keys(model: Model) -> tuple[tuple[str, list[str]], ...]:
+def _keys(model: Mechanism) -> tuple[tuple[str, list[str]], ...]:
     return (
         ("initial", [name_of(key) for key, _ in model.initial]),
         ("outputs", [name for name, _ in model.outputs]),
@@ -168,7 +168,7 @@ def _keys(model: Model) -> tuple[tuple[str, list[str]], ...]:
     )
 
 
-def _check_initial(model: Model) -> None:
+def _check_initial(model: Mechanism) -> None:
     quasi = [y for y, _ in model.quasi_velocities]
     allowed = {*model.coordinates, *model.rates, *quasi}
     for key, _ in model.initial:
@@ -180,7 +180,7 @@ def _check_initial(model: Model) -> None:
         raise ModelError("initial gives both rates and quasi-velocities. Give the velocities in one of the two.")
 
 
-def _check_scales(model: Model) -> None:
+def _check_scales(model: Mechanism) -> None:
     for x, scale in zip(model.coordinates, model.scales, strict=True):
         if scale <= 0:
             raise ModelError(f"scales[{name_of(x)}] is {scale}. A scale is the positive unit of a coordinate.")
@@ -191,7 +191,7 @@ def _check_scales(model: Model) -> None:
             )
 
 
-def _check_quasi_velocities(model: Model) -> None:
+def _check_quasi_velocities(model: Mechanism) -> None:
     if not model.quasi_velocities:
         return
     if len(model.quasi_velocities) != model.n:
@@ -210,7 +210,7 @@ def _check_quasi_velocities(model: Model) -> None:
         raise ModelError("quasi_velocities are not independent: P in (3) is singular. Change one of them.")
 
 
-def _check_degrees(model: Model) -> None:
+def _check_degrees(model: Mechanism) -> None:
     velocities = (*model.rates, *(y for y, _ in model.quasi_velocities))
     T = model.kinetic_energy
     if not has_degree(T, velocities, 2):
@@ -224,7 +224,7 @@ def _check_degrees(model: Model) -> None:
             raise ModelError(f"nonholonomic_constraints[{k}] is not linear in the velocities (8): {row}.")
 
 
-def _check_masses(model: Model) -> None:
+def _check_masses(model: Mechanism) -> None:
     """A coordinate without mass must be held by a constraint, which then decides on its acceleration."""
     T = model.in_rates(model.kinetic_energy)
     held = [phi.diff(t) for phi in model.holonomic_constraints]
@@ -237,7 +237,7 @@ def _check_masses(model: Model) -> None:
             )
 
 
-def _check_rows(model: Model) -> None:
+def _check_rows(model: Mechanism) -> None:
     velocities = {*model.rates, *(y for y, _ in model.quasi_velocities)}
     for k, phi in enumerate(model.holonomic_constraints):
         if not phi.has(*model.coordinates):

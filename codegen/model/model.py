@@ -10,19 +10,8 @@ import sympy
 
 from . import checks
 from .canonical import canonical_text
-from .normalise import (
-    MULTIPLIER,
-    ModelError,
-    expression,
-    name_of,
-    nearest,
-    number,
-    pairs_of,
-    sequence_of,
-    shown,
-    t,
-    truth,
-)
+from .mechanism import Event, Mechanism
+from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
 
 __all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
 
@@ -43,24 +32,8 @@ def multiplier(row: int) -> sympy.Expr:
     return MULTIPLIER(sympy.Integer(row))
 
 
-@dataclass(frozen=True, slots=True)
-class Event:
-    """A zero crossing: direction 1 upwards, -1 downwards, 0 both; a terminal one ends the run."""
-
-    expression: Any
-    direction: int = 0
-    terminal: bool = False
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "expression", expression(self.expression, "The expression of an event"))
-        given = self.direction
-        if not isinstance(given, int) or isinstance(given, bool) or given not in (-1, 0, 1):
-            raise ModelError(f"The direction of an event is 1 (upwards), -1 (downwards) or 0, not {shown(given)}.")
-        object.__setattr__(self, "terminal", truth(self.terminal, "terminal of an event"))
-
-
 @dataclass(frozen=True, slots=True, init=False)
-class Model:
+class Model(Mechanism):
     """A mechanism by its energies, forces and constraints. Fields are normalised; mappings are tuples of pairs.
 
     With n coordinates x_i [u_i], h holonomic and m constraint rows in all:
@@ -82,21 +55,6 @@ class Model:
     ModelError
         See `codegen.checks`.
     """
-
-    name: str
-    coordinates: tuple[sympy.Expr, ...]
-    kinetic_energy: sympy.Expr
-    potential_energy: sympy.Expr
-    forces: tuple[sympy.Expr, ...]
-    holonomic_constraints: tuple[sympy.Expr, ...]
-    nonholonomic_constraints: tuple[sympy.Expr, ...]
-    quasi_velocities: tuple[tuple[sympy.Expr, sympy.Expr], ...]
-    parameters: tuple[tuple[sympy.Symbol, float], ...]
-    inputs: tuple[tuple[sympy.Expr, float], ...]
-    outputs: tuple[tuple[str, sympy.Expr], ...]
-    events: tuple[tuple[str, Event], ...]
-    initial: tuple[tuple[sympy.Expr, float], ...]
-    scales: tuple[float, ...]
 
     def __init__(
         self,
@@ -129,52 +87,12 @@ class Model:
             raise ModelError(f"Model {shown(name)}: {error}") from error.__cause__
 
     @property
-    def n(self) -> int:
-        """Number of coordinates."""
-        return len(self.coordinates)
-
-    @property
-    def h(self) -> int:
-        """Number of holonomic constraint rows."""
-        return len(self.holonomic_constraints)
-
-    @property
-    def m(self) -> int:
-        """Number of constraint rows."""
-        return self.h + len(self.nonholonomic_constraints)
-
-    @property
-    def rates(self) -> tuple[sympy.Expr, ...]:
-        """Velocities xdot : (n) the derivatives of the coordinates."""
-        return tuple(x.diff(t) for x in self.coordinates)
-
-    @property
-    def initial_x(self) -> tuple[float, ...]:
-        """(n) [u_i] coordinates at the start."""
-        known = dict(self.initial)
-        return tuple(known.get(x, 0.0) for x in self.coordinates)
-
-    @property
-    def initial_y(self) -> tuple[float, ...]:
-        """(n) quasi-velocities at the start, or () where `initial` names none."""
-        known = dict(self.initial)
-        given = any(y in known for y, _ in self.quasi_velocities)
-        return tuple(known.get(y, 0.0) for y, _ in self.quasi_velocities) if given else ()
-
-    @property
     def initial_v(self) -> tuple[float, ...]:
         """(n) [u_i / s] rates at the start; P^-1 y where `initial` gives quasi-velocities."""
         if self.initial_y:
             return checks.solve_rates(self, self.initial_x, self.initial_y)
         known = dict(self.initial)
         return tuple(known.get(v, 0.0) for v in self.rates)
-
-    def in_rates(self, given: sympy.Expr) -> sympy.Expr:
-        """Return an expression with the quasi-velocities (3) written in the rates."""
-        if not self.quasi_velocities:
-            return given
-        replacements = {y.diff(t): P_xdot.diff(t) for y, P_xdot in self.quasi_velocities}
-        return given.xreplace(replacements).xreplace(dict(self.quasi_velocities))
 
     def canonical(self) -> str:
         """Return a text of everything that defines the model: equal texts, equal generated files."""

@@ -10,18 +10,18 @@ from sympy.core.function import AppliedUndef
 from .normalise import MULTIPLIER, ModelError, name_of, nearest, t
 
 if TYPE_CHECKING:
-    from .model import Model
+    from .mechanism import Mechanism
 
 SAME_OBJECT = "Create it once and use that same object everywhere."
 
 
-def check_symbols(model: Model) -> None:
+def check_symbols(model: Mechanism) -> None:
     """Raise ModelError at the first symbol that is not declared, or that has no place where it stands."""
     for what, expression, allowed in _expressions(model):
         _check_expression(model, what, expression, allowed)
 
 
-def declared(model: Model) -> list[tuple[str, sympy.Expr]]:
+def declared(model: Mechanism) -> list[tuple[str, sympy.Expr]]:
     """Return every symbol the model declares, with what it is."""
     return [
         *(("coordinate", x) for x in model.coordinates),
@@ -31,7 +31,7 @@ def declared(model: Model) -> list[tuple[str, sympy.Expr]]:
     ]
 
 
-def _expressions(model: Model) -> list[tuple[str, sympy.Expr, frozenset[str]]]:
+def _expressions(model: Mechanism) -> list[tuple[str, sympy.Expr, frozenset[str]]]:
     """Every expression of the model: what it is called, and what beside x, t and parameters it may contain."""
     moving = frozenset({"rates", "quasi"})
     anything = moving | {"inputs"}
@@ -47,7 +47,7 @@ def _expressions(model: Model) -> list[tuple[str, sympy.Expr, frozenset[str]]]:
     ]
 
 
-def _check_expression(model: Model, what: str, expression: sympy.Expr, allowed: frozenset[str]) -> None:
+def _check_expression(model: Mechanism, what: str, expression: sympy.Expr, allowed: frozenset[str]) -> None:
     known = {symbol: kind for kind, symbol in declared(model)}
     rates = expression.atoms(sympy.Derivative)
     for rate in sorted(rates, key=name_of):
@@ -84,7 +84,7 @@ def _remedy_for_velocity(what: str) -> str:
 
 
 def _check_function(
-    model: Model, what: str, function: sympy.Expr, known: dict[sympy.Expr, str], allowed: frozenset[str]
+    model: Mechanism, what: str, function: sympy.Expr, known: dict[sympy.Expr, str], allowed: frozenset[str]
 ) -> None:
     if function.func == MULTIPLIER:
         _check_multiplier(model, what, function, allowed)
@@ -98,14 +98,14 @@ def _check_function(
         raise ModelError(f"{what} contains the quasi-velocity {name_of(function)!r}. {_remedy_for_velocity(what)}")
 
 
-def _check_multiplier(model: Model, what: str, function: sympy.Expr, allowed: frozenset[str]) -> None:
+def _check_multiplier(model: Mechanism, what: str, function: sympy.Expr, allowed: frozenset[str]) -> None:
     if "multipliers" not in allowed:
         raise ModelError(f"{what} contains a multiplier. Only outputs may use them.")
     if not 0 <= function.args[0] < model.m:
         raise ModelError(f"{what} contains {function}, but the model has {model.m} constraint rows, counted from 0.")
 
 
-def _unknown(model: Model, what: str, symbol: sympy.Expr) -> str:
+def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
     """Return what to say of a symbol that nothing declares."""
     name = name_of(symbol)
     if name == t.name:
