@@ -38,11 +38,22 @@ def test_no_run_passes_where_inertia_is_lost(name, formulation):
     for start in (0.0, 0.27, 0.9, 0.99):
         x0 = {"tied": [start, start], "turned": [start / 2, -start / 2]}.get(name, [start])
         v0 = {"tied": [1, 1], "turned": [1, -0.7]}.get(name, [1])
-        for method, rtol in (("rk34", 1e-4), ("dopri5", 1e-6), ("dop853", 1e-6), ("dop853", 1e-11)):
+        for method, rtol in (("rk34", 1e-4), ("dopri5", 1e-3), ("dopri5", 1e-6), ("dop853", 1e-6), ("dop853", 1e-11)):
             for way in (1.0, -1.0):
                 found = system.simulate((0, 3 * way), x0=x0, v0=way * np.array(v0), method=method, rtol=rtol)
                 check_honest(found)
                 assert found.stop in NAMED, (start, method, rtol, way)
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky"])
+def test_no_long_step_passes_it_by_chance(formulation):
+    """At loose tolerances one in forty did, whose error was small by accident."""
+    system, random = system_for(losing("line"), formulation), np.random.default_rng(1)
+    for _ in range(400):
+        q, v = random.uniform(-2, 0.9), random.uniform(0.2, 3)
+        end = (1 - q) / v / 2  # (1 - q)^2 falls evenly to zero
+        for rtol in (1e-3, 1e-4):
+            assert not system.simulate((0, 2 * end), x0=[q], v0=[v], rtol=rtol, atol=rtol).success, (q, v, rtol)
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)

@@ -9,6 +9,9 @@
 #define EM_BRIEF 0.25       /* the part of the longest step below which one is looked at, as the first is and retries, */
 #define EM_NEAR_START 300.0 /* and every one where M is not resolved within so many tolerances of the start */
 #define EM_RESOLVED 4.0    /* the factor by which a pivot of M may change within half a step */
+#define EM_LOOSE 1e-5      /* rtol above which long steps are looked at, too, whose error may be small by chance; */
+#define EM_PLACES 8        /* where a half is not resolved, in so many parts: */
+#define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 and more within one of the parts beside a */
 
 /* Part of eps / p, p the least pivot beside its entry of M, that a passage adds to the error: measured. */
 #define EM_PASSAGE_ADDS 1e-4
@@ -26,9 +29,9 @@ static void em_pivots(const em_walk *w, double t, const double *x, double *pivot
 }
 
 /* The first coordinate whose pivot changes by more than it may from `before` to `after`, or -1. */
-static int em_first_unresolved(const double *before, const double *after) {
+static int em_first_unresolved(const double *before, const double *after, double most) {
     for (int k = 0; k < N; ++k)
-        if (!(after[k] * EM_RESOLVED >= before[k] && before[k] * EM_RESOLVED >= after[k] && after[k] > 0.0)) return k;
+        if (!(after[k] * most >= before[k] && before[k] * most >= after[k] && after[k] > 0.0)) return k;
     return -1;
 }
 
@@ -40,8 +43,29 @@ static int em_unresolved(const em_walk *w, double t, const double *x, double t_n
     em_pivots(w, t, x, pivots[0], diagonal);
     em_pivots(w, 0.5 * (t + t_new), middle, pivots[1], diagonal);
     em_pivots(w, t_new, x_new, pivots[2], diagonal);
-    const int first = em_first_unresolved(pivots[0], pivots[1]);
-    return first >= 0 ? first : em_first_unresolved(pivots[1], pivots[2]);
+    const int first = em_first_unresolved(pivots[0], pivots[1], EM_RESOLVED);
+    return first >= 0 ? first : em_first_unresolved(pivots[1], pivots[2], EM_RESOLVED);
+}
+
+/* x (n) at the part s of the step under way, by the cubic through both ends. */
+static void em_within(const em_walk *w, double s, double *x) {
+    const double r = 1.0 - s, h = w->h;
+    for (int k = 0; k < N; ++k)
+        x[k] = r * r * ((1.0 + 2.0 * s) * w->y[k] + s * h * w->K[0][k]) +
+               s * s * ((1.0 + 2.0 * r) * w->y_new[k] - r * h * w->f_new[k]);
+}
+
+/* The first coordinate whose pivot changes by more than `most` within one of so many equal parts of the step, or -1. */
+static int em_unresolved_within(const em_walk *w, int parts, double most) {
+    double x[N], pivots[2][N], diagonal[N];
+    int first = -1;
+    em_pivots(w, w->t, w->y, pivots[0], diagonal);
+    for (int j = 1; j <= parts && first < 0; ++j) {
+        em_within(w, (double)j / parts, x);
+        em_pivots(w, w->t + w->h * j / parts, x, pivots[j % 2], diagonal);
+        first = em_first_unresolved(pivots[(j + 1) % 2], pivots[j % 2], most);
+    }
+    return first;
 }
 
 /* The first coordinate whose pivot rounding leaves with fewer digits than rtol asks for, or -1. */
@@ -56,6 +80,11 @@ static int em_rounded(const em_walk *w, double t, const double *x) {
 EM_COLD int em_look_at_chart(em_walk *w) {
     int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new);
     if (lost < 0) lost = em_rounded(w, w->t_new, w->y_new);
+    return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
+}
+EM_COLD int em_look_across(em_walk *w) {
+    if (em_unresolved_within(w, 2, EM_RESOLVED) < 0) return 0;
+    const int lost = em_unresolved_within(w, EM_PLACES, EM_CROSSED);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
 }
 #endif
@@ -78,8 +107,9 @@ static void em_begin_chart(em_walk *w) {
 /* Whether the step under way sees the motion. 0, or -1 and w->reason. */
 EM_INLINE int em_check_chart(em_walk *w) {
 #ifdef EM_MECHANICS_H
-    if (fabs(w->h) >= EM_BRIEF * w->longest_step && w->longest_step > 0.0 && !w->retries && !w->starts_near) return 0;
-    return em_look_at_chart(w);
+    if (fabs(w->h) < EM_BRIEF * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
+        return em_look_at_chart(w);
+    return w->rtol > EM_LOOSE ? em_look_across(w) : 0;
 #endif
     return (void)w, 0;
 }
