@@ -5,7 +5,6 @@ Seconds, medians of repeats; times of this machine, unlike ratios, and longer wh
 
 from __future__ import annotations
 
-import importlib
 import os
 import resource
 import subprocess
@@ -24,6 +23,8 @@ from eigenmotion.codegen import compiler
 from eigenmotion.codegen.compiler import explain
 
 from eigenmotion import load_model
+from eigenmotion.building import extension
+from eigenmotion.building.build import build
 from eigenmotion.building.cache import LOCATION
 from eigenmotion.building.toolchain import Toolchain, toolchain
 
@@ -34,7 +35,6 @@ GENERATOR = ("derive", "specialise", "lower", "emit")
 COMPILER = {"compile_model": "C compiler", "compile_glue": "C of the wrapper", "link": "link"}
 REPEATS = 3
 
-build_module = importlib.import_module("eigenmotion.building.build")
 
 Seconds = dict[str, float]
 Spent = tuple[float, float]
@@ -64,9 +64,9 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
         for name, title in COMPILER.items():
             stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
         for name, title in (("run", "Cython"), ("prove", "proof"), ("_import", "import")):
-            stack.enter_context(patch.object(build_module, name, timed(title, getattr(build_module, name), seconds)))
+            stack.enter_context(patch.object(extension, name, timed(title, getattr(extension, name), seconds)))
         model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
-        timed("all", build_module.build, seconds)(model)
+        timed("all", build, seconds)(model)
     return seconds
 
 

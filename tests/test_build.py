@@ -18,7 +18,8 @@ from sympy import cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion.building.build import cached_sources, compiled, load, make
+from eigenmotion.building.build import cached_sources, compiled, make
+from eigenmotion.building.extension import load
 from eigenmotion.building.request import generator, order
 from eigenmotion.building.toolchain import OPTIMISED, Toolchain, toolchain
 

@@ -19,7 +19,7 @@ class Difference:
     reason: str
 
 
-def stamped(order: Order, folder: Path) -> tuple[Difference, ...]:
+def differences_by_hash(order: Order, folder: Path) -> tuple[Difference, ...]:
     """Compare hashes: the model's with those in the files' headers, and each body with its header's.
 
     Finds an edited model and an edited file without deriving; a changed generator it does not find.
@@ -29,7 +29,7 @@ def stamped(order: Order, folder: Path) -> tuple[Difference, ...]:
     return tuple(Difference(file, reason) for file, reason in reasons if reason)
 
 
-def compared(sources: Sources, folder: Path) -> tuple[Difference, ...]:
+def differences_by_bytes(sources: Sources, folder: Path) -> tuple[Difference, ...]:
     """Compare byte by byte with freshly generated sources."""
     pairs = [(folder / file.name, file.text.encode()) for file in sources.files]
     return tuple(
@@ -39,7 +39,7 @@ def compared(sources: Sources, folder: Path) -> tuple[Difference, ...]:
     )
 
 
-def unified(sources: Sources, folder: Path) -> str:
+def unified_diff(sources: Sources, folder: Path) -> str:
     """Return the changes that writing `sources` to `folder` would make, as a unified diff."""
     return "".join(_changes(folder / file.name, file.text) for file in sources.files)
 

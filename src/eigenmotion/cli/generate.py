@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from eigenmotion.building.compare import compared, stamped, unified
+from eigenmotion.building.compare import differences_by_bytes, differences_by_hash, unified_diff
 from eigenmotion.building.request import Order
 from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.files import write
@@ -54,11 +54,11 @@ def _write(sources: Sources, folder: Path) -> None:
 def _check(order: Order, folder: Path, derive: bool, diff: bool) -> bool:
     """Report what is wrong with one model's files; True where something is."""
     sources = _derived(order) if derive else None
-    differences = compared(sources, folder) if sources else stamped(order, folder)
+    differences = differences_by_bytes(sources, folder) if sources else differences_by_hash(order, folder)
     for difference in differences:
         click.echo(f"{difference.file}: {difference.reason}", err=True)
     if diff and differences:
-        click.echo(unified(sources or _derived(order), folder), nl=False)
+        click.echo(unified_diff(sources or _derived(order), folder), nl=False)
     return bool(differences)
 
 

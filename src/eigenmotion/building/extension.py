@@ -1,0 +1,90 @@
+"""Extension modules: sources are compiled into one, and it is imported."""
+
+import logging
+import shutil
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from importlib.machinery import ExtensionFileLoader, ModuleSpec
+from importlib.util import module_from_spec
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from threading import Lock
+from types import ModuleType
+
+from ..codegen.c.emit import Sources
+from ..codegen.model import Model
+from ..system.system import System
+from .cache import LOCATION
+from .errors import BuildError
+from .proof import prove
+from .toolchain import EXTENSION_SUFFIX, Toolchain, run
+
+_log = logging.getLogger("eigenmotion")
+_loading = Lock()
+GLUE = "glue"
+
+
+def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None) -> None:
+    """Compile in a folder of its own, for compilers leave files about, prove the module and keep it only.
+
+    It lies in the one that gets the module: what a build that is killed leaves behind goes with that.
+    """
+    _log.info("compiling %s", sources.name)
+    with TemporaryDirectory(prefix="work-", dir=folder) as place:
+        work = Path(place)
+        for file in sources.files:
+            (work / file.name).write_text(file.text, encoding="utf-8")
+        compile_and_link(work, sources.name, tools)
+        module = f"{sources.name}{EXTENSION_SUFFIX}"
+        if model is not None:
+            prove(model, _loaded_apart(work / module, sources.name))
+        shutil.copyfile(work / module, folder / module)
+
+
+def compile_and_link(work: Path, name: str, tools: Toolchain) -> None:
+    """NAME.c, and NAME.pyx -> glue/NAME.c, into one module.
+
+    In a folder of its own, what Cython writes finds Python's headers also where NAME is `Python` or `code`.
+    """
+    glue = f"{GLUE}/{name}"
+    (work / GLUE).mkdir()
+    with ThreadPoolExecutor(max_workers=1) as pool:
+        model = pool.submit(tools.compile_model, work, name)
+        run((sys.executable, "-P", "-m", "cython", "-3", "--module-name", name, f"{name}.pyx", "-o", f"{glue}.c"), work)
+        tools.compile_glue(work, glue)
+        model.result()
+    tools.link(work, (name, glue), name)
+
+
+def load(binary: Path) -> System:
+    """Import the extension module at `binary`, once a process, and return its `system`."""
+    stem = binary.name.removesuffix(EXTENSION_SUFFIX)
+    name = f"_eigenmotion_{binary.parent.name}.{stem}"
+    with _loading:
+        try:
+            system: object = (sys.modules.get(name) or _import(name, binary)).system
+        except ImportError as error:
+            raise BuildError(f"{binary} cannot be loaded: {error}. Code must be allowed to run from there; "
+                             f"${LOCATION} names another folder") from error  # fmt: skip
+    if not isinstance(system, System):
+        raise BuildError(f"{binary}: `system` is a {type(system).__name__}, not a System")
+    return system
+
+
+def _import(name: str, binary: Path) -> ModuleType:
+    sys.modules[name] = module = _executed(name, binary)
+    return module
+
+
+def _executed(name: str, binary: Path) -> ModuleType:
+    loader = ExtensionFileLoader(name, str(binary))
+    module = module_from_spec(ModuleSpec(name, loader, origin=str(binary)))
+    loader.exec_module(module)
+    return module
+
+
+def _loaded_apart(binary: Path, stem: str) -> System:
+    """Return the System of a module that is loaded from here this once; what is imported later is a copy of it."""
+    with _loading:
+        system: System = _executed(f"_eigenmotion_apart.{stem}", binary).system
+    return system
