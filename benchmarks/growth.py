@@ -9,7 +9,6 @@ prints the tables of docs/report.md, section "Where it ends".
 from __future__ import annotations
 
 import argparse
-import importlib
 import sys
 import tempfile
 import time
@@ -24,14 +23,13 @@ from eigenmotion.codegen.model import ModelError
 
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.errors import BuildError
+from eigenmotion.building.extension import compile_and_link, load
 from eigenmotion.building.request import order
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, toolchain
+from eigenmotion.reference.motion import Reference
 from eigenmotion.report.measure import Budget, Judge, Measurement, measure
 from eigenmotion.report.recommend import Curve, curves
-from eigenmotion.report.reference import Reference
-from eigenmotion.report.solvers import OUR_TOLERANCES, Motion, Scene, compiled_solvers
-
-build_module = importlib.import_module("eigenmotion.building.build")
+from eigenmotion.report.solvers import OUR_TOLERANCES, Problem, Track, compiled_solvers
 
 MODELS = Path(__file__).parents[1] / "models"
 FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
@@ -77,7 +75,7 @@ class Judges:
     def reference(self) -> Reference:
         return next(iter(self.by_formulation.values())).reference
 
-    def __call__(self, blank: Measurement, motion: Motion) -> Measurement:
+    def __call__(self, blank: Measurement, motion: Track) -> Measurement:
         return self.by_formulation[blank.formulation](blank, motion)
 
 
@@ -89,8 +87,8 @@ def program(model: Model, formulation: str, folder: Path) -> Program:
     work.mkdir()
     for file in sources.files:
         (work / file.name).write_text(file.text)
-    build_module._compile_in(work, model.name, toolchain())
-    system = build_module.load(work / f"{model.name}{EXTENSION_SUFFIX}")
+    compile_and_link(work, model.name, toolchain())
+    system = load(work / f"{model.name}{EXTENSION_SUFFIX}")
     built = time.perf_counter() - start
     return Program(system, built, counted(model.name, work), timer(model.name, work))
 
@@ -135,7 +133,7 @@ def growth(system: System, times: np.ndarray) -> float:
 
 def runs(programs: Mapping[str, Program], t_end: float) -> dict[str, Curve]:
     """Return the error, right-hand sides and time of runs over the tolerances, interleaved."""
-    solvers = [s for one in programs.values() for s in compiled_solvers(one.system, Scene(t_end, {}), TOLERANCES)]
+    solvers = [s for one in programs.values() for s in compiled_solvers(one.system, Problem(t_end, {}), TOLERANCES)]
     chosen = [solver for solver in solvers if solver.method == "dop853"]
     times = np.linspace(0.0, t_end, ROWS)
     measured = measure(chosen, judges(programs, times), Budget(rounds=ROUNDS), lambda _done, _what: None)

@@ -20,7 +20,7 @@ def block(heading: str, language: str) -> str:
 def pendulum(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
-    monkeypatch.setattr("eigenmotion.results.plot.find_spec", lambda name: None)
+    monkeypatch.setattr("eigenmotion.pages.figures.find_spec", lambda name: None)
     Path("pendulum.py").write_text(block("A model file", "python"))
 
 

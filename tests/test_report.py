@@ -22,15 +22,17 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.cli import main
 from eigenmotion.cli import report as cli
-from eigenmotion.reference.classical import accelerations, classical, double, explicit
+from eigenmotion.reference.classical import classical, double, explicit
 from eigenmotion.reference.collocation import Collocation
-from eigenmotion.reference.extended import NotReachedError, extended, followed, trajectory
+from eigenmotion.reference.elimination import accelerations
+from eigenmotion.reference.extended import extended
+from eigenmotion.reference.integration import Midpoint, NotReachedError, followed
+from eigenmotion.reference.motion import Reference, rates_of, reference, scaled_error
 from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, peers, recommendation, write_report
 from eigenmotion.report.measure import Judge, measure, skipped
 from eigenmotion.report.peers import Peers
 from eigenmotion.report.recommend import Curve, curves, recommend
-from eigenmotion.report.reference import Reference, rates_of, reference, scaled_error
-from eigenmotion.report.solvers import IMPLICIT, METHODS, Attempt, Motion, Scene, Solver, implicit_solvers
+from eigenmotion.report.solvers import IMPLICIT, METHODS, Attempt, Problem, Solver, Track, implicit_solvers
 from eigenmotion.stability.models import elastic_link
 from eigenmotion.stability.truth import Collocated
 
@@ -115,7 +117,7 @@ def test_extrapolation_has_its_order():
         return np.array([y[1], -y[0]])
 
     errors = [
-        float(abs(trajectory(rhs, np.array([1.0, 0.0]), np.linspace(0, 8, n + 1), 1.0, columns=3)[-1, 0] - np.cos(8.0)))
+        float(abs(followed(Midpoint(3), rhs, np.array([1.0, 0.0]), np.linspace(0, 8, n + 1), 1.0)[-1, 0] - np.cos(8.0)))
         for n in (16, 32)
     ]
     assert np.log2(errors[0] / errors[1]) == pytest.approx(6, abs=0.7)
@@ -123,7 +125,7 @@ def test_extrapolation_has_its_order():
 
 def test_extrapolation_stops_where_steps_vanish():
     with np.errstate(all="ignore"), pytest.raises(NotReachedError):
-        trajectory(lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-15)
+        followed(Midpoint(8), lambda time, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 1e-15)
 
 
 def test_collocation_has_its_order():
@@ -181,7 +183,7 @@ def test_both_kinds_of_reference_agree(monkeypatch):
     model = model_of("double_pendulum")
     start = np.array([*model.initial_x, *model.initial_v])
     explicit_ = reference(classical(model), start, 2.0)
-    monkeypatch.setattr("eigenmotion.report.reference._DECAYS", -1.0)
+    monkeypatch.setattr("eigenmotion.reference.motion._DECAYS", -1.0)
     implicit = reference(classical(model), start, 2.0)
     assert explicit_.how != implicit.how
     np.testing.assert_allclose(implicit.x, explicit_.x, rtol=0, atol=1e-14)
@@ -326,10 +328,10 @@ def test_every_implicit_method_is_there_once(found):
 
 def test_an_implicit_method_that_is_missing_is_named(monkeypatch):
     monkeypatch.setattr("eigenmotion.report.solvers.find_spec", lambda name: None)
-    solvers, absent = implicit_solvers([system_of("pendulum"), system_of("pendulum", "lagrange")], Scene(1.0, {}))
+    solvers, absent = implicit_solvers([system_of("pendulum"), system_of("pendulum", "lagrange")], Problem(1.0, {}))
     assert [solver.label for solver in solvers] == ["lagrange Radau", "lagrange BDF", "lagrange LSODA"]
     assert absent == [("CVODE", "not installed (pip install 'eigenmotion[stiff]')")]
-    (solver, *_), _ = implicit_solvers([system_of("pendulum")], Scene(1.0, {}))
+    (solver, *_), _ = implicit_solvers([system_of("pendulum")], Problem(1.0, {}))
     assert solver.label == "eigenfactor Radau"
 
 
@@ -356,7 +358,7 @@ def test_the_judge_by_hand():
     x = np.array([[0.1], [0.2], [0.3]])
     known = Reference(times, x, np.zeros((3, 1)), np.zeros(3), "by hand")
     system = system_of("pendulum")
-    off = Motion(x + np.array([[0.0], [1e-3], [-1e-4]]), np.array([[0.0], [2.0], [0.0]]), nfev=1, nsteps=1)
+    off = Track(x + np.array([[0.0], [1e-3], [-1e-4]]), np.array([[0.0], [2.0], [0.0]]), nfev=1, nsteps=1)
     m = Judge(known, system)(Measurement("f", "g", "h", "l", 1e-3), off)
     assert m.error_max == pytest.approx(1e-3 / 1.2)
     assert m.error_end == pytest.approx(1e-4 / 1.3)
@@ -370,11 +372,11 @@ def test_a_run_that_fails_has_no_error_and_no_time(fault):
     times = np.array([0.0, 1.0])
     known = Reference(times, np.zeros((2, 1)), np.zeros((2, 1)), np.zeros(2), "by hand")
 
-    def motion(rows: np.ndarray) -> Motion:
+    def motion(rows: np.ndarray) -> Track:
         if fault == "raises":
             raise RuntimeError("no such function")
         x = np.zeros((1, 1)) if fault == "short" else np.full((2, 1), np.nan)
-        return Motion(x, x, nfev=1, nsteps=1)
+        return Track(x, x, nfev=1, nsteps=1)
 
     solver = Solver("peer", "", "method", (1e-3,), lambda tolerance: Attempt(lambda: None, lambda t, _: motion(t)))
     (m,) = measure([solver], Judge(known, system_of("pendulum")), QUICK, lambda done, what: None)
@@ -395,9 +397,9 @@ def slow_solver(seconds: float, clock: SimpleNamespace, fails: bool = False) -> 
     def run() -> None:
         clock.now += seconds
 
-    def motion(times: np.ndarray, done: object) -> Motion:
+    def motion(times: np.ndarray, done: object) -> Track:
         rows = np.zeros((2, 1))
-        return Motion(rows, rows, nfev=1, nsteps=1, message="too many steps" if fails else "")
+        return Track(rows, rows, nfev=1, nsteps=1, message="too many steps" if fails else "")
 
     tolerances = tuple(10.0**-k for k in range(1, 9))
     return Solver("peer", "", "slow", tolerances, lambda tolerance: Attempt(run, motion))

@@ -10,17 +10,20 @@ from eigenmotion.codegen.c.emit import SourceFile, Sources
 from eigenmotion.models import chain as chain_model
 
 from eigenmotion import Model, build
-from eigenmotion.building.build import compiled, load
+from eigenmotion.building.build import compiled
+from eigenmotion.building.extension import load
 from eigenmotion.building.request import order
 from eigenmotion.building.toolchain import toolchain
+from eigenmotion.reference.collocation import Collocation
 from eigenmotion.reference.extended import EPSILON
+from eigenmotion.reference.integration import graded
 from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, survey, write_matrix
+from eigenmotion.stability.by_hand import chain
 from eigenmotion.stability.case import EXPLICIT
-from eigenmotion.stability.collocation import collocated
+from eigenmotion.stability.expected import expected_of
 from eigenmotion.stability.models import elastic_link
 from eigenmotion.stability.outcome import judged
-from eigenmotion.stability.reference import reference_of
-from eigenmotion.stability.truth import FINE, chain, lagrange
+from eigenmotion.stability.truth import FINE, lagrange
 from eigenmotion.system.system import System
 
 EIGENFACTOR = Variant("eigenfactor")
@@ -108,7 +111,7 @@ def test_rules():
 def test_collocation_follows_a_stiff_decay():
     """y' = -1e6 (y - cos t) - sin t from y = 2: cos t + exp(-1e6 t)."""
     times = np.array([0.0, 1e-6, 1e-3, 1.0])
-    rows = collocated(lambda t, y: -1e6 * (y - np.cos(t)) - np.sin(t), np.array([2.0]), times, 16)
+    rows = graded(Collocation(5), lambda t, y: -1e6 * (y - np.cos(t)) - np.sin(t), np.array([2.0]), times, 16)
     exact = np.cos(times) + np.exp(-1e6 * times)
     assert np.abs(rows[:, 0] - exact).max() < 1e-11
 
@@ -125,18 +128,20 @@ def test_chain_by_hand_is_the_chain_of_the_model():
 def test_closed_forms_obey_the_classical_equations(name, value):
     """A short way from the start, against integration in extended precision."""
     case = CASES[name]
-    point = case.point(value)
+    point = case.trial(value)
     n, start = len(point.x0), np.concatenate([point.x0, point.v0])
     times = np.linspace(0.0, 0.4, 5)
     rows = point.truth.rows(start, times, FINE)
-    difference = rows - collocated(lagrange(case.model(value), point.parameters), start, times, 16).astype(np.float64)
+    difference = rows - graded(Collocation(5), lagrange(case.model(value), point.parameters), start, times, 16).astype(
+        np.float64
+    )
     whole_turns = np.concatenate([2 * np.pi * np.round(difference[:, :n] / (2 * np.pi)), 0 * difference[:, n:]], axis=1)
     assert np.abs(difference - whole_turns).max() < 1e-11
 
 
 def test_kappa_is_the_growth_of_an_unstable_equilibrium():
     """Two links upright: kappa grows like exp(w t), w^2 = (2 + sqrt 2) g / l the faster."""
-    point = CASES["starts"].point(3.0)
+    point = CASES["starts"].trial(3.0)
     fastest = np.exp(np.sqrt((2 + np.sqrt(2)) * 9.81) * 2.0)
-    kappa = reference_of(point, None).kappa
+    kappa = expected_of(point, None).kappa
     assert 0.05 * fastest < kappa < 20 * fastest

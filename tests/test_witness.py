@@ -8,7 +8,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, System
 from eigenmotion.runtime import StopReason
 from eigenmotion.stability import CASES
-from eigenmotion.stability.case import Point
+from eigenmotion.stability.case import Trial
 
 from .generation import FORMULATIONS, system_for
 from .honest import X, check_honest, plane
@@ -75,11 +75,11 @@ def test_a_block_that_loses_rank_ends_by_name():
         assert not found.success
 
 
-def passing(name: str, miss: float) -> tuple[Model, Point]:
-    return CASES[name].model(miss), CASES[name].point(miss)
+def passing(name: str, miss: float) -> tuple[Model, Trial]:
+    return CASES[name].model(miss), CASES[name].trial(miss)
 
 
-def pass_by(system: System, point: Point, rtol: float, method: str = "dop853"):
+def pass_by(system: System, point: Trial, rtol: float, method: str = "dop853"):
     """Run past the singularity; return the solution and its largest error."""
     found = system.simulate(
         (0, point.times[-1]), x0=point.x0, v0=point.v0, parameters=point.parameters, method=method, rtol=rtol,

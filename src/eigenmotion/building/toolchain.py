@@ -50,6 +50,15 @@ class Toolchain:
         flags = (*self.optimised, *STANDARD, *SHARED, *GLUE, *LINK, *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
+    @property
+    def described(self) -> dict[str, str]:
+        """Say which compiler it is, and the flags it is given."""
+        try:
+            name = self._run("--version").splitlines()[0]
+        except (BuildError, IndexError):
+            name = Path(self.command[0]).name
+        return {"compiler": name, "flags": " ".join((*self.optimised, *self.flags))}
+
     def compile_model(self, folder: Path, stem: str) -> None:
         """STEM.c -> STEM.o."""
         flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}")

@@ -3,14 +3,15 @@
 import logging
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from threading import Event, Thread
 from typing import TextIO
 
 import click
 
-Progress = Callable[[float, str], None]
+from eigenmotion.pages.words import Progress
+
 _STEPS = 1000
 _PATIENCE = 1.0  # [s] what is quicker is not spoken of
 _TICK = 0.2  # [s]

@@ -6,8 +6,8 @@ from pathlib import Path
 import click
 
 from eigenmotion.building.request import Order, order
+from eigenmotion.pages.figures import require_matplotlib
 from eigenmotion.report import Ask, examine, recommendation, write_report
-from eigenmotion.results.plot import require_matplotlib
 
 from .options import ABOVE_ZERO, assignments, check_writable, define, distinct, ending, setting, values
 from .progress import bar

@@ -7,10 +7,13 @@ from typing import Any
 
 import click
 
-from eigenmotion.building.build import load, make
+from eigenmotion.building.build import make
+from eigenmotion.building.extension import load
 from eigenmotion.building.toolchain import toolchain
 from eigenmotion.codegen.model import ModelError
-from eigenmotion.results.plot import FORMATS, draw_coordinates, require_matplotlib
+from eigenmotion.pages.figures import FORMATS, require_matplotlib
+from eigenmotion.pages.figures import save as save_figure
+from eigenmotion.results.plot import coordinates
 from eigenmotion.results.saving import SAVERS, save
 from eigenmotion.results.solution import Solution
 from eigenmotion.results.summary import summary
@@ -67,8 +70,7 @@ def command(
         seconds = time.perf_counter() - start
     click.echo(summary(system, solution, seconds))
     if plot:
-        draw_coordinates(system, solution, plot)
-        click.echo(f"drawn to {plot}")
+        click.echo(f"drawn to {save_figure(coordinates(system, solution), plot)}")
     if target:
         save(system, solution, target)
         click.echo(f"saved to {target}")

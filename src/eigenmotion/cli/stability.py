@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from eigenmotion.results.plot import require_matplotlib
+from eigenmotion.pages.figures import require_matplotlib
 from eigenmotion.stability import CASES, Matrix, Outcome, summary, survey, write_matrix
 
 from .options import check_writable

@@ -2,23 +2,19 @@
 
 import os
 import platform
+from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-
-from ..building.errors import BuildError
-from ..building.toolchain import run, toolchain
 
 _PACKAGES = ("eigenmotion", "numpy", "scipy", "sympy", "heyoka", "casadi")
 
 
-def machine() -> dict[str, str]:
-    """Return processor, cores, compiler, flags and versions."""
-    tools = toolchain()
+def machine(compiler: Mapping[str, str]) -> dict[str, str]:
+    """Return processor, cores, the compiler as it describes itself, and versions."""
     return {
         "processor": _processor(),
         "cores": str(os.cpu_count()),
-        "compiler": _compiler(tools.command),
-        "flags": " ".join((*tools.optimised, *tools.flags)),
+        **compiler,
         "Python": platform.python_version(),
         **{name: found for name in _PACKAGES if (found := _version(name))},
     }
@@ -31,13 +27,6 @@ def _processor() -> str:
         lines = []
     names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
     return names[0] if names else platform.processor() or platform.machine()
-
-
-def _compiler(command: tuple[str, ...]) -> str:
-    try:
-        return run((*command, "--version")).splitlines()[0]
-    except (BuildError, IndexError):
-        return Path(command[0]).name
 
 
 def _version(package: str) -> str:

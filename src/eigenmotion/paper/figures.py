@@ -9,13 +9,12 @@ from pathlib import Path
 import numpy as np
 
 from ..arguments.names import Vector
-from ..results.plot import COLOURS
-from .canvas import axes, draw, save
+from ..pages.figures import COLOURS, STYLES, save
+from .canvas import axes, draw
 from .experiment import PAIRS, Experiment, History, experiment
 from .findings import Finding, findings
 from .mechanism import motion
 
-STYLES = ("-", "--", ":", "-.")
 DEGREES = 180.0 / np.pi
 
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from ..arguments.names import Vector
-from ..results.plot import COLOURS, require_matplotlib
-from .canvas import FAINT, save
+from ..pages.figures import COLOURS, blank, save, uncluttered
+from .canvas import FAINT
 from .experiment import History
 
 INSTANTS = np.linspace(0.0, 3.5, 8)
@@ -19,10 +19,7 @@ COILS, COIL_HEIGHT = 6, 0.035
 
 def motion(history: History, path: Path) -> Path:
     """Draw Figure 2: the mechanism at each instant, the instant before it in grey."""
-    require_matplotlib()
-    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
-
-    figure = Figure(figsize=(9, 4.7), layout="constrained")
+    figure = blank(9, 4.7)
     figure.suptitle("Figure 2: motion of the dual-link manipulator (lengths in m)", x=0.01, ha="left", fontsize=11)
     poses = [_at(history, t) for t in INSTANTS]
     grid = figure.subplots(2, 4, sharex=True, sharey=True)
@@ -44,8 +41,7 @@ def _frame(ax: Any, history: History, title: str) -> None:
     ax.axhline(history.hand[1][0], color="0.6", linewidth=0.8, linestyle=(0, (4, 3)), zorder=0)
     ax.set(aspect="equal", xlim=(-0.7, 1.0), ylim=(-0.2, 1.3))
     ax.set_title(title, fontsize=10)
-    ax.grid(color=FAINT)
-    ax.spines[["top", "right"]].set_visible(False)
+    uncluttered(ax, FAINT)
 
 
 def _masses(history: History, x: Vector) -> tuple[Vector, Vector, Vector]:

@@ -19,7 +19,6 @@ from ..arguments.names import Vector
 from .extended import Extended, Rhs
 
 _MOST = 20  # Newton steps
-_ROUNDING = 1e-17  # of a correction, where Newton's method has converged
 _DIGITS = 40
 
 
@@ -61,10 +60,10 @@ def _extended(numbers: Any) -> Extended:
 
 
 class Collocation:
-    """Steps of `stages` stages."""
+    """Steps of `stages` stages; Newton's method has converged where a correction is as small as `rounding`."""
 
-    def __init__(self, stages: int) -> None:
-        self.stages, self.tableau = stages, _tableau(stages)
+    def __init__(self, stages: int, rounding: float = 1e-17) -> None:
+        self.stages, self.rounding, self.tableau = stages, rounding, _tableau(stages)
         self.power = stages + 1
 
     def step(self, rhs: Rhs, time: Any, y: Extended, h: Any) -> tuple[Extended, float]:
@@ -83,17 +82,18 @@ class Collocation:
 
     def _solved(self, rhs: Rhs, time: Any, y: Extended, h: Any, factors: Any) -> tuple[Extended, Extended | None]:
         """Return the slopes and the stages (s, 2n) by Newton's method, or None where it does not converge."""
-        stages, change = np.tile(y, (self.stages, 1)), np.inf
+        stages, older, before = np.tile(y, (self.stages, 1)), np.inf, np.inf
         for _ in range(_MOST):
             slopes = np.array([rhs(time + c * h, Y) for c, Y in zip(self.tableau.c, stages, strict=True)])
             residual = y + h * (self.tableau.A @ slopes) - stages
             correction = lu_solve(factors, residual.astype(np.float64).ravel(), check_finite=False)
             stages = stages + correction.reshape(stages.shape)
-            before, change = change, float(np.max(np.abs(correction) / (1 + np.abs(stages.ravel()))))
-            if change < _ROUNDING or (change < 1e3 * _ROUNDING and change > 0.3 * before):
+            change = float(np.max(np.abs(correction) / (1 + np.abs(stages.ravel()))))
+            if change < self.rounding or (change < 1e3 * self.rounding and change > 0.3 * before):
                 return slopes, stages
-            if not change < 0.9 * before:
+            if not change < 0.9 * max(older, before):  # the second correction may be as large as the first is lucky
                 break
+            older, before = before, change
         return slopes, None
 
 

@@ -1,55 +1,42 @@
 """Pictures: error against run time, against right-hand sides and against the tolerance.
 
-Colours are Okabe and Ito's; each curve also has a marker and a line style of its own, so that none needs its colour.
+Each curve has a marker and a line style of its own, so that none needs its colour.
 """
 
-import io
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ..results.plot import require_matplotlib
+from ..pages.figures import BLACK, FORMULATIONS, ORANGE, SKY, Picture, blank, picture, uncluttered
 from .examine import Findings
 from .recommend import Curve
 from .solvers import METHODS, OURS, RADAU_ORDER
 
+_WINE = "#882255"  # our implicit methods
 _LOOKS: dict[str, tuple[str, str, Any]] = {
-    "eigenfactor": ("#0072B2", "o", "-"),
-    "cholesky": ("#D55E00", "s", "-"),
-    "lagrange": ("#009E73", "^", "-"),
-    "inverse": ("#CC79A7", "D", "--"),
-    "Radau": ("#882255", ">", "-"),
-    "BDF": ("#882255", "p", (0, (1, 3))),
-    "LSODA": ("#882255", "<", "--"),
-    "CVODE": ("#882255", "P", ":"),
-    "heyoka.py Taylor": ("#000000", "*", "--"),
-    "CVODES Adams": ("#E69F00", "P", ":"),
-    "CVODES BDF": ("#E69F00", "p", (0, (1, 3))),
-    "SciPy DOP853": ("#56B4E9", "v", "-."),
-    "SciPy LSODA": ("#56B4E9", "<", "-."),
-    "SciPy Radau": ("#56B4E9", ">", "-."),
+    "eigenfactor": (FORMULATIONS["eigenfactor"], "o", "-"),
+    "cholesky": (FORMULATIONS["cholesky"], "s", "-"),
+    "lagrange": (FORMULATIONS["lagrange"], "^", "-"),
+    "inverse": (FORMULATIONS["inverse"], "D", "--"),
+    "Radau": (_WINE, ">", "-"),
+    "BDF": (_WINE, "p", (0, (1, 3))),
+    "LSODA": (_WINE, "<", "--"),
+    "CVODE": (_WINE, "P", ":"),
+    "heyoka.py Taylor": (BLACK, "*", "--"),
+    "CVODES Adams": (ORANGE, "P", ":"),
+    "CVODES BDF": (ORANGE, "p", (0, (1, 3))),
+    "SciPy DOP853": (SKY, "v", "-."),
+    "SciPy LSODA": (SKY, "<", "-."),
+    "SciPy Radau": (SKY, ">", "-."),
 }
 _HOLLOW = "inverse"  # often on top of "lagrange", which must show through
 _ERROR = "largest error, max $|x - x_{ref}| / (1 + |x_{ref}|)$"
 _BEST = "dop853"
 
 
-@dataclass(frozen=True, slots=True)
-class Picture:
-    """A figure in both formats. `stem` is what its files are called, `title` and `text` go with it on the page."""
-
-    stem: str
-    title: str
-    text: str
-    svg: str
-    png: bytes
-
-
 def pictures(found: Findings) -> tuple[Picture, ...]:
     """Draw all of a model's."""
-    require_matplotlib()
     return (_against_peers(found), _by_method(found), _convergence(found))
 
 
@@ -68,7 +55,7 @@ def _against_peers(found: Findings) -> Picture:
         axes.set_title(title)
     _legend(figure, panels[0])
     return _picture(
-        figure, found, "time", f"{found.name}: error against run time",
+        figure, found, "time", "error against run time",
         f"Our formulations with {_BEST}, our implicit methods, and what else there is. Bars: quartiles of the repeats. "
         "Lower left is better.",
     )  # fmt: skip
@@ -97,7 +84,7 @@ def _by_method(found: Findings) -> Picture:
     figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
     _legend(figure, *panels, below=True)
     return _picture(
-        figure, found, "methods", f"{found.name}: formulations by method",
+        figure, found, "methods", "formulations by method",
         "The same axes for each of the compiled methods, and for the implicit ones.",
     )  # fmt: skip
 
@@ -114,7 +101,7 @@ def _convergence(found: Findings) -> Picture:
     figure.suptitle(f"{found.name}, {found.ask.t_end:g} s of motion")
     _legend(figure, *panels, below=True)
     return _picture(
-        figure, found, "order", f"{found.name}: order of convergence",
+        figure, found, "order", "order of convergence",
         "Error against accepted steps: a method of order p falls along a line of slope -p (grey; among the implicit "
         "ones Radau's, the others vary theirs).",
     )  # fmt: skip
@@ -131,9 +118,7 @@ def _ours(found: Findings, method: str) -> list[Curve]:
 
 
 def _figure(panels: int, width: float, height: float) -> tuple[Any, list[Any]]:
-    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
-
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = blank(width, height)
     axes = figure.subplots(1, panels, sharey=True, squeeze=False)[0]
     for ax in axes:
         ax.set(xscale="log", yscale="log")
@@ -177,8 +162,7 @@ def _finish(axes: Any, found: Findings, xlabel: str, ylabel: str) -> None:
     axes.set_ylim(max(low, 1e-17), high)
     axes.yaxis.set_major_locator(LogLocator(numticks=10))
     _label_times(axes)
-    axes.grid(color="0.9", linewidth=0.7)
-    axes.spines[["top", "right"]].set_visible(False)
+    uncluttered(axes, linewidth=0.7)
 
 
 def _label_times(axes: Any) -> None:
@@ -212,11 +196,4 @@ def _legend(figure: Any, *panels: Any, below: bool = False) -> None:
 
 
 def _picture(figure: Any, found: Findings, kind: str, title: str, text: str) -> Picture:
-    import matplotlib as mpl  # noqa: PLC0415, an optional package
-
-    stem, svg, png = f"{found.name}_{kind}", io.StringIO(), io.BytesIO()
-    # names of its own for clip paths: several pictures share a page
-    with mpl.rc_context({"svg.hashsalt": stem, "svg.fonttype": "path"}):
-        figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
-    figure.savefig(png, format="png", dpi=150)
-    return Picture(stem, title, text, svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())
+    return picture(figure, f"{found.name}_{kind}", f"{found.name}: {title}", text)

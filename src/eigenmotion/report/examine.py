@@ -1,6 +1,6 @@
 """One model from its equations to a recommendation."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -8,15 +8,16 @@ import numpy as np
 
 from ..arguments.names import Vector
 from ..codegen.model import Model, ModelError
+from ..pages.words import Progress, part
 from ..reference.classical import Classical, classical
+from ..reference.motion import Reference, reference
 from ..results.solution import Solution
 from ..running.simulate import simulate
 from ..system.system import System
-from .measure import Budget, Judge, Measurement, Progress, measure, skipped
+from .measure import Budget, Judge, Measurement, measure, skipped
 from .peers import Start, peers
 from .recommend import Curve, Recommendation, curves, recommend
-from .reference import Reference, reference
-from .solvers import IMPLICIT, MOST_STEPS, OUR_TOLERANCES, Scene, Solver, compiled_solvers, implicit_solvers
+from .solvers import IMPLICIT, MOST_STEPS, OUR_TOLERANCES, Problem, Solver, compiled_solvers, implicit_solvers
 from .subject import Subject, subject
 
 
@@ -75,7 +76,7 @@ def examine(model: Model, ask: Ask, progress: Progress) -> Findings:
     ModelError, BuildError
         The model has a mistake, cannot be built, or has no reference to compare with.
     """
-    found = subject(model, _part(progress, 0.0, 0.2))
+    found = subject(model, part(progress, 0.0, 0.2))
     system, parameters = found.systems[0], ask.settings.get("parameters", {})
     progress(0.2, "reference")
     values = {**parameters, **ask.settings.get("inputs", {})}
@@ -83,7 +84,7 @@ def examine(model: Model, ask: Ask, progress: Progress) -> Findings:
     rows = np.concatenate([probe.x, probe.v]).T
     known = reference(equations, rows[0], ask.t_end, along=(probe.t, rows))
     solvers, absent = _solvers(found, ask, equations, rows[0])
-    measured = measure(solvers, Judge(known, system, parameters), ask.budget, _part(progress, 0.3, 1.0))
+    measured = measure(solvers, Judge(known, system, parameters), ask.budget, part(progress, 0.3, 1.0))
     lines = curves(measured)
     left = skipped(solvers, measured, ask.budget)
     return Findings(found, ask, rows[0], known, measured, absent, left, lines, recommend(lines, ask.error))
@@ -93,15 +94,11 @@ def _solvers(
     found: Subject, ask: Ask, equations: Classical, y: Vector
 ) -> tuple[list[Solver], tuple[tuple[str, str], ...]]:
     """Return ours and the peers', and what is absent."""
-    scene = Scene(ask.t_end, ask.settings)
-    ours = [solver for system in found.systems for solver in compiled_solvers(system, scene, ask.tolerances)]
-    implicit, missing = implicit_solvers(found.systems, scene)
+    problem = Problem(ask.t_end, ask.settings)
+    ours = [solver for system in found.systems for solver in compiled_solvers(system, problem, ask.tolerances)]
+    implicit, missing = implicit_solvers(found.systems, problem)
     others = peers(equations, Start(y, ask.t_end))
     return [*ours, *implicit, *others.solvers], (*missing, *others.absent)
-
-
-def _part(progress: Progress, start: float, end: float) -> Callable[[float, str], None]:
-    return lambda done, what: progress(start + (end - start) * done, what)
 
 
 def _probe(system: System, ask: Ask) -> Solution:

@@ -9,11 +9,11 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from ..arguments.names import Vector
+from ..pages.words import Progress
+from ..reference.motion import Reference, scaled_error
 from ..system.system import System
-from .reference import Reference, scaled_error
-from .solvers import Attempt, Motion, Solver
+from .solvers import Attempt, Solver, Track
 
-Progress = Callable[[float, str], None]  # how much of the whole is done, 0 ... 1, and what comes next
 _TURN = 2e-3  # [s] a turn of quicker runs is several calls, each timed alone: the median ignores the disturbed ones
 SLOW = 0.1  # [s] slower ones are timed three times, the first run included
 SLOW_TURNS = 2
@@ -72,15 +72,15 @@ class Judge:
     system: System
     parameters: Mapping[str, float] = field(default_factory=dict)
 
-    def __call__(self, blank: Measurement, motion: Motion) -> Measurement:
+    def __call__(self, blank: Measurement, track: Track) -> Measurement:
         """Fill in all but the time."""
         counted = replace(
-            blank, nfev=motion.nfev, nsteps=motion.nsteps, nrejected=motion.nrejected,
-            factor_residual=motion.factor_residual, message=motion.message,
+            blank, nfev=track.nfev, nsteps=track.nsteps, nrejected=track.nrejected,
+            factor_residual=track.factor_residual, message=track.message,
         )  # fmt: skip
-        if motion.message or len(motion.x) < len(self.reference.t):
-            return replace(counted, message=motion.message or "did not reach the end")
-        x, v = (np.ascontiguousarray(rows, dtype=np.float64) for rows in (motion.x, motion.v))
+        if track.message or len(track.x) < len(self.reference.t):
+            return replace(counted, message=track.message or "did not reach the end")
+        x, v = (np.ascontiguousarray(rows, dtype=np.float64) for rows in (track.x, track.v))
         if not (np.isfinite(x).all() and np.isfinite(v).all()):
             return replace(counted, message="the rows are not finite")
         return self._compared(counted, x, v)
@@ -120,7 +120,7 @@ class Budget:
 
 
 @dataclass(slots=True)
-class _Cell:
+class _Pending:
     """A measurement in the making."""
 
     measurement: Measurement
@@ -131,14 +131,14 @@ class _Cell:
 
 def measure(solvers: Sequence[Solver], judge: Judge, budget: Budget, progress: Progress) -> tuple[Measurement, ...]:
     """Measure errors first, each solver from loose to tight; then times, in rounds over all of them."""
-    cells: list[_Cell] = []
+    pending: list[_Pending] = []
     for k, solver in enumerate(solvers):
         progress(0.6 * k / len(solvers), f"error of {solver.label}")
-        cells += _errors(solver, judge, budget)
+        pending += _errors(solver, judge, budget)
     for turn in range(budget.rounds):
         progress(0.6 + 0.4 * turn / budget.rounds, f"time, round {turn + 1} of {budget.rounds}")
-        _time(cells, turn)
-    return tuple(_timed(cell) for cell in cells)
+        _time(pending, turn)
+    return tuple(_timed(one) for one in pending)
 
 
 def skipped(solvers: Sequence[Solver], measured: Sequence[Measurement], budget: Budget) -> tuple[tuple[str, str], ...]:
@@ -163,20 +163,20 @@ def _reasons(last: Measurement, untried: set[float], budget: Budget) -> list[str
     return reasons
 
 
-def _errors(solver: Solver, judge: Judge, budget: Budget) -> list[_Cell]:
-    cells: list[_Cell] = []
+def _errors(solver: Solver, judge: Judge, budget: Budget) -> list[_Pending]:
+    pending: list[_Pending] = []
     k = 0
     while k < len(solver.tolerances):
         blank = Measurement(solver.family, solver.formulation, solver.method, solver.label, solver.tolerances[k])
-        cell = _first(blank, solver, judge)
-        cells.append(cell)
-        if cell.measurement.error_end is None and cell.first > budget.grain:
+        one = _first(blank, solver, judge)
+        pending.append(one)
+        if one.measurement.error_end is None and one.first > budget.grain:
             break
-        k += 1 + int(cell.first / budget.grain)
-    return cells
+        k += 1 + int(one.first / budget.grain)
+    return pending
 
 
-def _first(blank: Measurement, solver: Solver, judge: Judge) -> _Cell:
+def _first(blank: Measurement, solver: Solver, judge: Judge) -> _Pending:
     """Run once for the clock and once for the rows. Whatever a solver raises is its result."""
     start = time.perf_counter()
     try:
@@ -184,24 +184,24 @@ def _first(blank: Measurement, solver: Solver, judge: Judge) -> _Cell:
         start = time.perf_counter()
         done = attempt.run()
         first = time.perf_counter() - start
-        return _Cell(judge(blank, attempt.motion(judge.reference.t, done)), attempt, first, [])
+        return _Pending(judge(blank, attempt.track(judge.reference.t, done)), attempt, first, [])
     except Exception as error:
         said = f"{type(error).__name__}: {error}".splitlines()[0]
-        return _Cell(replace(blank, message=said), Attempt(lambda: None, _nothing), time.perf_counter() - start, [])
+        return _Pending(replace(blank, message=said), Attempt(lambda: None, _nothing), time.perf_counter() - start, [])
 
 
-def _nothing(times: Vector, done: object) -> Motion:
+def _nothing(times: Vector, done: object) -> Track:
     raise NotImplementedError
 
 
-def _time(cells: list[_Cell], turn: int) -> None:
+def _time(pending: list[_Pending], turn: int) -> None:
     """A turn for each run that got to its end; no garbage is collected meanwhile."""
     gc.collect()
     gc.disable()
     try:
-        for cell in cells:
-            if cell.measurement.error_end is not None and (turn < SLOW_TURNS or cell.first < SLOW):
-                cell.samples += _samples(cell.attempt.run, cell.first)
+        for one in pending:
+            if one.measurement.error_end is not None and (turn < SLOW_TURNS or one.first < SLOW):
+                one.samples += _samples(one.attempt.run, one.first)
     finally:
         gc.enable()
 
@@ -219,12 +219,12 @@ def _samples(run: Callable[[], object], expected: float) -> list[float]:
     return samples
 
 
-def _timed(cell: _Cell) -> Measurement:
-    if not cell.samples:
-        return cell.measurement
-    samples = cell.samples if cell.first < SLOW else [cell.first, *cell.samples]
+def _timed(one: _Pending) -> Measurement:
+    if not one.samples:
+        return one.measurement
+    samples = one.samples if one.first < SLOW else [one.first, *one.samples]
     low, median, high = np.quantile(samples, [0.25, 0.5, 0.75]).tolist()
-    return replace(cell.measurement, seconds=median, seconds_low=low, seconds_high=high, repeats=len(samples))
+    return replace(one.measurement, seconds=median, seconds_low=low, seconds_high=high, repeats=len(samples))
 
 
 def _largest(rows: Vector) -> float | None:

@@ -1,14 +1,10 @@
 """The numbers as JSON and CSV."""
 
-import csv
-import io
-import json
-import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, fields
 from typing import Any
 
-from ..pages.machine import machine
+from ..pages.tables import as_csv, as_json
 from .examine import Findings
 from .measure import Measurement
 from .recommend import LEVELS, Curve, Recommendation
@@ -17,21 +13,18 @@ from .subject import Built
 _COLUMNS = tuple(field.name for field in fields(Measurement))
 
 
-def as_json(reports: Sequence[Findings]) -> str:
-    """Write everything that was found; numbers that are not there, or not finite, are null."""
-    record = {"machine": machine(), "models": [_model(found) for found in reports]}
-    return json.dumps(_finite(record), indent=1, allow_nan=False) + "\n"
+def record(reports: Sequence[Findings], known: Mapping[str, str]) -> str:
+    """Write everything that was found as JSON; `known` of the machine."""
+    return as_json({"machine": known, "models": [_model(found) for found in reports]})
 
 
-def as_csv(reports: Sequence[Findings]) -> str:
-    """Write one line a measurement."""
-    text = io.StringIO(newline="")
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(["model", *_COLUMNS, "ns_per_rhs"])
-    for found in reports:
-        for m in found.measurements:
-            table.writerow([found.name, *(getattr(m, name) for name in _COLUMNS), m.ns_per_rhs])
-    return text.getvalue()
+def one_a_line(reports: Sequence[Findings]) -> str:
+    """Write one line a measurement as CSV."""
+    rows = (
+        [found.name, *(getattr(m, name) for name in _COLUMNS), m.ns_per_rhs]
+        for found in reports for m in found.measurements
+    )  # fmt: skip
+    return as_csv(["model", *_COLUMNS, "ns_per_rhs"], rows)
 
 
 def _model(found: Findings) -> dict[str, Any]:
@@ -83,11 +76,3 @@ def _recommendation(advice: Recommendation) -> dict[str, Any]:
         "as_fast": [asdict(m) for m in advice.as_fast],
         "closest": advice.closest and asdict(advice.closest),
     }
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _finite(entry) for key, entry in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(entry) for entry in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value

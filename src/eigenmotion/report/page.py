@@ -1,36 +1,26 @@
-"""The HTML page: one file, which opens without a network."""
+"""What the page shows of each model."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
-from importlib.resources import files
 
-from jinja2 import Environment, StrictUndefined, Template
 from markupsafe import Markup
 
-from ..pages.machine import machine
-from .curves import Picture
+from ..pages.figures import Picture
+from ..pages.page import render
+from ..pages.tables import Row, Table
+from ..pages.words import number, seconds
 from .examine import Findings
 from .measure import SLOW, SLOW_TURNS, Measurement
 from .peers import LONGEST
 from .recommend import LEVELS, Curve
 from .solvers import IMPLICIT, MOST_STEPS, OURS
-from .words import number, recommendation, seconds, spread
+from .words import recommendation, spread
 
-Row = tuple[str, ...]
 _YARDSTICK = (OURS, "eigenfactor", "dop853")
 
 
 @dataclass(frozen=True, slots=True)
-class Table:
-    """Texts, row by row."""
-
-    head: Row
-    rows: tuple[Row, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Section:
+class ModelSection:
     """One model on the page: texts only. `pictures` are (title, text, SVG)."""
 
     name: str
@@ -48,22 +38,15 @@ class Section:
     measurements: Table
 
 
-def page(reports: Sequence[Findings], drawings: Sequence[Sequence[Picture]]) -> str:
+def page(reports: Sequence[Findings], drawings: Sequence[Sequence[Picture]], machine: Mapping[str, str]) -> str:
     """Render the page of all models; `drawings` are each one's pictures."""
     sections = [_section(found, drawn) for found, drawn in zip(reports, drawings, strict=True)]
-    return _template().render(sections=sections, machine=tuple(machine().items()))
+    return render(__package__, sections=sections, machine=machine)
 
 
-@cache
-def _template() -> Template:
-    text = files(__package__).joinpath("page.html.jinja").read_text(encoding="utf-8")
-    settings = {"autoescape": True, "undefined": StrictUndefined, "trim_blocks": True, "lstrip_blocks": True}
-    return Environment(**settings).from_string(text)  # type: ignore[arg-type]
-
-
-def _section(found: Findings, drawn: Sequence[Picture]) -> Section:
+def _section(found: Findings, drawn: Sequence[Picture]) -> ModelSection:
     reference = found.reference
-    return Section(
+    return ModelSection(
         name=found.name,
         about=_about(found),
         advice=recommendation(found),

@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from ..arguments.names import Vector
 from ..reference.classical import Classical, double, explicit
-from .solvers import MOST_STEPS, Attempt, Motion, Solver
+from .solvers import MOST_STEPS, Attempt, Solver, Track
 
 DECADES = tuple(float(10.0**-k) for k in range(3, 13))
 _SCIPY = ("DOP853", "LSODA", "Radau")
@@ -76,7 +76,7 @@ def _scipy(equations: Classical, start: Start) -> list[Solver]:
                 warnings.simplefilter("ignore")  # LSODA repeats its message there
                 return solve_ivp(f, (0.0, start.t_end), start.y, method, t_eval, rtol=tolerance, atol=tolerance)
 
-        return Attempt(run, lambda times, done: _scipy_motion(run(times), done))
+        return Attempt(run, lambda times, done: _scipy_track(run(times), done))
 
     def solver(method: str) -> Solver:
         return Solver("SciPy", "classical", method, DECADES, lambda tolerance: attempt(method, tolerance))
@@ -96,10 +96,10 @@ def _limited(rhs: Callable[[float, Vector], Vector], longest: float) -> Callable
     return limited
 
 
-def _scipy_motion(at_rows: Any, at_steps: Any) -> Motion:
+def _scipy_track(at_rows: Any, at_steps: Any) -> Track:
     n = len(at_rows.y) // 2
     message = "" if at_rows.success else str(at_rows.message)
-    return Motion(at_rows.y[:n].T, at_rows.y[n:].T, nfev=at_steps.nfev, nsteps=len(at_steps.t) - 1, message=message)
+    return Track(at_rows.y[:n].T, at_rows.y[n:].T, nfev=at_steps.nfev, nsteps=len(at_steps.t) - 1, message=message)
 
 
 def _heyoka(equations: Classical, start: Start) -> list[Solver]:
@@ -123,13 +123,13 @@ def _heyoka(equations: Classical, start: Start) -> list[Solver]:
             restart()
             return integrator.propagate_until(start.t_end, max_steps=MOST_STEPS[False])
 
-        def motion(times: Vector, done: Any) -> Motion:
+        def track(times: Vector, done: Any) -> Track:
             restart()
             outcome, *_, rows = integrator.propagate_grid(times, max_steps=MOST_STEPS[False])
             finished = outcome == heyoka.taylor_outcome.time_limit
-            return Motion(rows[:, :n], rows[:, n:], nfev=None, nsteps=done[3], message="" if finished else str(outcome))
+            return Track(rows[:, :n], rows[:, n:], nfev=None, nsteps=done[3], message="" if finished else str(outcome))
 
-        return Attempt(run, motion)
+        return Attempt(run, track)
 
     return [Solver("heyoka.py", "written out", "Taylor", _TAYLOR_TOLERANCES, attempt)]
 
@@ -148,13 +148,13 @@ def _casadi(equations: Classical, start: Start) -> list[Solver]:
         options |= {"max_num_steps": MOST_STEPS[False], "disable_internal_warnings": True}
         to_end = casadi.integrator("to_end", "cvodes", problem, 0.0, [start.t_end], options)
 
-        def motion(times: Vector, _: Any) -> Motion:
+        def track(times: Vector, _: Any) -> Track:
             stats = to_end.stats()
             rows = casadi.integrator("rows", "cvodes", problem, 0.0, times.tolist(), options)(x0=start.y)["xf"]
             values = np.array(rows).T
-            return Motion(values[:, :n], values[:, n:], nfev=stats["nfevals"], nsteps=stats["nsteps"])
+            return Track(values[:, :n], values[:, n:], nfev=stats["nfevals"], nsteps=stats["nsteps"])
 
-        return Attempt(lambda: _in_brief(to_end, start.y), motion)
+        return Attempt(lambda: _in_brief(to_end, start.y), track)
 
     def solver(method: str) -> Solver:
         return Solver("CVODES", "written out", method, DECADES, lambda tolerance: attempt(method, tolerance))

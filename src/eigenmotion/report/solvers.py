@@ -24,7 +24,7 @@ _PLAIN = "lagrange"
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class Track:
     """A run seen at the rows asked for, as many as were reached.
 
     x, v : (k, n); counts are None where a solver does not tell or has no such thing
@@ -45,11 +45,11 @@ class Attempt:
     """A solver at one tolerance, ready to go.
 
     run : integrates once, over the whole span, and is what the clock sees
-    motion : the rows at given times, off the clock; it is handed what `run` returned
+    track : the rows at given times, off the clock; it is handed what `run` returned
     """
 
     run: Callable[[], Any]
-    motion: Callable[[Vector, Any], Motion]
+    track: Callable[[Vector, Any], Track]
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,19 +69,19 @@ class Solver:
 
 
 @dataclass(frozen=True, slots=True)
-class Scene:
+class Problem:
     """What every run of ours is given: the span, and the arguments parameters, inputs, x0, v0 of `simulate`."""
 
     t_end: float
     settings: Mapping[str, Mapping[str, float]]
 
 
-def compiled_solvers(system: System, scene: Scene, tolerances: tuple[float, ...]) -> list[Solver]:
+def compiled_solvers(system: System, problem: Problem, tolerances: tuple[float, ...]) -> list[Solver]:
     """Every compiled method on one formulation."""
-    return [_solver(system, scene, method, tolerances) for method in METHODS]
+    return [_solver(system, problem, method, tolerances) for method in METHODS]
 
 
-def implicit_solvers(systems: Sequence[System], scene: Scene) -> tuple[list[Solver], list[tuple[str, str]]]:
+def implicit_solvers(systems: Sequence[System], problem: Problem) -> tuple[list[Solver], list[tuple[str, str]]]:
     """Every implicit method, once, and why one is absent: (name, reason).
 
     They integrate (x, v) with a compiled Jacobian whatever the formulation, which only says what a row holds beside
@@ -90,21 +90,21 @@ def implicit_solvers(systems: Sequence[System], scene: Scene) -> tuple[list[Solv
     chosen = next((system for system in systems if system.formulation == _PLAIN), systems[0])
     absent = [] if find_spec("sksundae") else [("CVODE", "not installed (pip install 'eigenmotion[stiff]')")]
     names = [method for method in IMPLICIT if method not in dict(absent)]
-    return [_solver(chosen, scene, method, IMPLICIT_TOLERANCES) for method in names], absent
+    return [_solver(chosen, problem, method, IMPLICIT_TOLERANCES) for method in names], absent
 
 
-def _solver(system: System, scene: Scene, method: str, tolerances: tuple[float, ...]) -> Solver:
+def _solver(system: System, problem: Problem, method: str, tolerances: tuple[float, ...]) -> Solver:
     return Solver(
-        OURS, system.formulation, method, tolerances, lambda tolerance: _attempt(system, scene, method, tolerance)
+        OURS, system.formulation, method, tolerances, lambda tolerance: _attempt(system, problem, method, tolerance)
     )
 
 
-def _attempt(system: System, scene: Scene, method: str, tolerance: float) -> Attempt:
-    options: dict[str, Any] = {"method": method, "rtol": tolerance, "atol": tolerance, **scene.settings}
+def _attempt(system: System, problem: Problem, method: str, tolerance: float) -> Attempt:
+    options: dict[str, Any] = {"method": method, "rtol": tolerance, "atol": tolerance, **problem.settings}
     options["max_steps"] = MOST_STEPS[method in IMPLICIT]
 
     def run(t_eval: Vector | None = None) -> Solution:
-        return simulate(system, (0.0, scene.t_end), t_eval=t_eval, **options)
+        return simulate(system, (0.0, problem.t_end), t_eval=t_eval, **options)
 
     def quietly(t_eval: Vector | None = None) -> Solution:
         with warnings.catch_warnings():
@@ -112,13 +112,13 @@ def _attempt(system: System, scene: Scene, method: str, tolerance: float) -> Att
             return run(t_eval)
 
     used = quietly if method in IMPLICIT else run
-    return Attempt(used, lambda times, done: _motion(system, used(times) if done.status == 0 else done, done))
+    return Attempt(used, lambda times, done: _track(system, used(times) if done.status == 0 else done, done))
 
 
-def _motion(system: System, at_rows: Solution, at_steps: Solution) -> Motion:
+def _track(system: System, at_rows: Solution, at_steps: Solution) -> Track:
     """Rows of one run, counts of the other: interpolation costs right-hand sides that a plain run does not need."""
     factors = at_rows.factor_residual if system.formulation == "eigenfactor" else np.empty(0)
-    return Motion(
+    return Track(
         at_rows.x.T,
         at_rows.v.T,
         nfev=at_steps.nfev,

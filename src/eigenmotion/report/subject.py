@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..building.build import compile_in, load
 from ..building.errors import BuildError, CompilerNotFoundError
+from ..building.extension import compile_in, load
 from ..building.request import order
 from ..building.toolchain import EXTENSION_SUFFIX, toolchain
 from ..codegen.c.lower import FORMULATIONS

@@ -1,44 +1,22 @@
 """Pictures of a solution; needs the extra `plot` (matplotlib)."""
 
-import io
 from collections.abc import Sequence
-from importlib.util import find_spec
 from itertools import cycle
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.optimize import isotonic_regression
 from sympy import Symbol, latex
 
 from ..arguments.names import Vector
-from ..codegen.model import ModelError
-from ..files import write
+from ..pages.figures import COLOURS, STYLES, apart, blank, uncluttered
 from .solution import Solution
 
 if TYPE_CHECKING:
     from ..system.system import System
 
-# Okabe & Ito's palette, told apart with any colour vision; its yellow is left out: too faint on white.
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000")
-STYLES = ("-", "--", ":", "-.")
 MARKERS = ("o", "s", "^", "D", "v")
 _MARKS = 8  # on each line
 _FEW = 30  # events that a line each does not hide the picture
-FORMATS = (".png", ".svg", ".pdf")
-
-
-def require_matplotlib() -> None:
-    """Raise ModelError where matplotlib is missing."""
-    if find_spec("matplotlib") is None:
-        raise ModelError("pictures need matplotlib: pip install 'eigenmotion[plot]'")
-
-
-def draw_coordinates(system: "System", solution: Solution, path: Path) -> None:
-    """Write the picture of a run to a file whose ending names one of FORMATS."""
-    picture = io.BytesIO()
-    coordinates(system, solution).savefig(picture, format=path.suffix[1:], dpi=150)
-    write(path, picture.getvalue())
 
 
 def coordinates(system: "System", solution: Solution) -> Any:
@@ -47,12 +25,9 @@ def coordinates(system: "System", solution: Solution) -> Any:
     Each line has a style, markers and its name at its end, so that none needs its colour. The unit of the time is the
     second; those of the coordinates are the model's and not known here.
     """
-    require_matplotlib()
-    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
-
     rows = len(system.events)
     heights = [max(4.0, 0.5 + 0.2 * system.n), *([0.2 * rows + 0.05] if rows else [])]
-    figure = Figure(figsize=(8, sum(heights) + 0.6), layout="constrained")
+    figure = blank(8, sum(heights) + 0.6)
     axes, *strip = figure.subplots(len(heights), sharex=True, squeeze=False, height_ratios=heights)[:, 0]
     t, x = _smooth(system, solution)
     _draw_lines(axes, t, x, system.coordinates)
@@ -73,8 +48,7 @@ def _draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:
         beside = (k + 0.5) / (_MARKS * len(names))  # those of the other lines
         place = (beside, 1 / _MARKS) if t[0] != t[-1] else None
         axes.plot(t, row, style, color=colour, marker=marker, markevery=place, markersize=5, linewidth=1.6, label=name)
-    axes.grid(color="0.9")
-    axes.spines[["top", "right"]].set_visible(False)
+    uncluttered(axes)
 
 
 def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
@@ -84,21 +58,12 @@ def _name_lines(axes: Any, x: Vector, names: Sequence[str]) -> None:
     low, high = axes.get_ylim()
     ends = np.clip(np.nan_to_num((x[:, -1] - low) / (high - low)), 0.0, 1.0)
     gap = min(0.18 / (axes.get_figure().get_size_inches()[1] - 0.6), 1 / len(names))
-    for line, name, end, place in zip(list(axes.get_lines()), names, ends, _apart(ends, gap), strict=True):
+    for line, name, end, place in zip(list(axes.get_lines()), names, ends, apart(ends, gap), strict=True):
         look = {"color": line.get_color(), "transform": axes.transAxes, "clip_on": False}
         style = {"linestyle": line.get_linestyle(), "marker": line.get_marker(), "markevery": [1], "markersize": 5}
         axes.add_line(Line2D([1.0, 1.03], [end, place], linewidth=0.6, **look))
         axes.add_line(Line2D([1.03, 1.055, 1.08], [place] * 3, linewidth=1.6, **style, **look))
         axes.text(1.09, place, _label(name), va="center", **look)
-
-
-def _apart(ends: Vector, gap: float) -> Vector:
-    """Return places (k,) within [0, 1], nearest to `ends` of those in their order and at least `gap` apart."""
-    order = np.argsort(ends, kind="stable")
-    steps = gap * np.arange(len(ends))
-    places = np.empty_like(ends)
-    places[order] = np.clip(isotonic_regression(ends[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
-    return places
 
 
 def _draw_events(strip: Any, axes: Any, names: Sequence[str], times: Sequence[Vector] | None) -> None:

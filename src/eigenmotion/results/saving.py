@@ -1,6 +1,5 @@
 """Solutions as files: .npz holds every row there is, .csv the motion as a table."""
 
-import csv
 import io
 from collections.abc import Callable
 from pathlib import Path
@@ -9,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..files import write
+from ..pages.tables import as_csv
 from .solution import Solution
 
 if TYPE_CHECKING:
@@ -40,11 +40,7 @@ def _csv(system: "System", solution: Solution) -> bytes:
     names += [*(f"lambda{k}" for k in range(system.m)), "energy", *solution.outputs]
     columns = np.vstack([solution.t, solution.x, solution.v, solution.multipliers, solution.energy,
                          *solution.outputs.values()])  # fmt: skip
-    text = io.StringIO(newline="")
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(names)
-    table.writerows(columns.T.tolist())
-    return text.getvalue().encode()
+    return as_csv(names, columns.T.tolist()).encode()
 
 
 SAVERS: dict[str, Callable[["System", Solution], bytes]] = {".npz": _npz, ".csv": _csv}

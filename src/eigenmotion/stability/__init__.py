@@ -1,7 +1,7 @@
 """The stiff and extreme cases: every formulation, option and method, and what becomes of it."""
 
 from .case import Case as Case
-from .case import Point as Point
+from .case import Trial as Trial
 from .cases import CASES as CASES
 from .examine import Examined as Examined
 from .examine import examine as examine

@@ -10,7 +10,8 @@ import numpy as np
 from ..arguments.names import Vector
 from ..arguments.signals import Signal
 from ..codegen.model import Model
-from .truth import Truth
+from ..reference.extended import Rhs
+from .truth import Integrated, Truth
 from .variants import UNCONSTRAINED, Variant
 
 EXPLICIT = {"rk34": 1e-7, "dopri5": 1e-8, "dop853": 1e-8}
@@ -19,8 +20,8 @@ TOLERANCES: Mapping[str, float] = MappingProxyType(EXPLICIT | STIFF)
 
 
 @dataclass(frozen=True)
-class Point:
-    """One value of a case's parameter.
+class Trial:
+    """What is run at one value of a case's parameter.
 
     Attributes
     ----------
@@ -52,17 +53,18 @@ class Point:
 
 @dataclass(frozen=True)
 class Case:
-    """A family of points of one model.
+    """A family of trials of one model.
 
     Attributes
     ----------
     axis : what is swept, with its unit
-    values : what `point` is called with, and `model` too
+    values : what `trial` is called with, and `model` too
     reduced : those of the quick check
     tolerances : of the methods it is run with
     max_steps : accepted steps after which a run gives up
     flags : C compiler flags after ours
-    weight : expected cost, to begin with the longest
+    weight : expected cost of a value, to begin with the longest
+    growth : of that cost, relative to it, with the value
     """
 
     name: str
@@ -71,7 +73,7 @@ class Case:
     axis: str
     values: tuple[float, ...]
     model: Callable[[float], Model]
-    point: Callable[[float], Point]
+    trial: Callable[[float], Trial]
     reduced: tuple[float, ...] = ()
     variants: tuple[Variant, ...] = UNCONSTRAINED
     tolerances: Mapping[str, float] = field(default_factory=lambda: TOLERANCES)
@@ -79,6 +81,11 @@ class Case:
     max_steps_stiff: int = 4_000
     flags: str | None = None
     weight: float = 1.0
+    growth: float = 0.0
+
+    def cost(self, value: float) -> float:
+        """Return what a value is expected to cost."""
+        return self.weight * (1 + self.growth * value)
 
 
 def power(value: float) -> str:
@@ -89,6 +96,24 @@ def power(value: float) -> str:
     return f"1e{exponent:.0f}" if abs(exponent - round(exponent)) < 1e-9 else f"{value:g}"
 
 
+def start_of(model: Model) -> tuple[Vector, Vector]:
+    """Return the model's own x0, v0 (n,)."""
+    return np.array(model.initial_x), np.array(model.initial_v)
+
+
+def scale_of(units: Vector, x0: Vector, v0: Vector) -> Vector:
+    """Return (2n,) by which a reference measures its own steps."""
+    return np.concatenate([units + np.abs(x0), units + np.abs(v0)])
+
+
 def rows(start: float, end: float, count: int = 40) -> Vector:
-    """Return the times of `count` rows, the last at the end and none at the start."""
-    return np.linspace(start, end, count + 1)[1:]
+    """Return the times of `count` rows, the last at the end and none at the start; where they are one, of one row."""
+    return np.linspace(start, end, count + 1)[1:] if start != end else np.array([end])
+
+
+def integrated(
+    label: str, rhs: Rhs, parameters: Mapping[str, float], x0: Vector, v0: Vector, units: Vector, times: Vector,
+    start: float = 0.0,
+) -> Trial:  # fmt: skip
+    """Return a trial whose truth is integrated in extended precision."""
+    return Trial(label, parameters, x0, v0, units, start, times, Integrated(rhs, scale_of(units, x0, v0)))

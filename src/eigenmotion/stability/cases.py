@@ -1,8 +1,8 @@
 """All cases, by name."""
 
-from . import charts, degenerate, kinks, places, scenes, spans
+from . import charts, degenerate, kinks, places, spans, stiffness
 
 CASES = {
     case.name: case
-    for case in (*scenes.CASES, *charts.CASES, *kinks.CASES, *places.CASES, *degenerate.CASES, *spans.CASES)
+    for case in (*stiffness.CASES, *charts.CASES, *kinks.CASES, *places.CASES, *degenerate.CASES, *spans.CASES)
 }

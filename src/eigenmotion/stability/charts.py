@@ -7,8 +7,8 @@ from scipy.spatial.transform import Rotation
 
 from ..arguments.names import Vector
 from ..models import heavy_top
-from .bodies import body_rows, body_start, upwards
-from .case import Case, Point, power, rows
+from .by_hand import body_rows, body_start, upwards
+from .case import Case, Trial, power, rows
 from .models import body_in_cardan_angles, polar_on_cart
 from .truth import ClosedForm
 
@@ -16,13 +16,13 @@ _TOP = {"J": 0.05, "J3": 0.02, "m": 1.0, "l": 0.2, "g": 0.0}
 _TURN = 2 * pi
 
 
-def polar(miss: float) -> Point:
+def polar(miss: float) -> Trial:
     """A particle that passes the centre at a distance, r = 1 before and after; rows after the passage."""
     along = sqrt(1 - miss**2)
     x0, v0 = np.array([0.2, pi - asin(miss), 1.0]), np.array([0.3, -miss, -along])
     units = np.array([1.0, max(miss, 1e-300), 1.0])
     truth = ClosedForm(_straight_on, "a straight line")
-    return Point(power(miss), {}, x0, v0, units, 0.0, rows(1.5, 2.0), truth, turns=np.array([0.0, _TURN, 0.0]))
+    return Trial(power(miss), {}, x0, v0, units, 0.0, rows(1.5, 2.0), truth, turns=np.array([0.0, _TURN, 0.0]))
 
 
 def _straight_on(start: Vector, elapsed: Vector) -> Vector:
@@ -37,7 +37,7 @@ def _straight_on(start: Vector, elapsed: Vector) -> Vector:
     ], axis=1)  # fmt: skip
 
 
-def gimbal(miss: float) -> Point:
+def gimbal(miss: float) -> Trial:
     """A free symmetric top whose axis passes the vertical at an angle; rows after the passage."""
     tilt, rate, spin, half = 0.6, 3.0, 4.0, 0.5
     momentum = np.array([sin(tilt + miss), 0.0, cos(tilt + miss)])
@@ -49,7 +49,7 @@ def gimbal(miss: float) -> Point:
     truth = ClosedForm(_free_top, "steady precession of the axis about the angular momentum")
     turns = np.array([_TURN, 0.0, _TURN])
     times = rows(0.75, 1.0)
-    return Point(power(miss), _TOP, start[:3], start[3:], np.ones(3), 0.0, times, truth, turns=turns)
+    return Trial(power(miss), _TOP, start[:3], start[3:], np.ones(3), 0.0, times, truth, turns=turns)
 
 
 def _free_top(start: Vector, elapsed: Vector) -> Vector:
@@ -78,7 +78,7 @@ def _euler(R: Rotation, omega: Vector) -> Vector:
     return np.array([phi, theta, -np.arctan2(body[1], body[0]), *rates])
 
 
-def cardan(miss: float) -> Point:
+def cardan(miss: float) -> Trial:
     """A heavy body of three different inertias that passes gimbal lock of its angles; rows after the passage."""
     angles = np.array([0.3, pi / 2 - miss, 0.2])
     at_passage = body_start(angles, _cardan_axes(angles[2]).T @ [0.0, 1.0, 3.0])
@@ -86,7 +86,7 @@ def cardan(miss: float) -> Point:
     start = _cardan(begin)
     truth = ClosedForm(_heavy_body, "Euler's equations in quaternions, in extended precision")
     turns = np.array([_TURN, 0.0, _TURN])
-    return Point(power(miss), {}, start[:3], start[3:], np.ones(3), 0.0, rows(0.75, 1.0), truth, turns=turns)
+    return Trial(power(miss), {}, start[:3], start[3:], np.ones(3), 0.0, rows(0.75, 1.0), truth, turns=turns)
 
 
 def _heavy_body(start: Vector, elapsed: Vector) -> Vector:

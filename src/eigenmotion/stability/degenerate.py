@@ -5,15 +5,14 @@ from math import cos, sin
 import numpy as np
 
 from ..arguments.names import Vector
-from .bodies import body_rows, body_start
-from .case import Case, Point, power, rows
+from .by_hand import body_rows, body_start
+from .case import Case, Trial, power, rows, scale_of
 from .degenerate_models import height_of_pendulum, pendulum_with_bead, quaternion_body, three_cranks
-from .scenes import scale_of
 from .truth import FINE, ClosedForm, Integrated, lagrange
 from .variants import CONSTRAINED, DEPENDENT_ROWS
 
 
-def massless(m_z: float) -> Point:
+def massless(m_z: float) -> Trial:
     """The height of an elastic pendulum as a coordinate of its own, with a mass that is small or none."""
     parameters = {"m_z": m_z} if m_z > 0 else {}
     one = Integrated(lagrange(pendulum_with_bead(), {"m_z": m_z}), scale_of(np.ones(2), np.ones(2), np.ones(2)))
@@ -26,33 +25,35 @@ def massless(m_z: float) -> Point:
         c, s = np.cos(theta), np.sin(theta)
         return np.stack([theta, r, r * c, theta_dot, r_dot, r_dot * c - r * theta_dot * s], axis=1)
 
-    return Point(power(m_z), parameters, x0, v0, np.ones(3), 0.0, rows(0.0, 2.0), ClosedForm(with_height, one.how))
+    return Trial(power(m_z), parameters, x0, v0, np.ones(3), 0.0, rows(0.0, 2.0), ClosedForm(with_height, one.how))
 
 
-def slender(ratio: float) -> Point:
+def slender(ratio: float) -> Trial:
     """A heavy body in quaternions, ever more slender: without any inertia about its axis it has no motion."""
     inertia = np.array([0.05, 0.05, 0.05 * ratio])
     start = body_start(np.array([0.3, 0.9, 0.2]), np.array([1.0, -2.0, 4.0]))
     rate = _quaternion_rate(start)
     parameters = {"J_3": inertia[2]}
     truth = ClosedForm(lambda s, t: _in_quaternions(inertia, s, t), "Euler's equations in extended precision")
-    return Point(power(ratio), parameters, start[:4], rate, np.ones(4), 0.0, rows(0.0, 1.0), truth)
+    return Trial(power(ratio), parameters, start[:4], rate, np.ones(4), 0.0, rows(0.0, 1.0), truth)
 
 
 def _in_quaternions(inertia: Vector, start: Vector, elapsed: Vector) -> Vector:
-    (a, b, c, d), rate = start[:4], start[4:]
-    G = np.array([[-b, a, d, -c], [-c, -d, a, b], [-d, c, -b, a]])
-    found = body_rows(inertia, np.concatenate([start[:4], 2 * G @ rate]), elapsed)
+    found = body_rows(inertia, np.concatenate([start[:4], 2 * _turning(start[:4]) @ start[4:]]), elapsed)
     return np.array([[*row[:4], *_quaternion_rate(row)] for row in found])
 
 
 def _quaternion_rate(row: Vector) -> Vector:
-    (a, b, c, d), omega = row[:4], row[4:]
-    G = np.array([[-b, a, d, -c], [-c, -d, a, b], [-d, c, -b, a]])
-    return np.asarray(G.T @ omega / 2)
+    return np.asarray(_turning(row[:4]).T @ row[4:] / 2)
 
 
-def cranks(offset: float) -> Point:
+def _turning(q: Vector) -> Vector:
+    """Return G (3, 4) of omega = 2 G q'."""
+    a, b, c, d = q
+    return np.array([[-b, a, d, -c], [-c, -d, a, b], [-d, c, -b, a]])
+
+
+def cranks(offset: float) -> Trial:
     """Three parallel cranks of one coupler: two rows too many for their motion, and three where all are in line."""
     rate = 4.0
     x0, v0 = np.array([offset, offset, offset, 0.0]), np.array([rate, rate, rate, 0.0])
@@ -62,7 +63,7 @@ def cranks(offset: float) -> Point:
         angle, rate = one.rows(start[[0, 4]], elapsed, FINE).T
         return np.stack([angle, angle, angle, 0 * angle, rate, rate, rate, 0 * angle], axis=1)
 
-    return Point(power(offset), {}, x0, v0, np.ones(4), 0.0, rows(0.0, 0.6), ClosedForm(together, one.how))
+    return Trial(power(offset), {}, x0, v0, np.ones(4), 0.0, rows(0.0, 0.6), ClosedForm(together, one.how))
 
 
 _CRANK_PULL = 9.81 * (3 * 0.5 + 2.0) / (3 * 1 / 3 + 2.0)  # g (sum of m r / 2 + m_c r) / (sum of m r^2 / 3 + m_c r^2)

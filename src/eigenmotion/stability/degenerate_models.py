@@ -6,7 +6,7 @@ from sympy import Expr, Integer, Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from ..codegen.model import Model
-from .bodies import WEIGHT
+from .by_hand import WEIGHT
 
 _HALF = Rational(1, 2)
 

@@ -1,11 +1,9 @@
-"""Pictures of the matrix. Colours are Okabe and Ito's, and each outcome has a pattern or mark of its own as well."""
+"""Pictures of the matrix; each outcome has a pattern or mark of its own as well as a colour."""
 
-import io
 from collections.abc import Sequence
 from typing import Any
 
-from ..report.curves import Picture
-from ..results.plot import require_matplotlib
+from ..pages.figures import BLACK, FORMULATIONS, ORANGE, Picture, blank, picture, uncluttered
 from .case import Case
 from .examine import Examined
 from .matrix import Matrix
@@ -19,15 +17,24 @@ _INK = {Outcome.RIGHT: "#0B3B2E", Outcome.REFUSED: "#444444", Outcome.DEGRADED: 
 _HATCH = {Outcome.RIGHT: "", Outcome.REFUSED: "////", Outcome.DEGRADED: "....", Outcome.WRONG: "xx"}
 _ORDER = list(Outcome)
 _DRIFT_LOOKS = {
-    "eigenfactor": ("#0072B2", "-"), "cholesky": ("#D55E00", "--"), "lagrange": ("#009E73", "-."),
-    "inverse": ("#CC79A7", ":"), "eigenfactor, not stabilised": ("#000000", "-"),
-    "lagrange, not stabilised": ("#E69F00", "--"),
-}  # fmt: skip
+    **dict(zip(FORMULATIONS, zip(FORMULATIONS.values(), ("-", "--", "-.", ":"), strict=True), strict=True)),
+    "eigenfactor, not stabilised": (BLACK, "-"),
+    "lagrange, not stabilised": (ORANGE, "--"),
+}
+
+
+def pictures(matrix: Matrix) -> tuple[Picture, ...]:
+    """Draw all: the overview first, then each case, with its drift where it has many periods."""
+    drawn = [overview(matrix)]
+    for case in matrix.cases:
+        drawn.append(detail(matrix, case))
+        if matrix.has_periods(case):
+            drawn.append(drift(matrix, case))
+    return tuple(drawn)
 
 
 def overview(matrix: Matrix) -> Picture:
     """Draw each case against each variant: the worst outcome, and how many runs of all were right."""
-    require_matplotlib()
     cases = matrix.cases
     columns = list(dict.fromkeys(cell.variant for cell in matrix.cells))
     figure, axes = _figure(3.4 + 1.15 * len(columns), 1.9 + 0.36 * len(cases))
@@ -40,12 +47,11 @@ def overview(matrix: Matrix) -> Picture:
     _frame(axes, [c.replace(", ", ",\n").replace("schur ", "schur\n") for c in columns], [c.title for c in cases])
     axes.set_title("worst outcome of all methods and values; number: runs that are right, of all", fontsize=10)
     _legend(figure)
-    return _picture(figure, "stability", "All cases", "Rows: cases. Columns: formulations and options.")
+    return picture(figure, "stability", "All cases", "Rows: cases. Columns: formulations and options.")
 
 
 def detail(matrix: Matrix, case: Case) -> Picture:
     """Draw each run of a case: columns are values, rows are methods and variants."""
-    require_matplotlib()
     points = matrix.of(case)
     rows = list(dict.fromkeys((c.method, c.variant) for point in points for c in point.cells))
     figure, axes = _figure(4.6 + 0.62 * max(len(points), 6), 2.0 + 0.24 * len(rows))
@@ -59,42 +65,33 @@ def detail(matrix: Matrix, case: Case) -> Picture:
     axes.set_xlabel(case.axis)
     axes.set_title(case.title, fontsize=11)
     _legend(figure)
-    return _picture(figure, f"stability_{case.name}", case.title, f"{case.about} {_key(points)}")
+    return picture(figure, f"stability_{case.name}", case.title, f"{case.about} {_key(points)}")
 
 
 def drift(matrix: Matrix, case: Case) -> Picture:
-    """Draw the drift of a case with many periods against their number."""
-    require_matplotlib()
-    methods = list(case.tolerances)
-    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
-
-    figure = Figure(figsize=(3.6 * len(methods), 4.6), layout="constrained")
-    panels = figure.subplots(1, len(methods), sharey=True, squeeze=False)[0]
-    for axes, method in zip(panels, methods, strict=True):
-        for variant, (colour, style) in _DRIFT_LOOKS.items():
-            found = [c for point in matrix.of(case) for c in point.cells if (c.method, c.variant) == (method, variant)]
-            kept = [(float(c.point), c.shown.energy, c.error) for c in found if c.shown.energy and c.error]
-            if kept:
-                periods, energies, errors = zip(*kept, strict=True)
-                axes.loglog(periods, energies, style, color=colour, marker="o", markersize=4, label=variant)
-                axes.loglog(
-                    periods,
-                    errors,
-                    style,
-                    color=colour,
-                    marker="^",
-                    markersize=5,
-                    markerfacecolor="white",
-                    linewidth=0.8,
-                )
-        axes.set(xlabel="periods", title=f"{method}, tolerance {case.tolerances[method]:g}")
-        axes.grid(color="0.9", linewidth=0.7)
-        axes.spines[["top", "right"]].set_visible(False)
+    """Draw the drift of a case with many periods against their number, a panel a method."""
+    figure = blank(3.6 * len(case.tolerances), 4.6)
+    panels = figure.subplots(1, len(case.tolerances), sharey=True, squeeze=False)[0]
+    for axes, (method, tolerance) in zip(panels, case.tolerances.items(), strict=True):
+        for variant, look in _DRIFT_LOOKS.items():
+            cells = [c for point in matrix.of(case) for c in point.cells if (c.method, c.variant) == (method, variant)]
+            _draw_drift(axes, cells, variant, *look)
+        axes.set(xlabel="periods", title=f"{method}, tolerance {tolerance:g}")
+        uncluttered(axes, linewidth=0.7)
     panels[0].set_ylabel("circles: relative drift of the energy\ntriangles: error of x and v")
-    handles, labels = panels[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3, frameon=False)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=3, frameon=False)
     text = f"{case.about} Circles: largest relative drift of the energy; triangles: largest error."
-    return _picture(figure, f"stability_{case.name}_drift", f"{case.title}: drift", text)
+    return picture(figure, f"stability_{case.name}_drift", f"{case.title}: drift", text)
+
+
+def _draw_drift(axes: Any, cells: Sequence[Cell], label: str, colour: str, style: str) -> None:
+    """Draw what there is of one variant: its energy filled, its error hollow and thinner."""
+    kept = [(float(c.point), c.shown.energy, c.error) for c in cells if c.shown.energy and c.error]
+    if kept:
+        periods, energies, errors = zip(*kept, strict=True)
+        axes.loglog(periods, energies, style, color=colour, marker="o", markersize=4, label=label)
+        hollow = {"marker": "^", "markersize": 5, "markerfacecolor": "white", "linewidth": 0.8}
+        axes.loglog(periods, errors, style, color=colour, **hollow)
 
 
 def _key(points: Sequence[Examined]) -> str:
@@ -105,9 +102,7 @@ def _key(points: Sequence[Examined]) -> str:
 
 
 def _figure(width: float, height: float) -> tuple[Any, Any]:
-    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
-
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = blank(width, height)
     return figure, figure.add_subplot()
 
 
@@ -138,26 +133,6 @@ def _legend(figure: Any) -> None:
         Patch(facecolor=_FACE[o], hatch=_HATCH[o], edgecolor="#FFFFFF", linewidth=0.0, label=str(o)) for o in Outcome
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), frameon=False, fontsize=9)
-
-
-def _picture(figure: Any, stem: str, title: str, text: str) -> Picture:
-    import matplotlib as mpl  # noqa: PLC0415, an optional package
-
-    svg, png = io.StringIO(), io.BytesIO()
-    with mpl.rc_context({"svg.hashsalt": stem, "svg.fonttype": "path", "hatch.linewidth": 0.6}):
-        figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
-        figure.savefig(png, format="png", dpi=150)
-    return Picture(stem, title, text, svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())
-
-
-def pictures(matrix: Matrix) -> tuple[Picture, ...]:
-    """Draw all: the overview first, then each case, with its drift where it has many periods."""
-    drawn = [overview(matrix)]
-    for case in matrix.cases:
-        drawn.append(detail(matrix, case))
-        if case.name.startswith("long"):
-            drawn.append(drift(matrix, case))
-    return tuple(drawn)
 
 
 def _worst(cells: Sequence[Cell]) -> Outcome:

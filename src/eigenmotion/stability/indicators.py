@@ -7,14 +7,14 @@ import numpy as np
 from ..arguments.names import Vector
 from ..results.solution import Solution
 from ..system.system import System
-from .case import Point
+from .case import Trial
 
 _TINY = 1e-300
 
 
 @dataclass(frozen=True, slots=True)
 class Indicators:
-    """None: the scene has no such thing.
+    """None: the model has no such thing.
 
     energy : largest |P(t) - P(t0)| relative to the energies exchanged, P = T2 - T0 + V; where P is conserved
     constraint, position : largest |A v + b| and |phi| relative to the terms that cancel in them
@@ -40,15 +40,15 @@ class Indicators:
 NOTHING_SHOWN = Indicators()
 
 
-def indicators(point: Point, system: System, solution: Solution) -> Indicators:
+def indicators(trial: Trial, system: System, solution: Solution) -> Indicators:
     """Compute them from the rows of a run."""
     t, x, v = (np.ascontiguousarray(rows) for rows in (solution.t, solution.x.T, solution.v.T))
-    periods = (t - point.start) * (point.periods or 1.0) / (abs(float(point.times[-1]) - point.start) or 1.0)
-    drift = _energy_drift(point, system, t, x, v) if point.conserves else None
+    periods = (t - trial.start) * (trial.periods or 1.0) / (abs(float(trial.times[-1]) - trial.start) or 1.0)
+    drift = _energy_drift(trial, system, t, x, v) if trial.conserves else None
     phi = np.abs(solution.position_residual).max(axis=0) / np.abs(x).max(axis=0).sum() if system.h else None
     return Indicators(
         energy=_largest(drift),
-        constraint=_largest(_constraint(point, system, t, x, v)) if system.m else None,
+        constraint=_largest(_constraint(trial, system, t, x, v)) if system.m else None,
         position=_largest(phi),
         factor=_largest(solution.factor_residual),
         energy_slope=_slope(periods, drift),
@@ -56,21 +56,21 @@ def indicators(point: Point, system: System, solution: Solution) -> Indicators:
     )
 
 
-def _energy_drift(point: Point, system: System, t: Vector, x: Vector, v: Vector) -> Vector:
+def _energy_drift(trial: Trial, system: System, t: Vector, x: Vector, v: Vector) -> Vector:
     """Return P(t) - P(t0) over the sum of the largest kinetic energy and the range of the others."""
-    t, x, v = (np.concatenate([[first], rows]) for first, rows in ((point.start, t), (point.x0, x), (point.v0, v)))
-    energies = system.compiled.energy_rows(t, x, v, system.prepare(point.parameters))
+    t, x, v = (np.concatenate([[first], rows]) for first, rows in ((trial.start, t), (trial.x0, x), (trial.v0, v)))
+    energies = system.compiled.energy_rows(t, x, v, system.prepare(trial.parameters))
     T2, others = energies[:, 0], energies @ (0.0, 0.0, -1.0, 1.0)
     P = T2 + others
     return np.asarray((P[1:] - P[0]) / max(float(T2.max() + np.ptp(others)), _TINY))
 
 
-def _constraint(point: Point, system: System, t: Vector, x: Vector, v: Vector) -> Vector:
-    return np.array([_row_residual(point, system, *row) for row in zip(t.tolist(), x, v, strict=True)])
+def _constraint(trial: Trial, system: System, t: Vector, x: Vector, v: Vector) -> Vector:
+    return np.array([_row_residual(trial, system, *row) for row in zip(t.tolist(), x, v, strict=True)])
 
 
-def _row_residual(point: Point, system: System, t: float, x: Vector, v: Vector) -> float:
-    A, b = system.pfaffian(x, t, point.parameters)
+def _row_residual(trial: Trial, system: System, t: float, x: Vector, v: Vector) -> float:
+    A, b = system.pfaffian(x, t, trial.parameters)
     terms = np.abs(A) @ np.abs(v) + np.abs(b)
     return float(np.max(np.abs(A @ v + b) / np.maximum(terms, _TINY)))
 

@@ -11,27 +11,25 @@ import numpy as np
 
 from ..arguments.names import Vector
 from ..arguments.signals import Signal
-from .case import Case, Point, power, rows
+from .by_hand import oscillation
+from .case import Case, Trial, power, rows, start_of
 from .models import kinked_oscillators, rooted_oscillators
-from .scenes import start_of
-from .truth import ClosedForm, oscillation
+from .truth import ClosedForm
 
 BENT, W_1, W_2 = 0.8, 1.0, sqrt(2.0)  # parameters c, w_1, w_2 of the models
 END = 5.0  # [s]
 
-Motion = Callable[[float, float, Vector], tuple[Vector, Vector]]
+Flow = Callable[[float, float, Vector], tuple[Vector, Vector]]
 """u and its rate at elapsed times (k,), from their values at the start."""
 Bend = Callable[[Vector], tuple[Vector, Vector]]
 """b and db/dz at z."""
 
 
-def in_bent_axes(
-    start: Vector, elapsed: Vector, motion: Motion, bend: Callable[[Vector], tuple[Vector, Vector]]
-) -> Vector:
+def in_bent_axes(start: Vector, elapsed: Vector, flow: Flow, bend: Bend) -> Vector:
     """Return rows (k, 4) of x = u - b(z), z and their rates."""
     x, z, x_dot, z_dot = start
     b, slope = bend(np.asarray(z))
-    u_t, u_t_dot = motion(float(x + b), float(x_dot + slope * z_dot), elapsed)
+    u_t, u_t_dot = flow(float(x + b), float(x_dot + slope * z_dot), elapsed)
     z_t, z_t_dot = oscillation(z, z_dot, W_2, elapsed)
     b, slope = bend(z_t)
     return np.stack([u_t - b, z_t, u_t_dot - slope * z_t_dot, z_t_dot], axis=1)
@@ -41,7 +39,7 @@ def _parabola(z: Vector) -> tuple[Vector, Vector]:
     return BENT * z**2 / 2, BENT * z
 
 
-def roots(width: float) -> Point:
+def roots(width: float) -> Trial:
     """b = c z sqrt(z^2 + width^2) / 2: dM/dz turns round within the width of z = 0, and jumps there for width 0."""
 
     def bend(z: Vector) -> tuple[Vector, Vector]:
@@ -53,26 +51,26 @@ def roots(width: float) -> Point:
         lambda start, t: in_bent_axes(start, t, lambda u, v, t: oscillation(u, v, W_1, t), bend), "linear oscillators"
     )
     parameters = {"w": width} if width > 0 else {}
-    return Point(power(width), parameters, *start_of(model), np.ones(2), 0.0, rows(0.0, END), truth)
+    return Trial(power(width), parameters, *start_of(model), np.ones(2), 0.0, rows(0.0, END), truth)
 
 
-def contact(k: float) -> Point:
+def contact(k: float) -> Trial:
     """A spring of stiffness k that is there for u > 0 only: its force has a kink."""
     return _switching(power(k), {"k": k})
 
 
-def sides(f: float) -> Point:
+def sides(f: float) -> Trial:
     """A force of size f towards u = 0: it jumps there."""
     return _switching(power(f), {"f": f})
 
 
-def _switching(label: str, parameters: dict[str, float]) -> Point:
+def _switching(label: str, parameters: dict[str, float]) -> Trial:
     k, f = parameters.get("k", 0.0), parameters.get("f", 0.0)
     truth = ClosedForm(
         lambda start, t: in_bent_axes(start, t, lambda u, v, t: _between_sides(u, v, t, k, f), _parabola),
         "pieces of harmonic motion",
     )
-    return Point(label, parameters, *start_of(kinked_oscillators()), np.ones(2), 0.0, rows(0.0, END), truth)
+    return Trial(label, parameters, *start_of(kinked_oscillators()), np.ones(2), 0.0, rows(0.0, END), truth)
 
 
 def _between_sides(u: float, v: float, t: Vector, k: float, f: float) -> tuple[Vector, Vector]:
@@ -92,17 +90,17 @@ def _between_sides(u: float, v: float, t: Vector, k: float, f: float) -> tuple[V
     return found, rates
 
 
-def held(period: float) -> Point:
+def held(period: float) -> Trial:
     """An acceleration of u that jumps at every sample."""
     return _sampled(period, "hold")
 
 
-def ramped(period: float) -> Point:
+def ramped(period: float) -> Trial:
     """One that has a kink at every sample."""
     return _sampled(period, "linear")
 
 
-def _sampled(period: float, kind: str) -> Point:
+def _sampled(period: float, kind: str) -> Trial:
     times = period * np.arange(int(np.ceil(END / period)) + 1)
     values = np.random.default_rng(0).uniform(-2.0, 2.0, len(times))
     signal = Signal(times, values, "hold" if kind == "hold" else "linear")
@@ -111,7 +109,7 @@ def _sampled(period: float, kind: str) -> Point:
         "pieces of harmonic motion about a centre that moves evenly",
     )
     model = kinked_oscillators()
-    return Point(
+    return Trial(
         power(period), {}, *start_of(model), np.ones(2), 0.0, rows(0.0, END), truth, conserves=False,
         inputs={"a": signal},
     )  # fmt: skip

@@ -2,20 +2,20 @@
 
 import multiprocessing
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from typing import TypeVar
 
+from ..pages.words import Progress, part
 from .case import Case
 from .cases import CASES
 from .examine import Examined, examine, program
 from .outcome import Cell, Outcome
 from .variants import Variant
 
-Task = tuple[str, float]  # a case and a value
+CaseValue = tuple[str, float]  # a case's name and one of its values
 Result = TypeVar("Result")
-Progress = Callable[[float, str], None]  # how much of the whole is done, 0 ... 1, and what was done last
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +40,10 @@ class Matrix:
         """Return the points of a case."""
         return tuple(point for point in self.points if point.case == case.name)
 
+    def has_periods(self, case: Case) -> bool:
+        """Whether a case's spans hold many periods, so that drifts have a slope."""
+        return any(point.periods for point in self.of(case))
+
     def count(self, outcome: Outcome) -> int:
         """Return how many cells ended so."""
         return sum(cell.outcome is outcome for cell in self.cells)
@@ -49,17 +53,20 @@ def survey(names: Sequence[str], workers: int, progress: Progress, reduced: bool
     """Build what the cases need, then examine every point, or the few of each case's `reduced`."""
     begin = time.perf_counter()
     chosen = [CASES[name] for name in names]
-    tasks = [(case.name, value) for case in chosen for value in (case.reduced if reduced else case.values)]
+    wanted = [(case.name, value) for case in chosen for value in (case.reduced if reduced else case.values)]
     if workers <= 1:
-        points = {task: _report(progress, k, tasks, examine(CASES[task[0]], task[1])) for k, task in enumerate(tasks)}
+        found = _in_turn(wanted, progress)
     else:
         with _pool(workers) as pool:
-            points = _in_parallel(pool, tasks, progress)
-    return Matrix(tuple(points[task] for task in tasks), time.perf_counter() - begin, workers)
+            found = _in_parallel(pool, wanted, progress)
+    return Matrix(tuple(found[one] for one in wanted), time.perf_counter() - begin, workers)
 
 
-def _report(progress: Progress, k: int, tasks: Sequence[object], found: Examined) -> Examined:
-    progress((k + 1) / len(tasks), found.case)
+def _in_turn(wanted: Sequence[CaseValue], progress: Progress) -> dict[CaseValue, Examined]:
+    found = {}
+    for k, (name, value) in enumerate(wanted):
+        found[name, value] = examine(CASES[name], value)
+        progress((k + 1) / len(wanted), name)
     return found
 
 
@@ -68,45 +75,42 @@ def _pool(workers: int) -> ProcessPoolExecutor:
     return ProcessPoolExecutor(workers, mp_context=multiprocessing.get_context("spawn"))
 
 
-def _in_parallel(pool: ProcessPoolExecutor, tasks: list[Task], progress: Progress) -> dict[Task, Examined]:
+def _in_parallel(pool: ProcessPoolExecutor, wanted: Sequence[CaseValue], progress: Progress
+                 ) -> dict[CaseValue, Examined]:  # fmt: skip
     """Programs first, each built once, the longest to build first; then points, likewise."""
-    by_cost = sorted(tasks, key=lambda task: -CASES[task[0]].weight * (1 + task[1] * (task[0] == "chain")))
-    orders = list(_orders(by_cost))
-    builds = [pool.submit(_build, *order) for order in orders]
-    for k, done in enumerate(_finished(builds)):
-        progress(0.5 * (k + 1) / len(builds), done.result())
-    futures = {pool.submit(_examine, *task): task for task in by_cost}
-    found = {}
-    for k, future in enumerate(_finished(list(futures))):
-        found[futures[future]] = future.result()
-        progress(0.5 + 0.5 * (k + 1) / len(futures), futures[future][0])
-    return found
+    by_cost = sorted(wanted, key=lambda one: -CASES[one[0]].cost(one[1]))
+    builds = {pool.submit(_build, *one): f"building {CASES[one[0]].model(one[1]).name}" for one in _programs(by_cost)}
+    for build in _finished(builds, part(progress, 0.0, 0.5)):
+        build.result()
+    runs = {pool.submit(_examine, *one): one for one in by_cost}
+    names = {run: name for run, (name, _) in runs.items()}
+    return {runs[run]: run.result() for run in _finished(names, part(progress, 0.5, 1.0))}
 
 
-def _finished(futures: Sequence["Future[Result]"]) -> Iterator["Future[Result]"]:
-    """Yield them as they end; the first failure ends the rest."""
-    for future in as_completed(futures):
+def _finished(futures: Mapping["Future[Result]", str], progress: Progress) -> Iterator["Future[Result]"]:
+    """Yield them as they end, by name in the progress; the first failure ends the rest."""
+    for k, future in enumerate(as_completed(futures)):
         if future.exception() is not None:
             for other in futures:
                 other.cancel()
         yield future
+        progress((k + 1) / len(futures), futures[future])
 
 
-def _orders(tasks: Iterable[Task]) -> Iterator[tuple[str, float, Variant]]:
+def _programs(wanted: Iterable[CaseValue]) -> Iterator[tuple[str, float, Variant]]:
     """Yield what to build: cases that share a model share its programs."""
     seen = set()
-    for name, value in tasks:
+    for name, value in wanted:
         case = CASES[name]
         for variant in case.variants:
-            wanted = (case.model(value).name, *variant.build.values(), case.flags)
-            if wanted not in seen:
-                seen.add(wanted)
+            key = (case.model(value).name, *variant.build.values(), case.flags)
+            if key not in seen:
+                seen.add(key)
                 yield name, value, variant
 
 
-def _build(name: str, value: float, variant: Variant) -> str:
+def _build(name: str, value: float, variant: Variant) -> None:
     program(CASES[name], value, variant)
-    return f"building {CASES[name].model(value).name}"
 
 
 def _examine(name: str, value: float) -> Examined:

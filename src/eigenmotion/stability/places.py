@@ -6,9 +6,8 @@ import numpy as np
 
 from ..arguments.names import Vector
 from ..models import slider_crank
-from .case import Case, Point, power, rows
+from .case import Case, Trial, integrated, power, rows, scale_of, start_of
 from .models import blade_and_slave, folding_crank
-from .scenes import scale_of, start_of
 from .truth import FINE, ClosedForm, Integrated, Truth, lagrange
 from .variants import DEPENDENT_ROWS, SEVERAL_ROWS
 
@@ -16,17 +15,15 @@ _CRANK = 0.3  # [m]
 RANK = 1e-12  # rows that differ by less than this part of their length are one row to "least_norm"
 
 
-def alike(part: float) -> Point:
+def alike(part: float) -> Trial:
     """Two rows that differ by `part`: the condition of A is its reciprocal."""
     model = blade_and_slave()
     x0, v0 = start_of(model)
-    units = np.ones(4)
     rhs = lagrange(model, {"part": 1.0}) if part > RANK else lagrange(blade_and_slave(1), {})
-    truth = Integrated(rhs, scale_of(units, x0, v0))
-    return Point(power(part), {"part": part}, x0, v0, units, 0.0, rows(0.0, 3.0), truth)
+    return integrated(power(part), rhs, {"part": part}, x0, v0, np.ones(4), rows(0.0, 3.0))
 
 
-def folding(excess: float) -> Point:
+def folding(excess: float) -> Trial:
     """A slider-crank whose rod is longer than its crank by a part: shorter than that, it cannot pass 90 degrees."""
     parameters = {"r": _CRANK, "l": _CRANK * (1 + excess)}
     start = closed_loop(1.0, 6.0, **parameters)
@@ -34,7 +31,7 @@ def folding(excess: float) -> Point:
     truth: Truth = Integrated(lagrange(slider_crank.model, parameters), scale_of(units, start[:3], start[3:]))
     if excess == 0:
         truth = ClosedForm(_folded, "the motion with phi = theta in extended precision: the smooth one")
-    return Point(power(excess), parameters, start[:3], start[3:], units, 0.0, rows(0.0, 0.8), truth)
+    return Trial(power(excess), parameters, start[:3], start[3:], units, 0.0, rows(0.0, 0.8), truth)
 
 
 def _folded(start: Vector, elapsed: Vector) -> Vector:

@@ -1,6 +1,7 @@
 """The cases of long spans, units, starts and size."""
 
 from math import cos, pi, sin, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from scipy.special import ellipj, ellipk, ellipkinc
@@ -8,22 +9,22 @@ from scipy.special import ellipj, ellipk, ellipkinc
 from ..arguments.names import Vector
 from ..models import chain as chain_model
 from ..models import slider_crank
-from .case import Case, Point, power, rows
+from .by_hand import chain, oscillation
+from .case import Case, Trial, integrated, power, rows, start_of
 from .models import bent_oscillators, cartesian_pendulum, elastic_link, hung_pendulum
 from .places import closed_loop
-from .scenes import scale_of, start_of
-from .truth import ClosedForm, Integrated, chain, lagrange, oscillation
+from .truth import ClosedForm, lagrange
 from .variants import CONSTRAINED, SEVERAL_ROWS, UNSTABILISED, Variant
 
 ROWS = 400
 
 
-def oscillators(periods: float) -> Point:
+def oscillators(periods: float) -> Trial:
     """Two linear oscillators in curved coordinates, for many periods of the slower."""
     x0, v0 = start_of(bent_oscillators())
     truth = ClosedForm(_bent, "linear oscillators", own=1e-9)
     times = rows(0.0, 2 * pi * periods, ROWS)
-    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, periods=periods)
+    return Trial(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, periods=periods)
 
 
 def _bent(start: Vector, elapsed: Vector) -> Vector:
@@ -34,13 +35,13 @@ def _bent(start: Vector, elapsed: Vector) -> Vector:
     return np.stack([u - c * z_t**2 / 2, z_t, u_dot - c * z_t * z_t_dot, z_t_dot], axis=1)
 
 
-def pendulum(periods: float) -> Point:
+def pendulum(periods: float) -> Trial:
     """A pendulum of 1 rad under a holonomic constraint."""
     x0, v0 = start_of(cartesian_pendulum())
     period = float(4 * ellipk(sin(0.5) ** 2))
     truth = ClosedForm(_swing, "Jacobi's elliptic functions", own=1e-9)
     times = rows(0.0, period * periods, ROWS)
-    return Point(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, periods=periods)
+    return Trial(power(periods), {}, x0, v0, np.ones(2), 0.0, times, truth, periods=periods)
 
 
 def _swing(start: Vector, elapsed: Vector) -> Vector:
@@ -56,13 +57,13 @@ def _swing(start: Vector, elapsed: Vector) -> Vector:
     return np.stack([s, -c, rates * c, rates * s], axis=1)
 
 
-def origin(distance: float) -> Point:
+def origin(distance: float) -> Trial:
     """The same, hung so that the mass passes the origin (1), or far from it; in its own direction of both axes."""
     hung = distance * np.array([0.0, 1.0]) if distance == 1.0 else distance * np.array([1.0, -1.0])
     x0, v0 = start_of(hung_pendulum())
     truth = ClosedForm(lambda start, t: _swing_about(hung, start, t), "Jacobi's elliptic functions", own=1e-13)
     parameters = {"x_0": hung[0], "y_0": hung[1]}
-    return Point(power(distance), parameters, x0 + hung, v0, np.ones(2), 0.0, rows(0.0, 20.0), truth)
+    return Trial(power(distance), parameters, x0 + hung, v0, np.ones(2), 0.0, rows(0.0, 20.0), truth)
 
 
 def _swing_about(hung: Vector, start: Vector, elapsed: Vector) -> Vector:
@@ -70,73 +71,76 @@ def _swing_about(hung: Vector, start: Vector, elapsed: Vector) -> Vector:
     return np.asarray(_swing(start - shift, elapsed) + shift)
 
 
-def lengths_of_link(u: float) -> Point:
+def lengths_of_link(u: float) -> Trial:
     """The elastic link with lengths in a unit of u metres: angles and times are the same."""
     return _elastic(u, 1.0, power(u))
 
 
-def masses_of_link(w: float) -> Point:
+def masses_of_link(w: float) -> Trial:
     """The same with masses in a unit of w kilograms."""
     return _elastic(1.0, w, power(w))
 
 
-def _elastic(u: float, w: float, label: str) -> Point:
+def _elastic(u: float, w: float, label: str) -> Trial:
     parameters = {"m_1": w, "m_2": w, "l": u, "L": u, "k": 50 * w, "d": 0.0, "K_1": 20 * w * u**2, "K_2": 10 * w * u**2}
     x0, v0 = start_of(elastic_link())
     x0[2] = 0.1 * u
     units = np.array([1.0, 1.0, u])
-    truth = Integrated(lagrange(elastic_link(), parameters), scale_of(units, x0, v0))
-    return Point(label, parameters, x0, v0, units, 0.0, rows(0.0, 2.0), truth)
+    return integrated(label, lagrange(elastic_link(), parameters), parameters, x0, v0, units, rows(0.0, 2.0))
 
 
-def lengths_of_crank(u: float) -> Point:
+def lengths_of_crank(u: float) -> Trial:
     """The slider-crank with lengths in a unit of u metres."""
     return _crank(u, 1.0, power(u))
 
 
-def masses_of_crank(w: float) -> Point:
+def masses_of_crank(w: float) -> Trial:
     """The same with masses in a unit of w kilograms."""
     return _crank(1.0, w, power(w))
 
 
-def _crank(u: float, w: float, label: str, start: float = 0.0, end: float = 1.0, rate: float = 5.0) -> Point:
+def _crank(u: float, w: float, label: str, start: float = 0.0, end: float = 1.0, rate: float = 5.0) -> Trial:
     parameters = {"r": 0.3 * u, "l": u, "m_c": w, "m_r": w, "m_s": 2 * w, "g": 9.81 * u}
     state = closed_loop(1.0, rate, parameters["r"], parameters["l"])
-    units = np.array([1.0, 1.0, u])
-    truth = Integrated(lagrange(slider_crank.model, parameters), scale_of(units, state[:3], state[3:]))
-    times = rows(start, end) if start != end else np.array([end])
-    return Point(label, parameters, state[:3], state[3:], units, start, times, truth)
+    rhs, units = lagrange(slider_crank.model, parameters), np.array([1.0, 1.0, u])
+    return integrated(label, rhs, parameters, state[:3], state[3:], units, rows(start, end), start)
 
 
-def starts_of_pendulum(which: float) -> Point:
-    """A double pendulum that starts as `_STARTS` say."""
-    angle = {2: 0.0, 3: pi}.get(int(which), 1.0)
-    x0, v0 = np.array([angle, angle]), np.zeros(2) if which in (1, 2, 3) else np.array([0.5, -0.5])
-    label, start, end = _STARTS[int(which)]
-    units = np.ones(2)
-    truth = Integrated(chain(units, units, 9.81), scale_of(units, x0, v0))
-    times = rows(start, end) if start != end else np.array([end])
-    return Point(label, {}, x0, v0, units, start, times, truth)
+class _Start(NamedTuple):
+    """Where and when a mechanism starts, and until when it runs [s]; `angle` is that of a pendulum's links."""
 
-
-def starts_of_crank(which: float) -> Point:
-    """A slider-crank that does."""
-    label, start, end = _STARTS[int(which)]
-    return _crank(1.0, 1.0, label, start, end, rate=0.0 if which == 1 else 5.0)
+    label: str
+    start: float = 0.0
+    end: float = 2.0
+    angle: float = 1.0
+    moves: bool = True
 
 
 _STARTS = (
-    ("forwards", 0.0, 2.0), ("at rest", 0.0, 2.0), ("stable\nequilibrium", 0.0, 2.0),
-    ("unstable\nequilibrium", 0.0, 2.0), ("zero length", 1.0, 1.0), ("backwards", 2.0, 0.0),
-    ("not from 0", 1e6, 1e6 + 2.0),
+    _Start("forwards"), _Start("at rest", moves=False), _Start("stable\nequilibrium", angle=0.0, moves=False),
+    _Start("unstable\nequilibrium", angle=pi, moves=False), _Start("zero length", 1.0, 1.0),
+    _Start("backwards", 2.0, 0.0), _Start("not from 0", 1e6, 1e6 + 2.0),
 )  # fmt: skip
 
 
-def links(n: float) -> Point:
+def starts_of_pendulum(which: float) -> Trial:
+    """A double pendulum that starts as `_STARTS` say."""
+    chosen, units = _STARTS[int(which)], np.ones(2)
+    x0, v0 = chosen.angle * units, np.array([0.5, -0.5]) if chosen.moves else np.zeros(2)
+    times = rows(chosen.start, chosen.end)
+    return integrated(chosen.label, chain(units, units, 9.81), {}, x0, v0, units, times, chosen.start)
+
+
+def starts_of_crank(which: float) -> Trial:
+    """A slider-crank that does."""
+    chosen = _STARTS[int(which)]
+    return _crank(1.0, 1.0, chosen.label, chosen.start, chosen.end, rate=5.0 * chosen.moves)
+
+
+def links(n: float) -> Trial:
     """A chain of n links let go at 45 degrees."""
     ones, x0 = np.ones(int(n)), np.full(int(n), pi / 4)
-    truth = Integrated(chain(ones, ones, 9.81), scale_of(ones, x0, 0 * x0))
-    return Point(str(int(n)), {}, x0, 0 * x0, ones, 0.0, rows(0.0, 1.0, 20), truth)
+    return integrated(str(int(n)), chain(ones, ones, 9.81), {}, x0, 0 * x0, ones, rows(0.0, 1.0, 20))
 
 
 _UNITS = tuple(10.0**e for e in range(-12, 13, 3))
@@ -201,6 +205,6 @@ CASES = (
         "chain", "Chains",
         "Chains of n links, let go at 45 degrees, for 1 s: within what can be predicted.",
         "links n", (2.0, 4.0, 8.0, 16.0, 32.0), lambda n: chain_model.model(int(n)), links,
-        flags="-O1", weight=30.0,
+        flags="-O1", weight=30.0, growth=1.0,
     ),
 )  # fmt: skip

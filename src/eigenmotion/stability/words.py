@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from ..report.words import number
+from ..pages.words import number
 from .case import Case
 from .matrix import Matrix
 from .outcome import Cell, Outcome

@@ -1,13 +1,13 @@
 """The files of the command."""
 
-import json
-import math
+from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
 
-from ..files import write
+from ..building.toolchain import toolchain
 from ..pages.machine import machine
+from ..pages.page import write_page
+from ..pages.tables import as_json
 from .drawing import pictures
 from .matrix import Matrix
 from .outcome import RULES, Outcome
@@ -16,32 +16,20 @@ from .page import page
 
 def write_matrix(matrix: Matrix, folder: Path) -> tuple[Path, ...]:
     """Write stability.html, stability.json and stability_*.png, stability_*.svg; return their paths, the page first."""
-    drawn = pictures(matrix)
-    contents = {"stability.html": page(matrix, drawn).encode(), "stability.json": as_json(matrix).encode()}
-    for picture in drawn:
-        contents |= {f"{picture.stem}.png": picture.png, f"{picture.stem}.svg": picture.svg.encode()}
-    for name, content in contents.items():
-        write(folder / name, content)
-    return tuple(folder / name for name in contents)
+    drawn, known = pictures(matrix), machine(toolchain().described)
+    texts = {"stability.html": page(matrix, drawn, known), "stability.json": numbers(matrix, known)}
+    return write_page(folder, texts, drawn)
 
 
-def as_json(matrix: Matrix) -> str:
-    """Write everything that was found; numbers that are not there, or not finite, are null."""
+def numbers(matrix: Matrix, known: Mapping[str, str]) -> str:
+    """Write everything that was found as JSON."""
     record = {
-        "machine": machine(),
+        "machine": known,
         "seconds": matrix.seconds,
         "workers": matrix.workers,
         "rules": {str(outcome): rule for outcome, rule in RULES.items()},
         "outcomes": {str(outcome): matrix.count(outcome) for outcome in Outcome},
         "cases": [{"name": c.name, "title": c.title, "about": c.about, "axis": c.axis} for c in matrix.cases],
-        "points": [_finite(asdict(point)) for point in matrix.points],
+        "points": [asdict(point) for point in matrix.points],
     }
-    return json.dumps(record, indent=1, allow_nan=False) + "\n"
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _finite(entry) for key, entry in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(entry) for entry in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+    return as_json(record)

@@ -1,4 +1,4 @@
-"""A heavy body with a fixed point: Euler's equations in quaternions, in extended precision."""
+"""Motions and equations written down by hand: an oscillation, a hanging chain, Euler's equations in quaternions."""
 
 from typing import Any
 
@@ -6,10 +6,37 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..arguments.names import Vector
-from ..reference.extended import Extended
+from ..reference.elimination import solve_array
+from ..reference.extended import Extended, Rhs
 from .truth import FINE, Integrated
 
 WEIGHT = 0.3  # m g l [N m]
+
+
+def oscillation(a: float, b: float, w: float, t: Vector) -> tuple[Vector, Vector]:
+    """Return a cos(w t) + b / w sin(w t) and its rate."""
+    c, s = np.cos(w * t), np.sin(w * t)
+    return a * c + b / w * s, b * c - a * w * s
+
+
+def chain(masses: Vector, lengths: Vector, g: float) -> Rhs:
+    """Return f(t, y) of a hanging chain written down by hand: sums of masses below, differences of angles.
+
+    sum_j mu_ij l_i l_j (cos(a_i - a_j) a_j'' + sin(a_i - a_j) a_j'^2) + mu_ii l_i g sin a_i = 0,
+    mu_ij the mass below link max(i, j).
+    """
+    n = len(masses)
+    below, l = np.cumsum(masses[::-1].astype(np.longdouble))[::-1], lengths.astype(np.longdouble)
+    shared = below[np.maximum.outer(np.arange(n), np.arange(n))] * np.outer(l, l)
+    weight = below * l * np.longdouble(g)
+
+    def rhs(time: Any, y: Extended) -> Extended:  # noqa: ARG001, nothing depends on it
+        angle, rate = y[:n], y[n:]
+        apart = angle[:, None] - angle[None, :]
+        force = -(shared * np.sin(apart)) @ rate**2 - weight * np.sin(angle)
+        return np.concatenate([rate, solve_array(shared * np.cos(apart), force)])
+
+    return rhs
 
 
 def body_start(angles: Vector, omega: Vector) -> Vector:

@@ -9,53 +9,42 @@ from ..arguments.names import Vector
 from ..codegen.model import Model
 from ..models import chain as chain_model
 from ..models import veering as veering_model
-from .case import Case, Point, power, rows
+from .by_hand import chain
+from .case import Case, Trial, integrated, power, rows, scale_of, start_of
 from .models import elastic_link, parallel_eigenvalues, triple_veering
-from .truth import Collocated, Integrated, Truth, chain, lagrange
+from .truth import Collocated, lagrange
 
 PERIODS = 20
 SPEED = 1.0  # [m/s] at which the undamped stretch starts
 STRETCH = 1e-2  # [m] from which the damped one does
 
 
-def start_of(model: Model) -> tuple[Vector, Vector]:
-    """Return the model's own x0, v0 (n,)."""
-    return np.array(model.initial_x), np.array(model.initial_v)
-
-
-def scale_of(units: Vector, x0: Vector, v0: Vector) -> Vector:
-    """Return (2n,) by which a reference measures its own steps."""
-    return np.concatenate([units + np.abs(x0), units + np.abs(v0)])
-
-
-def undamped(k: float) -> Point:
+def undamped(k: float) -> Trial:
     """A spring of stiffness k, for PERIODS of it or 2 s."""
     span = min(2.0, PERIODS * 2 * pi / sqrt(k))
     parameters, units = {"k": k, "d": 0.0}, np.array([1.0, 1.0, min(1.0, SPEED / sqrt(k))])
     x0, v0 = start_of(elastic_link())
     v0[2] = SPEED
-    truth = Integrated(lagrange(elastic_link(), parameters), scale_of(units, x0, v0))
-    return Point(power(k), parameters, x0, v0, units, 0.0, rows(0.0, span), truth)
+    return integrated(power(k), lagrange(elastic_link(), parameters), parameters, x0, v0, units, rows(0.0, span))
 
 
-def damped(k: float) -> Point:
+def damped(k: float) -> Trial:
     """The same with five times the critical damping, for 1 s: k = 1e10 has d = 1e6."""
     parameters, units = {"k": k, "d": 10 * sqrt(k)}, np.array([1.0, 1.0, STRETCH])
     x0, v0 = start_of(elastic_link())
     x0[2] = STRETCH
     truth = Collocated(lagrange(elastic_link(), parameters), scale_of(units, x0, v0))
-    return Point(power(k), parameters, x0, v0, units, 0.0, rows(0.0, 1.0), truth, conserves=False)
+    return Trial(power(k), parameters, x0, v0, units, 0.0, rows(0.0, 1.0), truth, conserves=False)
 
 
-def link(parameters: Mapping[str, float], x0: Vector, v0: Vector, span: float, label: str) -> Point:
+def link(parameters: Mapping[str, float], x0: Vector, v0: Vector, span: float, label: str) -> Trial:
     """Two links of given sizes."""
     masses, lengths = (np.array([parameters.get(f"{c}_{k}", 1.0) for k in (1, 2)]) for c in "ml")
-    units = np.ones(2)
-    truth = Integrated(chain(masses, lengths, parameters.get("g", 9.81)), scale_of(units, x0, v0))
-    return Point(label, parameters, x0, v0, units, 0.0, rows(0.0, span), truth)
+    rhs = chain(masses, lengths, parameters.get("g", 9.81))
+    return integrated(label, rhs, parameters, x0, v0, np.ones(2), rows(0.0, span))
 
 
-def mass_ratio(ratio: float) -> Point:
+def mass_ratio(ratio: float) -> Trial:
     """m_2 / m_1; heavy below light is a stiff string with a bead on it."""
     fast = sqrt(9.81 * 2 * (1 + ratio))
     span = min(2.0, PERIODS * 2 * pi / fast)
@@ -63,17 +52,15 @@ def mass_ratio(ratio: float) -> Point:
     return link(parameters, np.array([0.7, 0.3]), np.zeros(2), span, power(ratio))
 
 
-def short_link(length: float) -> Point:
+def short_link(length: float) -> Trial:
     """l_2 -> 0: an eigenvalue of M goes with its square."""
     span = min(2.0, PERIODS * 2 * pi * sqrt(max(length, 1e-300) / 9.81)) if length else 1.0
     return link({"l_2": length}, np.array([0.7, 1.5]), np.zeros(2), span, power(length))
 
 
-def _crossing(model: Model, gap: float, end: float) -> Point:
+def _crossing(model: Model, gap: float, end: float) -> Trial:
     x0, v0 = start_of(model)
-    units = np.ones(len(x0))
-    truth: Truth = Integrated(lagrange(model, {"gap": gap}), scale_of(units, x0, v0))
-    return Point(power(gap), {"gap": gap}, x0, v0, units, 0.0, rows(0.0, end), truth)
+    return integrated(power(gap), lagrange(model, {"gap": gap}), {"gap": gap}, x0, v0, np.ones(len(x0)), rows(0.0, end))
 
 
 _GAPS = (1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 0.0)

@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from ..arguments.names import Vector
 from ..codegen.model import ModelError
-from ..reference.classical import Classical
-from ..reference.collocation import Collocation, jacobian
-from ..reference.extended import EPSILON, Extended, Midpoint, NotReachedError, Rhs, Scheme, extended, followed
+from .classical import Classical
+from .collocation import Collocation, jacobian
+from .extended import EPSILON, Extended, Rhs, extended
+from .integration import Midpoint, NotReachedError, Scheme, followed
 
 ROWS = 201
 _HOW = (

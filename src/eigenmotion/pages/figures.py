@@ -1,0 +1,84 @@
+"""Figures: colours that any colour vision tells apart, axes, files. Needs the extra `plot` (matplotlib)."""
+
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import isotonic_regression
+
+from ..codegen.model import ModelError
+from ..files import write
+
+# Okabe & Ito's palette; its yellow is left out: too faint on white.
+COLOURS = BLUE, VERMILION, GREEN, PURPLE, SKY, ORANGE, BLACK = (
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000",
+)  # fmt: skip
+STYLES = ("-", "--", ":", "-.")
+FORMULATIONS = {"eigenfactor": BLUE, "cholesky": VERMILION, "lagrange": GREEN, "inverse": PURPLE}
+FORMATS = (".png", ".svg", ".pdf")
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A figure in both formats. `stem` is what its files are called, `title` and `text` go with it on the page."""
+
+    stem: str
+    title: str
+    text: str
+    svg: str
+    png: bytes
+
+
+def require_matplotlib() -> None:
+    """Raise ModelError where matplotlib is missing."""
+    if find_spec("matplotlib") is None:
+        raise ModelError("pictures need matplotlib: pip install 'eigenmotion[plot]'")
+
+
+def blank(width: float, height: float) -> Any:
+    """Return a figure [inch] without axes."""
+    require_matplotlib()
+    from matplotlib.figure import Figure  # noqa: PLC0415, an optional package
+
+    return Figure(figsize=(width, height), layout="constrained")
+
+
+def uncluttered(axes: Any, grid: str = "0.9", **look: Any) -> None:
+    """Draw a faint grid, and no frame where there are no numbers."""
+    axes.grid(color=grid, **look)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def apart(ends: Sequence[float] | NDArray[np.float64], gap: float) -> NDArray[np.float64]:
+    """Return places (k,) within [0, 1], nearest to `ends` of those in their order and at least `gap` apart."""
+    wanted = np.asarray(ends, dtype=np.float64)
+    order = np.argsort(wanted, kind="stable")
+    steps = gap * np.arange(len(wanted))
+    places = np.empty_like(wanted)
+    places[order] = np.clip(isotonic_regression(wanted[order] - steps).x, 0.0, 1.0 - steps[-1]) + steps
+    return places
+
+
+def save(figure: Any, path: Path) -> Path:
+    """Write a figure to a file whose ending names one of FORMATS, in full or not at all."""
+    content = io.BytesIO()
+    figure.savefig(content, format=path.suffix[1:], dpi=150)
+    write(path, content.getvalue())
+    return path
+
+
+def picture(figure: Any, stem: str, title: str, text: str) -> Picture:
+    """Return a figure as a picture for a page."""
+    import matplotlib as mpl  # noqa: PLC0415, an optional package
+
+    svg, png = io.StringIO(), io.BytesIO()
+    # names of its own for clip paths: several pictures share a page
+    with mpl.rc_context({"svg.hashsalt": stem, "svg.fonttype": "path", "hatch.linewidth": 0.6}):
+        figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
+        figure.savefig(png, format="png", dpi=150)
+    return Picture(stem, title, text, svg.getvalue()[svg.getvalue().index("<svg") :], png.getvalue())
