@@ -20,7 +20,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.building.build import cached_sources, compiled, make
 from eigenmotion.building.extension import load
-from eigenmotion.building.request import generator, order
+from eigenmotion.building.request import generator_hash, order
 from eigenmotion.building.toolchain import OPTIMISED, Toolchain, toolchain
 
 from .hand_written import bead
@@ -96,11 +96,11 @@ def test_the_processor_is_part_of_the_compilers_identity():
 
 @pytest.mark.parametrize("package", ["sympy", "jinja2"])
 def test_what_writes_the_sources_is_part_of_what_finds_them(monkeypatch, package):
-    before = generator.__wrapped__()
-    known = generator.__wrapped__.__globals__["version"]
-    monkeypatch.setitem(generator.__wrapped__.__globals__, "version",
+    before = generator_hash.__wrapped__()
+    known = generator_hash.__wrapped__.__globals__["version"]
+    monkeypatch.setitem(generator_hash.__wrapped__.__globals__, "version",
                         lambda name: "another" if name == package else known(name))  # fmt: skip
-    assert generator.__wrapped__() != before
+    assert generator_hash.__wrapped__() != before
 
 
 def test_nothing_of_the_process_is_changed(own_cache):

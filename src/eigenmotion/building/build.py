@@ -102,7 +102,7 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
 
 def cached_sources(wanted: Order) -> Sources:
     """Return the sources of an order, derived unless the same generator did so before."""
-    folder = entry("sources", wanted.question, lambda folder: _generate(wanted, folder))
+    folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder))
     with guarded():
         files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
     return Sources(wanted.model.name, files)

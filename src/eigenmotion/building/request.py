@@ -39,9 +39,9 @@ class Order:
         )
 
     @property
-    def question(self) -> str:
+    def sources_hash(self) -> str:
         """Hash of all that the generated text depends on, the generator included."""
-        return key(self.input_hash, self.origin, generator())
+        return key(self.input_hash, self.origin, generator_hash())
 
     def sources(self) -> Sources:
         """Derive and render."""
@@ -105,7 +105,7 @@ def _command(file: str, definitions: Mapping[str, object], options: Mapping[str,
 
 
 @cache
-def generator() -> str:
+def generator_hash() -> str:
     """Hash of the generator: its Python, its templates, and the versions of SymPy and Jinja."""
     texts = [text for package in ("eigenmotion.codegen", "eigenmotion.templates") for text in _texts(files(package))]
     return key(version("sympy"), version("jinja2"), *texts)

@@ -106,11 +106,13 @@ def model(command: Command) -> Command:
     return click.argument("model", metavar="MODEL", type=click.Path(path_type=Path))(command)
 
 
-def output(command: Command) -> Command:
+def folder(default: str, holds: str) -> Callable[[Command], Command]:
     """Add -o."""
-    option = click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path("generated"),
-                          show_default=True, help="Folder of the generated files.")  # fmt: skip
-    return option(command)
+    return click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path(default),
+                        show_default=True, help=f"Folder of the {holds}.")  # fmt: skip
+
+
+output = folder("generated", "generated files")
 
 
 def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:

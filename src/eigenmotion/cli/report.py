@@ -9,14 +9,13 @@ from eigenmotion.building.request import Order, order
 from eigenmotion.pages.figures import require_matplotlib
 from eigenmotion.report import Ask, examine, recommendation, write_report
 
-from .options import ABOVE_ZERO, assignments, check_writable, define, distinct, ending, setting, values
+from .options import ABOVE_ZERO, assignments, check_writable, define, distinct, ending, folder, setting, values
 from .progress import bar
 
 
 @click.command("report")
 @click.argument("models", metavar="MODEL...", nargs=-1, type=click.Path(path_type=Path))
-@click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path("report"),
-              show_default=True, help="Folder of the page, pictures and numbers.")  # fmt: skip
+@folder("report", "page, pictures and numbers")
 @click.option("--error", type=ABOVE_ZERO, default=1e-8, show_default=True, metavar="E",
               help="The accuracy to recommend for.")  # fmt: skip
 @ending(ABOVE_ZERO)

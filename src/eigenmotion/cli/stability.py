@@ -8,15 +8,14 @@ import click
 from eigenmotion.pages.figures import require_matplotlib
 from eigenmotion.stability import CASES, Matrix, Outcome, summary, survey, write_matrix
 
-from .options import check_writable
+from .options import check_writable, folder
 from .progress import bar
 
 _WORKERS = min(2, os.cpu_count() or 1)
 
 
 @click.command("stability")
-@click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), default=Path("stability"),
-              show_default=True, help="Folder of the page, pictures and numbers.")  # fmt: skip
+@folder("stability", "page, pictures and numbers")
 @click.option("--case", "names", multiple=True, type=click.Choice(list(CASES)), metavar="CASE",
               help=f"Only this case; may be given several times. Cases: {', '.join(CASES)}.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(min=1), default=_WORKERS, show_default=True,

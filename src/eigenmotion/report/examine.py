@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
@@ -12,12 +11,11 @@ from ..pages.words import Progress, part
 from ..reference.classical import Classical, classical
 from ..reference.motion import Reference, reference
 from ..results.solution import Solution
-from ..running.simulate import simulate
 from ..system.system import System
 from .measure import Budget, Judge, Measurement, measure, skipped
 from .peers import Start, peers
 from .recommend import Curve, Recommendation, curves, recommend
-from .solvers import IMPLICIT, MOST_STEPS, OUR_TOLERANCES, Problem, Solver, compiled_solvers, implicit_solvers
+from .solvers import OUR_TOLERANCES, Problem, Solver, compiled_solvers, implicit_solvers
 from .subject import Subject, subject
 
 
@@ -36,6 +34,11 @@ class Ask:
     tolerances: tuple[float, ...] = OUR_TOLERANCES
     settings: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     budget: Budget = field(default_factory=Budget)
+
+    @property
+    def problem(self) -> Problem:
+        """Return what every run is of."""
+        return Problem(self.t_end, self.settings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +97,8 @@ def _solvers(
     found: Subject, ask: Ask, equations: Classical, y: Vector
 ) -> tuple[list[Solver], tuple[tuple[str, str], ...]]:
     """Return ours and the peers', and what is absent."""
-    problem = Problem(ask.t_end, ask.settings)
-    ours = [solver for system in found.systems for solver in compiled_solvers(system, problem, ask.tolerances)]
-    implicit, missing = implicit_solvers(found.systems, problem)
+    ours = [solver for system in found.systems for solver in compiled_solvers(system, ask.problem, ask.tolerances)]
+    implicit, missing = implicit_solvers(found.systems, ask.problem)
     others = peers(equations, Start(y, ask.t_end))
     return [*ours, *implicit, *others.solvers], (*missing, *others.absent)
 
@@ -104,9 +106,7 @@ def _solvers(
 def _probe(system: System, ask: Ask) -> Solution:
     """Return a run that got to the end: of an explicit method, or where that is held up of an implicit one."""
     for method in ("dop853", "Radau"):
-        options: dict[str, Any] = {"method": method, "rtol": 1e-8, "atol": 1e-8, **ask.settings}
-        options["max_steps"] = MOST_STEPS[method in IMPLICIT]
-        probe = simulate(system, (0.0, ask.t_end), **options)
+        probe = ask.problem.simulate(system, method, 1e-8)
         if probe.status == 0:
             return probe
     raise ModelError(

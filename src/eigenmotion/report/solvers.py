@@ -75,6 +75,13 @@ class Problem:
     t_end: float
     settings: Mapping[str, Mapping[str, float]]
 
+    def simulate(self, system: System, method: str, tolerance: float, t_eval: Vector | None = None) -> Solution:
+        """Run one method at one tolerance."""
+        given: dict[str, Any] = {**self.settings, "max_steps": MOST_STEPS[method in IMPLICIT]}
+        return simulate(
+            system, (0.0, self.t_end), method=method, rtol=tolerance, atol=tolerance, t_eval=t_eval, **given
+        )
+
 
 def compiled_solvers(system: System, problem: Problem, tolerances: tuple[float, ...]) -> list[Solver]:
     """Every compiled method on one formulation."""
@@ -100,11 +107,8 @@ def _solver(system: System, problem: Problem, method: str, tolerances: tuple[flo
 
 
 def _attempt(system: System, problem: Problem, method: str, tolerance: float) -> Attempt:
-    options: dict[str, Any] = {"method": method, "rtol": tolerance, "atol": tolerance, **problem.settings}
-    options["max_steps"] = MOST_STEPS[method in IMPLICIT]
-
     def run(t_eval: Vector | None = None) -> Solution:
-        return simulate(system, (0.0, problem.t_end), t_eval=t_eval, **options)
+        return problem.simulate(system, method, tolerance, t_eval)
 
     def quietly(t_eval: Vector | None = None) -> Solution:
         with warnings.catch_warnings():

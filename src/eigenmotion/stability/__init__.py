@@ -1,13 +1,9 @@
 """The stiff and extreme cases: every formulation, option and method, and what becomes of it."""
 
-from .case import Case as Case
-from .case import Trial as Trial
 from .cases import CASES as CASES
-from .examine import Examined as Examined
 from .examine import examine as examine
 from .matrix import Matrix as Matrix
 from .matrix import survey as survey
-from .outcome import Cell as Cell
 from .outcome import Outcome as Outcome
 from .variants import Variant as Variant
 from .words import described as described

@@ -147,17 +147,8 @@ def folding_crank() -> Model:
 @cache
 def bent_oscillators() -> Model:
     """Return two free oscillators u = x + c z^2 / 2, z in coordinates in which M is coupled and varies."""
-    x, z = dynamicsymbols("x z")
-    m_1, m_2, w_1, w_2, c = symbols("m_1 m_2 w_1 w_2 c", positive=True)
-    u = x + c * z**2 / 2
-    return Model(
-        name="bent_oscillators",
-        coordinates=[x, z],
-        kinetic_energy=_HALF * (m_1 * u.diff(t) ** 2 + m_2 * z.diff() ** 2),
-        potential_energy=_HALF * (m_1 * w_1**2 * u**2 + m_2 * w_2**2 * z**2),
-        parameters={m_1: 1.0, m_2: 3.0, w_1: 1.0, w_2: 1.4142135623730951, c: 0.8},
-        initial={x: 0.5, z.diff(): 1.0},
-    )
+    z, c = dynamicsymbols("z"), symbols("c", positive=True)
+    return _oscillators("bent_oscillators", c * z**2 / 2, Integer(0), {c: 0.8}, z_0=0.0)
 
 
 @cache
@@ -183,7 +174,7 @@ def kinked_oscillators() -> Model:
     return _oscillators("kinked_oscillators", bend, V, values, forces=forces, inputs={a: 0.0})
 
 
-def _oscillators(name: str, bend: Expr, V: Expr, more: dict[Expr, float], **given: Any) -> Model:
+def _oscillators(name: str, bend: Expr, V: Expr, more: dict[Expr, float], z_0: float = 0.1, **given: Any) -> Model:
     """Return free oscillators u = x + bend(z) and z under a potential V besides their own."""
     x, z = dynamicsymbols("x z")
     m_1, m_2, w_1, w_2 = symbols("m_1 m_2 w_1 w_2", positive=True)
@@ -194,7 +185,7 @@ def _oscillators(name: str, bend: Expr, V: Expr, more: dict[Expr, float], **give
         kinetic_energy=_HALF * (m_1 * u.diff(t) ** 2 + m_2 * z.diff() ** 2),
         potential_energy=_HALF * (m_1 * w_1**2 * u**2 + m_2 * w_2**2 * z**2) + V,
         parameters={m_1: 1.0, m_2: 3.0, w_1: 1.0, w_2: 1.4142135623730951} | more,
-        initial={x: 0.5, z: 0.1, z.diff(): 1.0},
+        initial={x: 0.5, z: z_0, z.diff(): 1.0},
         **given,
     )
 
@@ -225,31 +216,25 @@ def body_in_cardan_angles() -> Model:
 @cache
 def hung_pendulum() -> Model:
     """Return a pendulum in x, y [m] that hangs at (x_0, y_0)."""
-    x, y = dynamicsymbols("x y")
-    m, l, g = symbols("m l g", positive=True)
     x_0, y_0 = symbols("x_0 y_0", real=True)
-    return Model(
-        name="hung_pendulum",
-        coordinates=[x, y],
-        kinetic_energy=_HALF * m * (x.diff() ** 2 + y.diff() ** 2),
-        potential_energy=m * g * (y - y_0),
-        holonomic_constraints=[((x - x_0) ** 2 + (y - y_0) ** 2 - l**2) / (2 * l)],
-        parameters={m: 1.0, l: 1.0, g: 1.0, x_0: 0.0, y_0: 0.0},
-        initial={x: sin(1).evalf(20), y: -cos(1).evalf(20)},
-    )
+    return _pendulum("hung_pendulum", x_0, y_0, {x_0: 0.0, y_0: 0.0})
 
 
 @cache
 def cartesian_pendulum() -> Model:
-    """Return a pendulum in x, y [m] with a rod as its holonomic constraint."""
+    """Return one that hangs at the origin; its rod is a holonomic constraint."""
+    return _pendulum("cartesian_pendulum", Integer(0), Integer(0), {})
+
+
+def _pendulum(name: str, x_0: Expr, y_0: Expr, more: dict[Expr, float]) -> Model:
     x, y = dynamicsymbols("x y")
     m, l, g = symbols("m l g", positive=True)
     return Model(
-        name="cartesian_pendulum",
+        name=name,
         coordinates=[x, y],
         kinetic_energy=_HALF * m * (x.diff() ** 2 + y.diff() ** 2),
-        potential_energy=m * g * y,
-        holonomic_constraints=[(x**2 + y**2 - l**2) / (2 * l)],
-        parameters={m: 1.0, l: 1.0, g: 1.0},
+        potential_energy=m * g * (y - y_0),
+        holonomic_constraints=[((x - x_0) ** 2 + (y - y_0) ** 2 - l**2) / (2 * l)],
+        parameters={m: 1.0, l: 1.0, g: 1.0} | more,
         initial={x: sin(1).evalf(20), y: -cos(1).evalf(20)},
     )
