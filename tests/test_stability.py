@@ -16,7 +16,7 @@ from eigenmotion.building.request import order
 from eigenmotion.building.toolchain import toolchain
 from eigenmotion.reference.collocation import Collocation
 from eigenmotion.reference.extended import EPSILON
-from eigenmotion.reference.integration import graded
+from eigenmotion.reference.integration import NotReachedError, graded
 from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, survey, write_matrix
 from eigenmotion.stability.by_hand import chain
 from eigenmotion.stability.case import EXPLICIT
@@ -114,6 +114,12 @@ def test_collocation_follows_a_stiff_decay():
     rows = graded(Collocation(5), lambda t, y: -1e6 * (y - np.cos(t)) - np.sin(t), np.array([2.0]), times, 16)
     exact = np.cos(times) + np.exp(-1e6 * times)
     assert np.abs(rows[:, 0] - exact).max() < 1e-11
+
+
+def test_steps_on_a_mesh_do_not_go_on_without_a_solution():
+    """y' = y^2 from y = 1 ends at t = 1."""
+    with np.errstate(all="ignore"), pytest.raises(NotReachedError, match=r"stopped at t = 0\.9"):
+        graded(Collocation(5), lambda t, y: y**2, np.array([1.0]), np.array([0.0, 2.0]), 8)
 
 
 def test_chain_by_hand_is_the_chain_of_the_model():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -42,7 +43,7 @@ def write_figures(directory: Path | str, only: Collection[int] = ()) -> Figures:
     """
     folder, made = Path(directory), experiment()
     paths = tuple(
-        figure(made, folder / f"figure_{number}.png")
+        save(figure(made), folder / f"figure_{number}.png")
         for number, figure in FIGURES.items()
         if not only or number in only
     )
@@ -50,44 +51,44 @@ def write_figures(directory: Path | str, only: Collection[int] = ()) -> Figures:
     return Figures(paths, tuple(finding for finding in said if not only or finding.figure in only))
 
 
-def _motion(made: Experiment, path: Path) -> Path:
-    return motion(made.eigenfactor.published, path)
+def _motion(made: Experiment) -> Any:
+    return motion(made.eigenfactor.published)
 
 
-def _coordinates(made: Experiment, path: Path) -> Path:
+def _coordinates(made: Experiment) -> Any:
     history = made.eigenfactor.published
     figure, ax = axes("Figure 3: coordinates", "angle [°], stretch [cm]")
     names = (r"$\theta_1$", r"$\theta_2$", r"$100\,\theta_3$", r"$\theta_4$")
     scales = (DEGREES, DEGREES, 100.0, DEGREES)
     rows = [(name, scale * x) for name, scale, x in zip(names, scales, history.x, strict=True)]
     draw(ax, history.t, rows, STYLES)
-    return save(figure, path)
+    return figure
 
 
-def _quasi_velocities(made: Experiment, path: Path) -> Path:
+def _quasi_velocities(made: Experiment) -> Any:
     history = made.eigenfactor.published
     figure, ax = axes(r"Figure 4: quasi-velocities $\eta = S\,C\,\dot x$", r"$\eta$ [J$^{1/2}$]")
     draw(ax, history.t, [(rf"$\eta_{i + 1}$", row) for i, row in enumerate(history.eta)], STYLES)
-    return save(figure, path)
+    return figure
 
 
-def _eigenvalues(made: Experiment, path: Path) -> Path:
+def _eigenvalues(made: Experiment) -> Any:
     history = made.eigenfactor.published
     figure, ax = axes("Figure 5: eigenvalues of the mass matrix", r"$\lambda$ (SI units of $M$)")
     draw(ax, history.t, [(rf"$\lambda_{i + 1}$", row) for i, row in enumerate(history.eigenvalues)], STYLES)
     ax.set_ylim(bottom=0)
-    return save(figure, path)
+    return figure
 
 
-def _turning(made: Experiment, path: Path) -> Path:
+def _turning(made: Experiment) -> Any:
     history = made.eigenfactor.published
     figure, ax = axes(r"Figure 6: angular velocities of the eigenvectors ($\Omega_{3i} = 0$)", r"$\Omega$ [rad/s]")
     rows = [(rf"$\Omega_{{{i + 1}{j + 1}}}$", history.Omega[i, j]) for i, j in PAIRS]
     draw(ax, history.t, rows, STYLES)
-    return save(figure, path)
+    return figure
 
 
-def _both(made: Experiment, of: Callable[[History], Vector], title: str, ylabel: str, path: Path) -> Path:
+def _both(made: Experiment, of: Callable[[History], Vector], title: str, ylabel: str) -> Any:
     """Draw both formulations over the time, on a logarithmic scale; at t = 0 the error is 0."""
     figure, ax = axes(title, ylabel)
     ax.set_yscale("log")
@@ -96,21 +97,21 @@ def _both(made: Experiment, of: Callable[[History], Vector], title: str, ylabel:
         ax.plot(history.t[1:], of(history)[1:], STYLES[k], color=COLOURS[k], linewidth=1.6, label=name)
     ax.set_ylim(bottom=1e-6 * ax.get_ylim()[1])
     ax.legend(loc="lower right", frameon=False)
-    return save(figure, path)
+    return figure
 
 
-def _violations(made: Experiment, path: Path) -> Path:
+def _violations(made: Experiment) -> Any:
     title = "Figure 7: constraint violation, mean step 0.024 s, nothing projected"
-    return _both(made, lambda history: history.violation, title, r"$|y(t) - y(0)|$ [m]", path)
+    return _both(made, lambda history: history.violation, title, r"$|y(t) - y(0)|$ [m]")
 
 
-def _accuracy(made: Experiment, path: Path) -> Path:
+def _accuracy(made: Experiment) -> Any:
     title = "Figure 8: integral of the energy error, mean step 0.024 s, nothing projected"
     label = r"$\int_0^t |P(\tau) - P(0)|\,d\tau$ [J s]"
-    return _both(made, lambda history: history.energy_error, title, label, path)
+    return _both(made, lambda history: history.energy_error, title, label)
 
 
-FIGURES: dict[int, Callable[[Experiment, Path], Path]] = {
+FIGURES: dict[int, Callable[[Experiment], Any]] = {
     2: _motion,
     3: _coordinates,
     4: _quasi_velocities,

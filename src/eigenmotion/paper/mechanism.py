@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from ..arguments.names import Vector
-from ..pages.figures import COLOURS, blank, save, uncluttered
+from ..pages.figures import COLOURS, blank, uncluttered
 from .canvas import FAINT
 from .experiment import History
 
@@ -17,7 +16,7 @@ INSTANTS = np.linspace(0.0, 3.5, 8)
 COILS, COIL_HEIGHT = 6, 0.035
 
 
-def motion(history: History, path: Path) -> Path:
+def motion(history: History) -> Any:
     """Draw Figure 2: the mechanism at each instant, the instant before it in grey."""
     figure = blank(9, 4.7)
     figure.suptitle("Figure 2: motion of the dual-link manipulator (lengths in m)", x=0.01, ha="left", fontsize=11)
@@ -29,7 +28,7 @@ def motion(history: History, path: Path) -> Path:
         _draw(ax, history, poses[k], faint=False)
         _frame(ax, history, f"$t$ = {INSTANTS[k]:.1f} s")
     _name(grid[0, 0], history, poses[0])
-    return save(figure, path)
+    return figure
 
 
 def _at(history: History, t: float) -> Vector:

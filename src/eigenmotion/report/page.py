@@ -3,8 +3,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from markupsafe import Markup
-
 from ..pages.figures import Picture
 from ..pages.page import render
 from ..pages.tables import Row, Table
@@ -21,12 +19,12 @@ _YARDSTICK = (OURS, "eigenfactor", "dop853")
 
 @dataclass(frozen=True, slots=True)
 class ModelSection:
-    """One model on the page: texts only. `pictures` are (title, text, SVG)."""
+    """One model on the page."""
 
     name: str
     about: str
     advice: tuple[str, ...]
-    pictures: tuple[tuple[str, str, Markup], ...]
+    pictures: tuple[Picture, ...]
     reaching: Table
     ratios: Table
     costs: Table
@@ -50,7 +48,7 @@ def _section(found: Findings, drawn: Sequence[Picture]) -> ModelSection:
         name=found.name,
         about=_about(found),
         advice=recommendation(found),
-        pictures=tuple((p.title, p.text, Markup(p.svg)) for p in drawn),
+        pictures=tuple(drawn),
         reaching=_reaching(found),
         ratios=_ratios(found),
         costs=_costs(found),

@@ -23,14 +23,13 @@ _DRIFT_LOOKS = {
 }
 
 
-def pictures(matrix: Matrix) -> tuple[Picture, ...]:
-    """Draw all: the overview first, then each case, with its drift where it has many periods."""
-    drawn = [overview(matrix)]
-    for case in matrix.cases:
-        drawn.append(detail(matrix, case))
-        if matrix.has_periods(case):
-            drawn.append(drift(matrix, case))
-    return tuple(drawn)
+def pictures(matrix: Matrix) -> dict[str, tuple[Picture, ...]]:
+    """Draw each case by its name, with its drift where it has many periods; before them "", the overview of all."""
+    return {"": (overview(matrix),)} | {case.name: _pictures(matrix, case) for case in matrix.cases}
+
+
+def _pictures(matrix: Matrix, case: Case) -> tuple[Picture, ...]:
+    return (detail(matrix, case), *([drift(matrix, case)] if matrix.has_periods(case) else []))
 
 
 def overview(matrix: Matrix) -> Picture:

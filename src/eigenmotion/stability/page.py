@@ -1,9 +1,7 @@
 """What the page shows of the matrix."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-
-from markupsafe import Markup
 
 from ..pages.figures import Picture
 from ..pages.page import render
@@ -18,18 +16,18 @@ from .words import reasons, summary
 
 @dataclass(frozen=True, slots=True)
 class CaseSection:
-    """One case on the page; pictures are (text, SVG), tables (title, table)."""
+    """One case on the page, or all; tables are (title, table)."""
 
     name: str
     title: str
-    pictures: tuple[tuple[str, Markup], ...]
+    pictures: tuple[Picture, ...]
     tables: tuple[tuple[str, Table], ...]
 
 
-def page(matrix: Matrix, drawn: Sequence[Picture], machine: Mapping[str, str]) -> str:
-    """Render the page."""
+def page(matrix: Matrix, drawn: Mapping[str, tuple[Picture, ...]], machine: Mapping[str, str]) -> str:
+    """Render the page; `drawn` as by `pictures`."""
     sections = [
-        CaseSection("", drawn[0].title, _shown(drawn[:1]), ()), *(_section(matrix, c, drawn) for c in matrix.cases),
+        CaseSection("", drawn[""][0].title, drawn[""], ()), *(_section(matrix, c, drawn[c.name]) for c in matrix.cases),
     ]  # fmt: skip
     rules = [(str(outcome), rule) for outcome, rule in RULES.items()]
     return render(
@@ -37,14 +35,9 @@ def page(matrix: Matrix, drawn: Sequence[Picture], machine: Mapping[str, str]) -
     )
 
 
-def _section(matrix: Matrix, case: Case, drawn: Sequence[Picture]) -> CaseSection:
-    own = [p for p in drawn if p.stem in (f"stability_{case.name}", f"stability_{case.name}_drift")]
+def _section(matrix: Matrix, case: Case, drawn: tuple[Picture, ...]) -> CaseSection:
     tables = (_references(matrix, case), _reasons(matrix, case), _cells(matrix, case))
-    return CaseSection(case.name, case.title, _shown(own), tables)
-
-
-def _shown(drawn: Iterable[Picture]) -> tuple[tuple[str, Markup], ...]:
-    return tuple((p.text, Markup(p.svg)) for p in drawn)
+    return CaseSection(case.name, case.title, drawn, tables)
 
 
 def _references(matrix: Matrix, case: Case) -> tuple[str, Table]:

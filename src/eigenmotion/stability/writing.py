@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict
+from itertools import chain
 from pathlib import Path
 
 from ..building.toolchain import toolchain
@@ -18,7 +19,7 @@ def write_matrix(matrix: Matrix, folder: Path) -> tuple[Path, ...]:
     """Write stability.html, stability.json and stability_*.png, stability_*.svg; return their paths, the page first."""
     drawn, known = pictures(matrix), machine(toolchain().described)
     texts = {"stability.html": page(matrix, drawn, known), "stability.json": numbers(matrix, known)}
-    return write_page(folder, texts, drawn)
+    return write_page(folder, texts, chain.from_iterable(drawn.values()))
 
 
 def numbers(matrix: Matrix, known: Mapping[str, str]) -> str:
