@@ -57,12 +57,13 @@ bench: $(READY)
 
 clean:
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis src/*.egg-info
-	rm -f generated/*.so src/eigenmotion/runtime/core.c src/eigenmotion/runtime/*.so
+	rm -f generated/*.so src/eigenmotion/runtime/*.c src/eigenmotion/runtime/*.so
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
 # The environment, remade when what it is made from changes.
 $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.pyx src/eigenmotion/runtime/*.pxd) \
           $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_linear em_start em_trigonometry)
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	rm -f src/eigenmotion/runtime/*.so # of modules that are no more
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot]'
 	touch $@

@@ -272,6 +272,19 @@ def test_dense_output_travels(method):
     assert (twin.sol.ts == found.sol.ts).all()
 
 
+@pytest.mark.parametrize("module", ["point", "run"])
+def test_pickles_of_earlier_versions_are_read(module):
+    """There, one module held what is two now."""
+    system, t = em.build(swing(), flags="-O0"), np.linspace(0.0, 1.0, 7)
+    found = system.simulate((0.0, 1.0), dense_output=True)
+    text = pickle.dumps((system.prepare(), found.sol), protocol=2)  # which names modules in plain text
+    earlier = text.replace(f"eigenmotion.runtime.{module}".encode(), b"eigenmotion.runtime.core")
+    assert earlier != text
+    prepared, sol = pickle.loads(earlier)
+    assert prepared.model is system.compiled
+    assert (sol(t) == found.sol(t)).all()
+
+
 def test_a_system_without_a_way_to_it_says_so():
     with pytest.raises(TypeError, match=r"bead was made from a capsule.*eigenmotion\.build"):
         pickle.dumps(bead())

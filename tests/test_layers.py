@@ -132,7 +132,7 @@ def test_the_sources_are_found():
         "eigenmotion",
         "eigenmotion.building.build",
         "eigenmotion.codegen.model.model",
-        "eigenmotion.runtime.core",
+        "eigenmotion.runtime.point",
     } <= set(MODULES)
 
 
@@ -150,11 +150,14 @@ def test_runtime_imports_nothing_of_ours(module):
         assert not within(name, "eigenmotion") or within(name, "eigenmotion.runtime"), f"{module} imports {name}"
 
 
-def test_runtime_extension_imports_nothing_of_ours():
-    text = (PACKAGES["eigenmotion"] / "runtime" / "core.pyx").read_text(encoding="utf-8")
-    named = [line.split()[1] for line in text.splitlines() if line.startswith(("from ", "import ", "cimport "))]
-    assert named
-    assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
+RUNTIME = PACKAGES["eigenmotion"] / "runtime"
+
+
+def test_runtime_extensions_import_nothing_of_ours_but_each_other():
+    for file in [*RUNTIME.glob("*.pyx"), *RUNTIME.glob("*.pxd")]:
+        named = [line.split()[1] for line in file.read_text(encoding="utf-8").splitlines()
+                 if line.startswith(("from ", "import ", "cimport "))]  # fmt: skip
+        assert not [name for name in named if name.startswith(("..", "eigenmotion"))]
 
 
 def running_imports(module: str) -> set[str]:
@@ -197,16 +200,27 @@ def included(header: str, folder: Path) -> set[str]:
     return {header}.union(*(included(name, folder) for name in re.findall(r'^#include "(\w+\.h)"', text, re.MULTILINE)))
 
 
+def headers(file: Path) -> set[str]:
+    """Those of ours that a file of the runtime includes, by the declarations it imports."""
+    text = file.read_text(encoding="utf-8")
+    beside = {
+        RUNTIME / f"{name}.pxd" for name in (file.stem, *re.findall(r"^from \.(\w+) cimport", text, re.MULTILINE))
+    }
+    first = re.findall(r'extern from "(\w+\.h)"', text)
+    named = [headers(other) for other in beside - {file} if other.exists()]
+    return set().union(*named, *(included(name, RUNTIME / "include") for name in first))
+
+
 def test_the_runtime_is_built_anew_when_a_header_of_it_changes():
-    """The lists of pyproject.toml and of the Makefile hold each header that core.pyx includes, and no other."""
-    runtime = PACKAGES["eigenmotion"] / "runtime"
-    first = re.findall(r'extern from "(\w+\.h)"', (runtime / "core.pxd").read_text(encoding="utf-8"))
-    needed = set().union(*(included(name, runtime / "include") for name in first))
+    """The lists of pyproject.toml and of the Makefile hold each header that an extension includes, and no other."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    (extension,) = project["tool"]["setuptools"]["ext-modules"]
-    assert {Path(path).name for path in extension["depends"]} == needed
+    listed = {
+        ROOT / one["sources"][0]: {Path(path).name for path in one.get("depends", ())}
+        for one in project["tool"]["setuptools"]["ext-modules"]
+    }
+    assert listed == {file: headers(file) for file in RUNTIME.glob("*.pyx")}
     rule = (ROOT / "Makefile").read_text(encoding="utf-8").partition("include/%.h,")[2].partition(")")[0]
-    assert {f"{name}.h" for name in rule.split()} == needed
+    assert {f"{name}.h" for name in rule.split()} == set().union(*listed.values())
 
 
 def test_nothing_imports_the_command_line():

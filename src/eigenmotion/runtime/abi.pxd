@@ -1,4 +1,4 @@
-# The ABI of include/eigenmotion.h, and what the runtime asks of it, as core.pyx sees them.
+# The ABI of include/eigenmotion.h.
 
 cdef extern from "eigenmotion.h" nogil:
     const int EM_ABI
@@ -137,9 +137,3 @@ cdef extern from "eigenmotion.h" nogil:
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
-
-cdef extern from "em_start.h" nogil:
-    void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
-    void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
-    int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,
-                 double *)

@@ -1,0 +1,164 @@
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+"""One compiled model, asked at k places: t (k,), x and v (k, n), y (k, n_state), u (k, n_inputs), one row a time.
+
+Rows at which a function has no value are NaN.
+"""
+
+from libc.math cimport fabs, isnan
+from libc.string cimport memcpy
+
+from .abi cimport em_fault
+from .arrays cimport Numbers, blank, given, zeros
+from .point cimport PointModel, Prepared
+from .start cimport em_factored_matrix
+
+
+cdef class CompiledModel(PointModel):
+    """One `em_model`: its functions at one place, and here at many."""
+
+    def state_rows(self, t, x, v, Prepared c not None):
+        """y (k, n_state), published meaning, eigenfactors continuous from row to row."""
+        cdef em_fault fault
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers y = zeros((k, self.n_state))
+        with nogil:
+            for i in range(k):
+                if i > 0:
+                    memcpy(y.row(i), y.row(i - 1), self.n_state * sizeof(double))
+                if self.model.state(T.data[i], q.row(i), w.row(i), c.c, y.row(i), &fault) != 0:
+                    blank(y.row(i), self.n_state)
+        return y.array
+
+    def velocity_rows(self, t, y, Prepared c not None):
+        """v (k, n)."""
+        cdef em_fault fault
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), Y = given(y, (k, self.n_state), "y"), v = zeros((k, self.n))
+        with nogil:
+            for i in range(k):
+                if self.model.velocity(T.data[i], Y.row(i), c.c, v.row(i), &fault) != 0:
+                    blank(v.row(i), self.n)
+        return v.array
+
+    def energy_rows(self, t, x, v, Prepared c not None):
+        """T2, T1, T0, V as (k, 4)."""
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers e = zeros((k, 4))
+        with nogil:
+            for i in range(k):
+                self.model.energy(T.data[i], q.row(i), w.row(i), c.c, e.row(i))
+        return e.array
+
+    def acceleration_rows(self, t, x, v, u, Prepared c not None, bint least_norm):
+        """a (k, n), lambda (k, m)."""
+        cdef em_fault fault
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), a = zeros((k, self.n)), L = zeros((k, self.m))
+        with nogil:
+            for i in range(k):
+                if self.model.acceleration(T.data[i], q.row(i), w.row(i), c.c, s.row(i), least_norm, a.row(i), L.row(i),
+                                           &fault) != 0:
+                    blank(a.row(i), self.n)
+                    blank(L.row(i), self.m)
+        return a.array, L.array
+
+    def constraint_rows(self, t, x, v, Prepared c not None):
+        """A v + b as (k, m)."""
+        cdef Py_ssize_t i, r, j, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers A = zeros((self.m, self.n)), residual = zeros((k, self.m))
+        with nogil:
+            for i in range(k if self.m > 0 else 0):
+                self.model.pfaffian(T.data[i], q.row(i), c.c, A.data, residual.row(i))
+                for r in range(self.m):
+                    for j in range(self.n):
+                        residual.row(i)[r] += A.row(r)[j] * w.row(i)[j]
+        return residual.array
+
+    def position_rows(self, t, x, Prepared c not None):
+        """phi as (k, h)."""
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), phi = zeros((k, self.h))
+        cdef Numbers terms = zeros((self.h,))
+        with nogil:
+            for i in range(k if self.h > 0 else 0):
+                self.model.position(T.data[i], q.row(i), c.c, phi.row(i), terms.data)
+        return phi.array
+
+    def quasi_rows(self, t, x, v, Prepared c not None):
+        """y = P(x, t) v as (k, n_quasi)."""
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers y = zeros((k, self.model.n_quasi))
+        with nogil:
+            for i in range(k if self.model.n_quasi > 0 else 0):
+                self.model.quasi(T.data[i], q.row(i), w.row(i), c.c, y.row(i))
+        return y.array
+
+    def event_rows(self, t, x, v, u, Prepared c not None):
+        """What passes through zero where an event happens, as (k, n_events)."""
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), g = zeros((k, self.n_events))
+        with nogil:
+            for i in range(k if self.n_events > 0 else 0):
+                self.model.event(T.data[i], q.row(i), w.row(i), c.c, s.row(i), g.row(i))
+        return g.array
+
+    def output_rows(self, t, x, v, u, Prepared c not None, bint least_norm):
+        """The outputs as (k, n_outputs)."""
+        cdef em_fault fault
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x"), w = given(v, (k, self.n), "v")
+        cdef Numbers s = given(u, (k, self.n_inputs), "inputs"), z = zeros((k, self.n_outputs))
+        with nogil:
+            for i in range(k if self.n_outputs > 0 else 0):
+                if self.model.output(T.data[i], q.row(i), w.row(i), c.c, s.row(i), least_norm, z.row(i), &fault) != 0:
+                    blank(z.row(i), self.n_outputs)
+        return z.array
+
+    def eigenfactor_rows(self, t, x, Prepared c not None):
+        """C (k, n, n), s (k, n) of M(x); each row continues the signs and the order of the last good one."""
+        cdef em_fault fault
+        cdef Py_ssize_t i, last = -1, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, self.n), "x")
+        cdef Numbers C = zeros((k, self.n, self.n)), s = zeros((k, self.n))
+        with nogil:
+            for i in range(k):
+                if last >= 0:
+                    memcpy(C.row(i), C.row(last), C.width * sizeof(double))
+                    memcpy(s.row(i), s.row(last), s.width * sizeof(double))
+                if self.model.eigenfactors(T.data[i], q.row(i), c.c, C.row(i), s.row(i), &fault) == 0:
+                    last = i
+                else:
+                    blank(C.row(i), C.width)
+                    blank(s.row(i), s.width)
+        return C.array, s.array
+
+    def factor_rows(self, t, x, C, s, Prepared c not None):
+        """max|M - C^T S^2 C| / max|M| as (k,), M what is factored, in the units of the eigenproblem."""
+        cdef Py_ssize_t i, k = len(t), n = self.n
+        cdef Numbers T = given(t, (k,), "t"), q = given(x, (k, n), "x"), R = given(C, (k, n, n), "C")
+        cdef Numbers root = given(s, (k, n), "s"), M = zeros((n, n)), residual = zeros((k,))
+        with nogil:
+            for i in range(k):
+                em_factored_matrix(self.model, T.data[i], q.row(i), c.c, M.data)
+                residual.data[i] = self.factor_residual(M, R.row(i), root.row(i))
+        return residual.array
+
+    cdef double factor_residual(self, Numbers M, const double *C, const double *s) noexcept nogil:
+        cdef Py_ssize_t i, j, r, n = self.n
+        cdef double error = 0.0, largest = 0.0, entry, product
+        for i in range(n):
+            for j in range(n):
+                entry, product = M.row(i)[j] * self.model.scales[i] * self.model.scales[j], 0.0
+                for r in range(n):
+                    product += C[r * n + i] * s[r] * s[r] * C[r * n + j]
+                # NaN must show, and no comparison with it is true
+                if fabs(entry - product) > error or isnan(entry - product):
+                    error = fabs(entry - product)
+                largest = max(largest, fabs(entry))
+        return error / largest

@@ -1,0 +1,26 @@
+# A model at one place, for the modules of the runtime that ask it for more.
+
+from .abi cimport em_fault, em_model
+
+
+cdef class PointModel:
+    cdef const em_model *model
+    cdef readonly str name, formulation, close_eigenvalues, schur
+    cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events
+    cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
+    cdef readonly tuple quasi_velocities, event_kinds
+    cdef readonly bint augmented
+    cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
+    cdef readonly bint conserves_energy
+    # returns, in any process, the System of this model; None where there is no way to it but the capsule
+    cdef public object recipe
+
+    cdef read_names(self)
+    cdef read_defaults(self)
+    cdef failure(self, em_fault *fault)
+
+
+cdef class Prepared:
+    cdef readonly PointModel model
+    cdef readonly object parameters
+    cdef double *c

@@ -1,0 +1,238 @@
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+"""One compiled model, asked at one place: what it says of itself, and its functions on float64 arrays.
+
+Nothing is shared between calls, so threads need no locks. Where a function has no value, EvaluationError is raised.
+"""
+
+from cpython.pycapsule cimport PyCapsule_GetPointer
+from libc.stdlib cimport calloc, free
+from libc.string cimport memcpy
+
+from .abi cimport EM_ABI, em_fault, em_model
+from .arrays cimport Numbers, given, takes, zeros
+from .start cimport em_factored_gradient, em_factored_matrix, em_start
+
+import numpy as np
+
+from .faults import EvaluationError, StopReason, explain
+
+_REASONS = tuple(StopReason)
+
+
+cdef tuple texts(const char *const *names, int count):
+    return tuple([names[k].decode("utf-8") for k in range(count)])
+
+
+cdef object constants(const double *values, int count):
+    return np.array([values[k] for k in range(count)], dtype=np.float64)
+
+
+cdef class Prepared:
+    """The constants of one parameter set: blocks of M that no state changes are factored once, here."""
+
+    def __dealloc__(self):
+        free(self.c)
+
+    def __repr__(self):
+        pairs = ", ".join(f"{name}={value:g}" for name, value in zip(self.model.parameters, self.parameters))
+        return f"<parameters of {self.model.name}: {pairs}>"
+
+    def __reduce__(self):
+        """Prepared anew where it is loaded."""
+        return _prepared, (self.model, self.parameters)
+
+
+def _prepared(PointModel model not None, parameters):
+    return model.prepare(np.array(parameters, dtype=np.float64))
+
+
+cdef class PointModel:
+    """One `em_model`. The capsule must be named "eigenmotion.em_model" and point at a constant that outlives it."""
+
+    def __cinit__(self, capsule):
+        self.model = <const em_model *> PyCapsule_GetPointer(capsule, b"eigenmotion.em_model")
+        cdef const em_model *c = self.model
+        if c.abi != EM_ABI:
+            raise ImportError(f"the compiled model has interface version {c.abi}, this eigenmotion has {EM_ABI}: "
+                              "generate and build the model again (`eigenmotion build MODEL.py`)")
+        self.name, self.formulation = c.name.decode("utf-8"), c.formulation.decode("utf-8")
+        self.close_eigenvalues, self.schur = c.close_eigenvalues.decode("utf-8"), c.schur.decode("utf-8")
+        self.n, self.m, self.h, self.n_state = c.n, c.m, c.h, c.n_state
+        self.n_inputs, self.n_outputs, self.n_events = c.n_inputs, c.n_outputs, c.n_events
+        self.conserves_energy = c.conserves_energy
+        self.read_names()
+        self.read_defaults()
+
+    cdef read_names(self):
+        cdef const em_model *c = self.model
+        self.coordinates, self.parameters = texts(c.coordinates, c.n), texts(c.parameters, c.n_parameters)
+        self.inputs, self.outputs = texts(c.inputs, c.n_inputs), texts(c.outputs, c.n_outputs)
+        self.events, self.left_out = texts(c.events, c.n_events), texts(c.left_out, c.n_left_out)
+        self.quasi_velocities = texts(c.quasi_velocities, c.n_quasi)
+        self.layout = tuple([(c.layout[k].name.decode("utf-8"), c.layout[k].start, c.layout[k].length)
+                             for k in range(c.n_layout)])
+        self.block = tuple([c.block[k] for k in range(c.n)])
+        self.carried = tuple([k for k in range(c.n) if c.carried[k]])
+        self.event_kinds = tuple([(c.event_direction[k], c.event_terminal[k] != 0) for k in range(c.n_events)])
+
+    cdef read_defaults(self):
+        cdef const em_model *c = self.model
+        self.parameter_defaults = constants(c.parameter_defaults, c.n_parameters)
+        self.input_defaults = constants(c.input_defaults, c.n_inputs)
+        self.initial_x, self.initial_v = constants(c.initial_x, c.n), constants(c.initial_v, c.n)
+        self.initial_y = constants(c.initial_y, c.n) if c.initial_y != NULL else None
+        self.scales = constants(c.scales, c.n)
+        self.augmented = c.factored_matrix != NULL
+
+    def __reduce__(self):
+        """As the way to make it."""
+        if self.recipe is None:
+            raise TypeError(f"{self.name} was made from a capsule alone, so another process cannot make it; "
+                            "what eigenmotion.build returns can be pickled")
+        return _compiled, (self.recipe,)
+
+    cdef failure(self, em_fault *fault):
+        stop = _REASONS[<int> fault.status]
+        words = explain(stop, self.coordinates, fault.first, fault.second, fault.size)
+        return EvaluationError(f"{self.name}: {words}", stop)
+
+    # --- at one place; x, v, a (n), lambda (m), y (n_state), u (n_inputs) ---
+
+    def prepare(self, values):
+        """values (n_parameters) -> Prepared."""
+        cdef em_fault fault
+        cdef Prepared made = Prepared.__new__(Prepared)
+        cdef Numbers p = given(values, (self.model.n_parameters,), "parameters")
+        made.model = self
+        made.parameters = tuple([p.data[k] for k in range(self.model.n_parameters)])
+        made.c = <double *> calloc(self.model.n_prepared + 1, sizeof(double))
+        if made.c == NULL:
+            raise MemoryError
+        if self.model.prepare(p.data, made.c, &fault) != 0:
+            raise self.failure(&fault)
+        return made
+
+    def rhs(self, double t, y, Prepared c not None, u=None, out=None):
+        """dy at t, y, u (None: defaults); into `out` where given."""
+        cdef em_fault fault
+        cdef tuple shape = (self.n_state,)
+        cdef Numbers state = given(y, shape, "y"), inputs, dy = Numbers.__new__(Numbers)
+        cdef const double *signals = self.model.input_defaults
+        if u is not None:
+            inputs = given(u, (self.n_inputs,), "inputs")
+            signals = inputs.data
+        # the compiled code reads y after writing dy
+        if out is None or not dy.borrow(out, shape) or dy.view.readonly or dy.overlaps(state):
+            if out is not None and not takes(out, shape):
+                raise ValueError(f"out must be a writable array of floating point numbers of shape {shape}")
+            dy = zeros(shape)
+        if self.model.rhs(t, state.data, c.c, signals, dy.data, &fault) != 0:
+            raise self.failure(&fault)
+        if out is None or out is dy.array:
+            return dy.array
+        out[...] = dy.array
+        return out
+
+    def state(self, double t, x, v, Prepared c not None):
+        """y, published meaning."""
+        cdef em_fault fault
+        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
+        if self.model.state(t, q.data, w.data, c.c, y.data, &fault) != 0:
+            raise self.failure(&fault)
+        return y.array
+
+    def start(self, double t, x, v, Prepared c not None, double tolerance, atol):
+        """y where a run can start at x, v; None where that takes a closer look (em_start.h)."""
+        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
+        cdef Numbers least = given(atol, (self.n,), "atol")
+        return y.array if em_start(self.model, t, q.data, w.data, c.c, tolerance, least.data, y.data) else None
+
+    def mass_matrix(self, double t, x, Prepared c not None):
+        """M (n, n)."""
+        cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))
+        self.model.mass_matrix(t, q.data, c.c, M.data)
+        return M.array
+
+    def mass_matrix_gradient(self, double t, x, Prepared c not None):
+        """dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
+        cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        self.model.mass_matrix_gradient(t, q.data, c.c, dM.data)
+        return dM.array
+
+    def factored_matrix(self, double t, x, Prepared c not None):
+        """What is factored (n, n): M, or M + A^T W A where M is singular."""
+        cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))
+        em_factored_matrix(self.model, t, q.data, c.c, M.data)
+        return M.array
+
+    def factored_gradient(self, double t, x, Prepared c not None):
+        """Its gradient (n, n, n), as mass_matrix_gradient."""
+        cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        em_factored_gradient(self.model, t, q.data, c.c, dM.data)
+        return dM.array
+
+    def pfaffian(self, double t, x, Prepared c not None):
+        """A (m, n), b (m) of A v + b = 0 (8)."""
+        cdef Numbers q = given(x, (self.n,), "x"), A = zeros((self.m, self.n)), b = zeros((self.m,))
+        if self.m > 0:
+            self.model.pfaffian(t, q.data, c.c, A.data, b.data)
+        return A.array, b.array
+
+    def position(self, double t, x, Prepared c not None):
+        """phi (h): how far x is off the holonomic constraints; (h) the size of the terms that cancel in them."""
+        cdef Numbers q = given(x, (self.n,), "x"), phi = zeros((self.h,)), terms = zeros((self.h,))
+        if self.h > 0:
+            self.model.position(t, q.data, c.c, phi.data, terms.data)
+        return phi.array, terms.array
+
+    def acceleration(self, double t, x, v, Prepared c not None, u, bint least_norm):
+        """a, lambda."""
+        cdef em_fault fault
+        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers a = zeros((self.n,)), multipliers = zeros((self.m,))
+        if self.model.acceleration(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, &fault) != 0:
+            raise self.failure(&fault)
+        return a.array, multipliers.array
+
+    def project(self, double t, x, v, Prepared c not None, bint least_norm):
+        """x, v: the nearest consistent state in the mass metric."""
+        cdef em_fault fault
+        cdef Numbers q = given(np.array(x, dtype=np.float64), (self.n,), "x")
+        cdef Numbers w = given(np.array(v, dtype=np.float64), (self.n,), "v")
+        if self.model.project(t, q.data, w.data, c.c, least_norm, &fault) != 0:
+            raise self.failure(&fault)
+        return q.array, w.array
+
+    def jacobian(self, double t, y, Prepared c not None, u):
+        """(n_state, n_state): d rhs / d y."""
+        cdef em_fault fault
+        cdef Numbers q = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers J = zeros((self.n_state, self.n_state))
+        if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
+            raise self.failure(&fault)
+        return J.array
+
+    def motion_rate(self, double t, z, Prepared c not None, u, bint least_norm):
+        """(v, a) (2 n) at z = (x, v)."""
+        cdef em_fault fault
+        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers rate = zeros((2 * self.n,)), multipliers = zeros((self.m,))
+        cdef double *v = q.data + self.n
+        memcpy(rate.data, v, self.n * sizeof(double))
+        if self.model.acceleration(t, q.data, v, c.c, s.data, least_norm, rate.data + self.n, multipliers.data,
+                                   &fault) != 0:
+            raise self.failure(&fault)
+        return rate.array
+
+    def motion_jacobian(self, double t, z, Prepared c not None, u, bint least_norm):
+        """(2 n, 2 n): d (v, a) / d (x, v)."""
+        cdef em_fault fault
+        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers J = zeros((2 * self.n, 2 * self.n))
+        if self.model.motion_jacobian(t, q.data, c.c, s.data, least_norm, J.data, &fault) != 0:
+            raise self.failure(&fault)
+        return J.array
+
+
+def _compiled(recipe):
+    return recipe().compiled

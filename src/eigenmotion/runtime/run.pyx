@@ -1,0 +1,209 @@
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+"""One compiled run: em_model.simulate, and what came of it."""
+
+from cpython.exc cimport PyErr_CheckSignals
+from libc.stdlib cimport calloc, free
+from libc.string cimport memcpy
+
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_TERMINAL_EVENT
+from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
+from .arrays cimport Numbers, blank, given, zeros
+from .point cimport PointModel, Prepared
+
+import numpy as np
+
+from .faults import StopReason, explain
+
+_REASONS = tuple(StopReason)
+_FINISHED = explain(StopReason.FINISHED, ())
+
+
+cdef int poll(void *argument) noexcept with gil:
+    """Non-zero where a signal asks for the end of the run. Other exceptions of a handler are raised after it."""
+    cdef Run run = <Run> argument
+    try:
+        PyErr_CheckSignals()
+    except KeyboardInterrupt:
+        return 1
+    except BaseException as error:
+        run.pending = error
+        return 1
+    return 0
+
+
+cdef class Run:
+    """One compiled simulation, and what came of it until the object goes.
+
+    Parameters
+    ----------
+    task
+        An `eigenmotion.options.Task`.
+    method
+        0 rk34, 1 dopri5, 2 dop853.
+
+    Attributes
+    ----------
+    stop
+        A StopReason.
+    """
+
+    cdef em_run run
+    cdef em_signal *signals
+    cdef readonly PointModel model
+    cdef readonly object stop
+    cdef list held
+    cdef object pending
+
+    def __cinit__(self, task, int method):
+        if task is not None:
+            self.begin(task, method)
+
+    cdef begin(self, task, int method):
+        cdef em_run *run = &self.run
+        cdef PointModel model = task.model
+        cdef Prepared prepared = task.prepared
+        self.model, self.held = model, [prepared]
+        run.model, run.prepared, run.method = model.model, prepared.c, <em_method> method
+        run.t_start, run.t_end, run.y_start = task.t_start, task.t_end, self.hold(task.y, model.n_state, "y")
+        run.rtol, run.atol = task.rtol, self.hold(task.atol, model.n, "atol")
+        run.first_step, run.max_step, run.max_steps = task.first_step, task.max_step, task.max_steps
+        run.stabilise, run.least_norm, run.dense = task.project, task.least_norm, task.dense
+        run.event_direction, run.event_terminal = model.model.event_direction, model.model.event_terminal
+        run.poll, run.poll_argument = poll, <void *> self
+        if task.t_eval is not None:
+            run.n_t_eval = len(task.t_eval)
+            run.t_eval = self.hold(task.t_eval, run.n_t_eval, "t_eval")
+        if model.n_inputs > 0:
+            self.hold_inputs(task.inputs.compiled)
+        self.go()
+
+    def __dealloc__(self):
+        if self.run.model != NULL:
+            self.run.model.release(&self.run)
+        free(self.signals)
+
+    cdef const double *hold(self, array, Py_ssize_t count, str name) except NULL:
+        """The numbers of an array, which is to live as long as the run."""
+        cdef Numbers kept = given(array, (count,), name)
+        self.held.append(kept)
+        return kept.data
+
+    cdef hold_inputs(self, tuple inputs):
+        cdef Py_ssize_t k
+        self.signals = <em_signal *> calloc(len(inputs), sizeof(em_signal))
+        if self.signals == NULL:
+            raise MemoryError
+        for k, (kind, times, values) in enumerate(inputs):
+            self.signals[k].kind = <em_signal_kind> (<int> kind)
+            self.signals[k].count = len(times)
+            self.signals[k].times = self.hold(times, len(times), "times")
+            self.signals[k].values = self.hold(values, len(values), "values")
+        self.run.inputs = self.signals
+
+    cdef go(self):
+        cdef int status
+        with nogil:
+            status = self.run.model.simulate(&self.run)
+        if self.pending is not None:
+            raise self.pending
+        self.stop = _REASONS[status]
+
+    cdef table(self, em_rows *rows):
+        """t (k,), y (k, n_state): copies, so that they outlive the run."""
+        cdef Py_ssize_t k = rows.count
+        cdef Numbers t = zeros((k,)), y = zeros((k, self.model.n_state))
+        if k > 0:
+            memcpy(t.data, rows.t, t.view.len)
+            memcpy(y.data, rows.y, y.view.len)
+        return t.array, y.array
+
+    @property
+    def rows(self):
+        """t (k,), y (k, n_state)."""
+        return self.table(&self.run.rows)
+
+    @property
+    def events(self):
+        """For each event t (k,), and for each y (k, n_state); None where the model has none."""
+        if self.run.events == NULL:
+            return None, None
+        return tuple(map(list, zip(*[self.table(&self.run.events[k]) for k in range(self.model.n_events)])))
+
+    @property
+    def counts(self):
+        """n_rhs, n_steps, n_rejected, n_bounded."""
+        return self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded
+
+    @property
+    def n_dense(self):
+        """How many steps are kept for dense output."""
+        return self.run.n_dense
+
+    @property
+    def status(self):
+        """As SciPy has it: 0 finished, 1 terminal event, -1 failed."""
+        return <int> self.run.fault.status if self.run.fault.status <= EM_TERMINAL_EVENT else -1
+
+    @property
+    def message(self):
+        """How the run ended, where, and what to do."""
+        if self.stop is StopReason.FINISHED:
+            return _FINISHED
+        fault = self.run.fault
+        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
+        return f"At t = {self.run.t_reached:.9g}: {words}"
+
+    @property
+    def step_times(self):
+        """(n_dense + 1,) ends of the steps kept for dense output."""
+        return np.array([*[self.run.dense_steps[k].t for k in range(self.run.n_dense)], self.run.t_reached])
+
+    def __reduce__(self):
+        """As its interpolants: what a run keeps for dense output."""
+        cdef em_run *run = &self.run
+        cdef Py_ssize_t width = EM_DENSE_COEFFICIENTS * self.model.n_state * sizeof(double)
+        steps = (<char *> run.dense_steps)[:run.n_dense * sizeof(em_dense_step)] if run.n_dense else b""
+        table = (<char *> run.dense_table)[:run.n_dense * width] if run.n_dense else b""
+        times = run.t_start, run.t_end, run.t_reached
+        return _kept, (self.held[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table)
+
+    def interpolate(self, t):
+        """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
+        cdef Py_ssize_t i, k = len(t)
+        cdef Numbers T = given(t, (k,), "t"), y = zeros((k, self.model.n_state))
+        with nogil:
+            for i in range(k):
+                if self.run.model.interpolate(&self.run, self.step_at(T.data[i]), T.data[i], y.row(i)) != 0:
+                    blank(y.row(i), y.width)
+        return y.array
+
+    cdef size_t step_at(self, double t) noexcept nogil:
+        """The last kept step that starts at or before t, in the direction of time."""
+        cdef size_t low = 0, high = self.run.n_dense, middle
+        cdef double sign = -1.0 if self.run.t_end < self.run.t_start else 1.0
+        while high - low > 1:
+            middle = (low + high) // 2
+            if sign * self.run.dense_steps[middle].t <= sign * t:
+                low = middle
+            else:
+                high = middle
+        return low
+
+
+def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
+          bytes steps, bytes table):
+    """A run that is over, of which there are the interpolants."""
+    cdef Run made = Run.__new__(Run, None, method)
+    cdef em_run *run = &made.run
+    made.model, made.held = prepared.model, [prepared]
+    run.model, run.prepared, run.method = prepared.model.model, prepared.c, <em_method> method
+    run.stabilise, run.least_norm = stabilise, least_norm
+    run.t_start, run.t_end, run.t_reached = times
+    run.dense_steps = <em_dense_step *> calloc(count + 1, sizeof(em_dense_step))
+    run.dense_table = <double *> calloc(len(table) + 1, 1)
+    if run.dense_steps == NULL or run.dense_table == NULL:
+        raise MemoryError
+    memcpy(run.dense_steps, <char *> steps, len(steps))
+    memcpy(run.dense_table, <char *> table, len(table))
+    run.n_dense = count
+    return made

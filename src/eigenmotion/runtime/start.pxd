@@ -1,0 +1,10 @@
+# em_start.h: what the runtime asks of any em_model, and no generated code does.
+
+from .abi cimport em_model
+
+
+cdef extern from "em_start.h" nogil:
+    void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
+    void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
+    int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,
+                 double *)
