@@ -4,19 +4,19 @@
 #ifndef EM_CHART_H
 #define EM_CHART_H
 
-#include "em_step.h"
+#include "em_mechanics.h"
+#include "em_norm.h"
 
 #define EM_BRIEF 0.25       /* the part of the longest step below which one is looked at, as the first is and retries, */
 #define EM_NEAR_START 300.0 /* and every one where M is not resolved within so many tolerances of the start */
 #define EM_RESOLVED 4.0    /* the factor by which a pivot of M may change within half a step */
 #define EM_LOOSE 1e-5      /* rtol above which long steps are looked at, too, whose error may be small by chance; */
-#define EM_PLACES 8        /* where a half is not resolved, in so many parts: */
+#define EM_PARTS 8         /* where a half is not resolved, in so many parts: */
 #define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 and more within one of the parts beside a */
 
 /* Part of eps / p, p the least pivot beside its entry of M, that a passage adds to the error: measured. */
 #define EM_PASSAGE_ADDS 1e-4
 
-#ifdef EM_MECHANICS_H
 /* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. */
 static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {
     double M[N * N], L[N * N], r[N];
@@ -82,16 +82,15 @@ EM_COLD int em_look_at_chart(em_walk *w) {
     if (lost < 0) lost = em_rounded(w, w->t_new, w->y_new);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
 }
+
 EM_COLD int em_look_across(em_walk *w) {
     if (em_unresolved_within(w, 2, EM_RESOLVED) < 0) return 0;
-    const int lost = em_unresolved_within(w, EM_PLACES, EM_CROSSED);
+    const int lost = em_unresolved_within(w, EM_PARTS, EM_CROSSED);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
 }
-#endif
 
 /* Beside the first step from near a singularity no other is long. */
 static void em_begin_chart(em_walk *w) {
-#ifdef EM_MECHANICS_H
     const double rate = sqrt(em_weighted_squares(N, w->K[0], w->weight));
     double ahead[N], behind[N];
     for (int k = 0; k < N; ++k) {
@@ -100,18 +99,13 @@ static void em_begin_chart(em_walk *w) {
         behind[k] = w->y[k] - away;
     }
     w->starts_near = em_unresolved(w, w->t, behind, w->t, ahead) >= 0;
-#endif
-    (void)w;
 }
 
 /* Whether the step under way sees the motion. 0, or -1 and w->reason. */
 EM_INLINE int em_check_chart(em_walk *w) {
-#ifdef EM_MECHANICS_H
     if (fabs(w->h) < EM_BRIEF * w->longest_step || w->longest_step == 0.0 || w->retries || w->starts_near)
         return em_look_at_chart(w);
     return w->rtol > EM_LOOSE ? em_look_across(w) : 0;
-#endif
-    return (void)w, 0;
 }
 
 #endif

@@ -1,13 +1,8 @@
-/* em_roots.h: zero crossings located to rounding, on the settled trajectory. */
+/* em_roots.h: a zero of g_i located to rounding, on the settled trajectory. */
 #ifndef EM_ROOTS_H
 #define EM_ROOTS_H
 
 #include "em_events.h"
-
-typedef struct em_crossing {
-    double t;
-    int event;
-} em_crossing;
 
 /* A bracket of a root: the newest point a, its counterpart b across the root, and the point c before them. */
 typedef struct em_bracket {
@@ -53,22 +48,6 @@ static int em_locate(em_walk *w, const em_found *found, double *root) {
         em_bracket_add(&r, t, g[found->event]);
     }
     return 0;
-}
-
-/* Insert in the order of the run. */
-static void em_crossing_insert(em_crossing *list, int count, em_crossing crossing, double direction) {
-    for (; count > 0 && direction * (list[count - 1].t - crossing.t) > 0.0; --count) list[count] = list[count - 1];
-    list[count] = crossing;
-}
-
-/* list (n_found) <- the crossings of this step in the order of the run. Their number, or -1 and w->reason. */
-static int em_locate_crossings(em_walk *w, em_crossing *list) {
-    for (int k = 0; k < w->n_found; ++k) {
-        em_crossing crossing = {w->t_new, w->found[k].event};
-        if (em_locate(w, &w->found[k], &crossing.t)) return -1;
-        em_crossing_insert(list, k, crossing, w->direction);
-    }
-    return w->n_found;
 }
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef EM_WITNESS_H
 #define EM_WITNESS_H
 
-#include "em_step.h"
+#include "em_norm.h"
 
 /* In right-hand sides: so seldom is the energy looked at that it costs nothing. */
 #define EM_WITNESS_EVERY 128

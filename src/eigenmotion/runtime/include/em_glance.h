@@ -1,0 +1,67 @@
+/* em_glance.h: a look at g in every step, before its interpolant is built: may an event happen in it? */
+#ifndef EM_GLANCE_H
+#define EM_GLANCE_H
+
+#include "em_events.h"
+
+#define EM_SLACK 0.25 /* how far from zero, beside how much it varies, g is far enough by a glance */
+
+/* g (EM_GLANCES, n_events) on that sketch. How many, or 0: nothing is known. */
+static int em_glance(em_walk *w, double (*g)[EM_SOME_EVENTS]) {
+    static const double at[EM_GLANCES] = {0.14644660940672624, 0.5, 0.85355339059327376};
+    const int terms = w->scheme.sketch(w);
+    if (terms < 0) return 0;
+    for (int j = 0; j < EM_GLANCES; ++j) {
+        w->scheme.evaluate(w->F[0], terms, at[j], w->argument);
+        if (em_events_of(w, w->t + at[j] * w->h, w->argument, g[j])) return 0;
+    }
+    return EM_GLANCES;
+}
+
+/* cos(pi j / 8) */
+static double em_eighth(int j) {
+    static const double quarter[] = {1.0, 0.92387953251128674, 0.70710678118654752, 0.38268343236508977, 0.0};
+    j %= 16;
+    if (j > 8) j = 16 - j;
+    return j <= 4 ? quarter[j] : -quarter[8 - j];
+}
+
+/* Whether the glances say that g_i varies faster than they could show: with the ends they are Chebyshev's five nodes, and
+ * its coefficients do not fall off. */
+static int em_is_restless(const em_walk *w, double (*g)[EM_SOME_EVENTS], int i) {
+    const double at[EM_GLANCES + 2] = {0.5 * w->g[i], g[0][i], g[1][i], g[2][i], 0.5 * w->g_new[i]};
+    double size[EM_GLANCES + 2] = {0.0};
+    for (int k = 1; k < EM_GLANCES + 2; ++k) {
+        for (int j = 0; j < EM_GLANCES + 2; ++j) size[k] += at[j] * em_eighth(2 * j * k);
+        size[k] = fabs(size[k]);
+    }
+    return size[3] + 0.5 * size[4] > 0.25 * (size[1] + size[2]);
+}
+
+/* Whether g_i may come to zero in this step: it changes sign, comes close to it beside how much it varies,
+ * or varies too fast to say. */
+static int em_may_cross(const em_walk *w, int count, double (*g)[EM_SOME_EVENTS], int i) {
+    const double side = w->side[i], noise = w->quiet[i];
+    double low = em_min(side * w->g[i], side * w->g_new[i]), high = em_max(side * w->g[i], side * w->g_new[i]);
+    int leaves = em_side_of(w->g_new[i], noise) != 0;
+    for (int j = 0; j < count; ++j) {
+        low = em_min(low, side * g[j][i]);
+        high = em_max(high, side * g[j][i]);
+        leaves |= em_side_of(g[j][i], noise) != 0;
+    }
+    return w->side[i] == 0 ? leaves || count == 0 : count == 0 || !(low > EM_SLACK * (high - low)) || em_is_restless(w, g, i);
+}
+
+/* In the first step: which g_i are zero, to rounding beside what follows or a part of the tolerances, and beyond which
+ * number they are so no longer. */
+static void em_begin_sides(em_walk *w, int count, double (*g)[EM_SOME_EVENTS]) {
+    for (int i = 0; i < N_EVENTS; ++i) {
+        double size = fabs(w->g_new[i]);
+        for (int j = 0; j < count; ++j) size = em_max(size, fabs(g[j][i]));
+        const double rounding = w->noise[i] + (isfinite(size) ? EM_LAST_PLACES * size : 0.0);
+        w->side[i] = em_side_of(w->g[i], em_max(rounding, w->zero[i]));
+        w->quiet[i] = rounding + 4.0 * fabs(w->g[i]);
+    }
+}
+
+#endif

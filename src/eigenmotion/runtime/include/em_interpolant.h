@@ -1,0 +1,32 @@
+/* em_interpolant.h: the state inside a step, settled like accepted ones.
+ *
+ * The interpolant belongs to the unsettled step: it joins y and y_raw with the right-hand sides there, in the mode of
+ * the step's start. Settling what it gives makes the trajectory continuous with the accepted states.
+ */
+#ifndef EM_INTERPOLANT_H
+#define EM_INTERPOLANT_H
+
+#include "em_methods.h"
+
+/* y, memory <- the settled state at t inside the step under way, in the mode of its start. */
+static int em_inside(em_walk *w, double t, double *y, double *memory) {
+    int mode = w->mode;
+    w->scheme.evaluate(w->F[0], w->scheme.terms, (t - w->t) / w->h, y);
+    memcpy(memory, w->memory, sizeof w->memory);
+    return em_settle(w->run, &mode, EM_KEEP_MODE, t, y, memory, t - w->t, &w->reason) < 0 ? -1 : 0;
+}
+
+/* em_model.interpolate: y (n_state) at t from the kept step number `step`, settled and published. 0, or -1. */
+static int em_interpolate(const em_run *run, size_t step, double t, double *y) {
+    const em_dense_step *kept = &run->dense_steps[step];
+    const double *F = run->dense_table + step * EM_DENSE_COEFFICIENTS * N_STATE;
+    double inside[N_STATE], memory[EM_SOME_MEMORY] = {0.0};
+    const em_scheme scheme = em_scheme_of(run->method);
+    em_fault fault;
+    int mode = kept->mode;
+    scheme.evaluate(F, scheme.terms, (t - kept->t) / kept->h, inside);
+    if (em_settle(run, &mode, EM_KEEP_MODE | kept->rows, t, inside, memory, t - kept->t, &fault) < 0) return -1;
+    return model_publish(mode, t, inside, run->prepared, memory, y, &fault);
+}
+
+#endif

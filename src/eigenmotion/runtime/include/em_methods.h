@@ -1,0 +1,34 @@
+/* em_methods.h: the methods, as the stepper asks them for a step and for the states within it (em_scheme of em_walk.h).
+ *
+ * Here a method of another kind finds its place: a header beside em_runge_kutta.h with its four functions, a number in
+ * em_method of eigenmotion.h and a line below; running/methods.py is the table for Python.
+ */
+#ifndef EM_METHODS_H
+#define EM_METHODS_H
+
+#include "em_runge_kutta.h"
+
+#define EM_RUNGE_KUTTA(name, tableau)                                                                    \
+    static int em_##name##_step(em_walk *w) { return em_rk_step(&tableau, w); }                          \
+    static int em_##name##_interpolate(em_walk *w) { return em_rk_interpolate(&tableau, w); }            \
+    static int em_##name##_sketch(em_walk *w) { return em_rk_sketch(&tableau, w); }                      \
+    static em_scheme em_##name(void) {                                                                   \
+        return (em_scheme){tableau.error_order, 3 + tableau.corrections, em_##name##_step,               \
+                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate};                 \
+    }
+
+EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU)
+EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU)
+EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU)
+
+/* The table. */
+static em_scheme em_scheme_of(em_method method) {
+    switch (method) {
+        case EM_RK34: return em_rk34();
+        case EM_DOPRI5: return em_dopri5();
+        case EM_DOP853: break;
+    }
+    return em_dop853();
+}
+
+#endif

@@ -1,0 +1,141 @@
+/* em_runge_kutta.h: a step of an explicit Runge-Kutta method, its error and its interpolant.
+ *
+ * What is EM_INLINE here is inlined once for each method, with its tableau a constant: the loops over stages and
+ * coefficients unroll, zero coefficients vanish, and what stays are vector loops over the states.
+ */
+#ifndef EM_RUNGE_KUTTA_H
+#define EM_RUNGE_KUTTA_H
+
+#include "em_norm.h"
+#include "em_tableaux.h"
+
+/* Before a loop over stages or coefficients: unroll it wholly, so that the tableau's numbers become constants. */
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed" /* below -O2 it does not, and says so: slower, not wrong */
+#define EM_UNROLL _Pragma("unroll")
+#else
+#define EM_UNROLL _Pragma("GCC unroll 16")
+#endif
+
+/* EM_LANES numbers in one register, from wherever they stand. */
+typedef double em_lanes __attribute__((vector_size(8 * EM_LANES), aligned(8), may_alias));
+
+/* out <- y + h sum_j a_j K_j over j < n, with a constant. Where the rates of K_(n - 1) are `fresh`, written number by
+ * number just now, a read of several at once would wait until all have reached the cache: they are read one by one,
+ * which volatile sees to. */
+EM_INLINE void em_combine(const double *restrict a, int n, int fresh, double h, const double *restrict y,
+                          double (*restrict K)[EM_WIDTH], double *restrict out) {
+    const volatile double *const last = K[n - 1];
+    for (int k = 0; k < EM_WIDTH; k += EM_LANES) {
+        em_lanes sum = {0.0};
+        EM_UNROLL
+        for (int j = 0; j < n; ++j) {
+            if (a[j] == 0.0) continue;
+            if (fresh && j == n - 1 && k < 2 * N) sum += a[j] * (em_lanes){last[k], last[k + 1], last[k + 2], last[k + 3]};
+            else sum += a[j] * *(const em_lanes *)&K[j][k];
+        }
+        *(em_lanes *)(out + k) = *(const em_lanes *)(y + k) + h * sum;
+    }
+}
+
+/* K_first .. K_last; where stage `solution` is among them its argument is y_new. */
+EM_INLINE int em_stages(const em_tableau *rk, em_walk *w, int first, int last) {
+    EM_UNROLL
+    for (int i = first; i <= last; ++i) {
+        double *argument = i == rk->solution ? w->y_new : w->argument;
+        em_combine(rk->a[i], i, 1, w->h, w->y, w->K, argument);
+        if (em_stage_rate(w, w->t + rk->c[i] * w->h, argument, w->K[i])) return -1;
+    }
+    return 0;
+}
+
+static const double em_zero[EM_WIDTH] = {0.0};
+
+/* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
+EM_INLINE double em_error_norm(const em_tableau *rk, em_walk *w) {
+    em_set_weights(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
+    em_combine(rk->e[0], rk->stages, 0, 1.0, em_zero, w->K, w->error);
+    const double first = em_squares_of_error(w, w->error);
+    if (rk->errors == 1) return fabs(w->h) * sqrt(first / em_count(w));
+    em_combine(rk->e[1], rk->stages, 0, 1.0, em_zero, w->K, w->error);
+    const double denominator = first + 0.01 * em_squares_of_error(w, w->error);
+    return denominator == 0.0 ? 0.0 : fabs(w->h) * first / sqrt(denominator * em_count(w));
+}
+
+/* First same as last: the last stage is the rate at the end. */
+EM_INLINE int em_is_fsal(const em_tableau *rk) { return rk->solution < rk->stages; }
+
+EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
+    if (em_stages(rk, w, 1, rk->stages - 1)) return -1;
+    w->end_rate = em_is_fsal(rk) ? w->K[rk->solution] : NULL;
+    if (!em_is_fsal(rk)) em_combine(rk->a[rk->solution], rk->stages, 1, w->h, w->y, w->K, w->y_new);
+    w->error_norm = em_error_norm(rk, w);
+    return 0;
+}
+
+/* --- the interpolant: F holds y, F_0, F_1, ... of em_tableaux.h --- */
+
+/* F_3 + i = h sum_j d_ij K_j */
+EM_INLINE void em_corrections(const em_tableau *rk, em_walk *w) {
+    const int stages = rk->last_extra > 0 ? rk->last_extra + 1 : rk->stages;
+    EM_UNROLL
+    for (int i = 0; i < rk->corrections; ++i) {
+        em_combine(rk->d[i], stages, 0, w->h, em_zero, w->K, w->argument);
+        memcpy(w->F[4 + i], w->argument, sizeof w->F[0]);
+    }
+}
+
+/* F_0 .. F_2: y, f at both ends. */
+static void em_hermite(em_walk *w, const double *y_end, const double *f_end) {
+    memcpy(w->F[0], w->y, sizeof w->F[0]);
+    for (int k = 0; k < N_STATE; ++k) {
+        const double delta = y_end[k] - w->y[k];
+        w->F[1][k] = delta;
+        w->F[2][k] = w->h * w->K[0][k] - delta;
+        w->F[3][k] = 2.0 * delta - w->h * (w->K[0][k] + f_end[k]);
+    }
+}
+
+/* f at the unsettled end of the step: the last stage, f_new, or one more evaluation. NULL and w->reason: there is none. */
+EM_INLINE const double *em_raw_end(const em_tableau *rk, em_walk *w) {
+    double *const f_raw = w->K[rk->solution];
+    if (em_is_fsal(rk)) return f_raw;
+    if (!w->moved) memcpy(f_raw, w->f_new, sizeof w->f_new);
+    else if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, f_raw)) return NULL;
+    return f_raw;
+}
+
+EM_INLINE int em_rk_interpolate(const em_tableau *rk, em_walk *w) {
+    const double *f_raw = em_raw_end(rk, w);
+    if (f_raw == NULL || em_stages(rk, w, rk->solution + 1, rk->last_extra)) return -1;
+    em_hermite(w, w->y_raw, f_raw);
+    em_corrections(rk, w);
+    return 0;
+}
+
+/* y <- the interpolant F (., n_state) at theta, by the first of its terms: 3 are the cubic. */
+static void em_rk_evaluate(const double *F, int terms, double theta, double *y) {
+    memset(y, 0, N_STATE * sizeof *y);
+    for (int j = terms - 1; j >= 0; --j) {
+        const double factor = j % 2 == 0 ? theta : 1.0 - theta;
+        for (int k = 0; k < N_STATE; ++k) y[k] = (y[k] + F[(1 + j) * N_STATE + k]) * factor;
+    }
+    for (int k = 0; k < N_STATE; ++k) y[k] += F[k];
+}
+
+/* The interpolant without further stages: with the rate at the end, and with one within where the whole would take more. */
+EM_INLINE int em_rk_sketch(const em_tableau *rk, em_walk *w) {
+    const int stage = rk->last_extra > 0 ? rk->stages - 2 : 0;
+    if (!em_is_fsal(rk) && w->mode_new != w->mode) return -1;
+    if (em_is_fsal(rk)) em_hermite(w, w->y_raw, w->K[rk->solution]);
+    else em_hermite(w, w->y_new, w->f_new);
+    if (stage == 0) return em_corrections(rk, w), 3 + rk->corrections;
+    const double c = rk->c[stage], unit = 2.0 * c * (1.0 - c) * (1.0 - 2.0 * c);
+    for (int k = 0; k < N_STATE; ++k) {
+        const double rate = w->F[1][k] + (1.0 - 2.0 * c) * w->F[2][k] + c * (2.0 - 3.0 * c) * w->F[3][k];
+        w->F[4][k] = (w->h * w->K[stage][k] - rate) / unit;
+    }
+    return 4;
+}
+
+#endif

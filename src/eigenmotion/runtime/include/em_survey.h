@@ -1,0 +1,164 @@
+/* em_survey.h: a closer look at g in a step where a glance is not enough: between which places it passes zero. */
+#ifndef EM_SURVEY_H
+#define EM_SURVEY_H
+
+#include "em_glance.h"
+
+#define EM_PROBE 0.38196601125010515 /* by no fraction of small numbers: what repeats itself from node to node shows there */
+
+/* g at places of a step, in the order of the run: at its start, `near` places close to that, the other nodes; and at one
+ * more, EM_PROBE, where no node is. */
+typedef struct em_survey {
+    int count, near;
+    double t[EM_PLACES], g[EM_PLACES][EM_SOME_EVENTS], probe[EM_SOME_EVENTS];
+} em_survey;
+
+/* The nodes of Chebyshev's polynomials, in [0, 1]. */
+static double em_node(int j) { return 0.5 - 0.5 * em_eighth(j); }
+
+static int em_look(em_walk *w, em_survey *s, double t) {
+    s->t[s->count] = t;
+    return em_events_inside(w, t, s->g[s->count++]);
+}
+
+/* How far in the step the first place is at which no g_i that was zero at the start is so still, in quarters: 4^-n. */
+static int em_quarters(em_walk *w, int *quarters) {
+    double g[EM_SOME_EVENTS];
+    for (*quarters = 1; *quarters < EM_QUARTERS; ++*quarters) {
+        int left = 0;
+        if (em_events_inside(w, w->t + ldexp(w->h, -2 * *quarters), g)) return -1;
+        for (int i = 0; i < N_EVENTS; ++i) left |= w->side[i] == 0 && em_side_of(g[i], w->quiet[i]);
+        if (!left) break;
+    }
+    return 0;
+}
+
+/* g at the nodes and, where something was zero at the start of the step, ever closer to that. 0, or -1 and w->reason. */
+static int em_survey_step(em_walk *w, em_survey *s) {
+    int zero = 0, quarters = 0;
+    for (int i = 0; i < N_EVENTS; ++i) zero |= w->side[i] == 0;
+    if (zero && em_quarters(w, &quarters)) return -1;
+    s->count = 0;
+    if (em_look(w, s, w->t)) return -1;
+    for (; quarters > 2; --quarters)
+        if (em_look(w, s, w->t + ldexp(w->h, -2 * quarters))) return -1;
+    s->near = s->count - 1;
+    for (int j = 1; j < EM_NODES - 1; ++j)
+        if (em_look(w, s, w->t + em_node(j) * w->h)) return -1;
+    return em_look(w, s, w->t_new) || em_events_inside(w, w->t + EM_PROBE * w->h, s->probe) ? -1 : 0;
+}
+
+static double em_at_node(const em_survey *s, int j, int i) { return s->g[j > 0 ? j + s->near : 0][i]; }
+
+/* a (9): the coefficients of the polynomial through g_i at the nodes, in Chebyshev's polynomials of 1 - 2 theta. */
+static void em_polynomial(const em_survey *s, int i, double *a) {
+    for (int k = 0; k < EM_NODES; ++k) {
+        double sum = 0.0;
+        for (int j = 0; j < EM_NODES; ++j)
+            sum += (j % (EM_NODES - 1) ? 1.0 : 0.5) * em_at_node(s, j, i) * em_eighth(j * k);
+        a[k] = (k % (EM_NODES - 1) ? 0.25 : 0.125) * sum;
+    }
+}
+
+/* Clenshaw's sum. */
+static double em_polynomial_at(const double *a, double theta) {
+    const double z = 1.0 - 2.0 * theta;
+    double b = 0.0, before = 0.0;
+    for (int k = EM_NODES - 1; k > 0; --k) {
+        const double next = a[k] + 2.0 * z * b - before;
+        before = b, b = next;
+    }
+    return a[0] + z * b - before;
+}
+
+/* Whether nine nodes tell nothing of g_i: its coefficients, `size` the sum of their sizes, do not fall off, or their
+ * polynomial is not g_i elsewhere. A shorter step may tell more, but not of a jump: short beside others a step is good
+ * enough. */
+static int em_is_wild(const em_walk *w, const double *a, double size, double probe) {
+    enum { RETRIES = 5 };
+    const double tail = fabs(a[EM_NODES - 3]) + fabs(a[EM_NODES - 2]) + fabs(a[EM_NODES - 1]);
+    const double off = fabs(em_polynomial_at(a, EM_PROBE) - probe);
+    return w->retries < RETRIES && fabs(w->h) > 1e-3 * w->longest_step && em_max(tail, off) > 0.02 * size;
+}
+
+/* Between nodes j and j + 1, where g_i has the sign `side`: *theta <- where the polynomial is lowest, *low <- how low.
+ * Whether that is lower than at both. */
+static int em_lowest(const em_survey *s, int i, const double *a, int j, double side, double *theta, double *low) {
+    enum { PARTS = 8 };
+    const double left = em_node(j), width = em_node(j + 1) - left;
+    const double ends = em_min(side * em_at_node(s, j, i), side * em_at_node(s, j + 1, i));
+    *low = ends;
+    for (int part = 1; part < PARTS; ++part) {
+        const double at = left + width * part / PARTS, value = side * em_polynomial_at(a, at);
+        if (value < *low) *low = value, *theta = at;
+    }
+    return *low < ends;
+}
+
+/* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
+ * closer places. 1, 0, or -1 and w->reason. */
+static int em_dips(em_walk *w, int i, double side, double *theta, double *value) {
+    double apart = 1.0 / 128.0, f[3], g[EM_SOME_EVENTS];
+    for (int n = 0; n < 5; ++n, apart /= 8.0) {
+        *theta = em_min(1.0 - apart, em_max(apart, *theta));
+        for (int place = 0; place < 3; ++place) {
+            const double at = *theta + (place - 1) * apart;
+            if (em_events_inside(w, w->t + at * w->h, g)) return -1;
+            f[place] = side * g[i];
+            if (f[place] < 0.0) return *theta = at, *value = g[i], 1;
+        }
+        const double slope = 0.5 * (f[2] - f[0]), bend = f[0] - 2.0 * f[1] + f[2];
+        if (!(bend > 0.0)) return 0;
+        if (f[1] - 0.5 * slope * slope / bend > 0.3 * f[1] && fabs(slope) < bend) return 0;
+        *theta += apart * em_min(1.0, em_max(-1.0, -slope / bend));
+    }
+    return 0;
+}
+
+static int em_fires(int direction, int before) { return direction == 0 || direction == -before; }
+
+/* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
+static void em_pass(em_walk *w, int i, const em_point *before, const em_point *after) {
+    const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
+    if (sign == 0) return;
+    if (sign == -w->side_new[i] && em_fires(w->run->event_direction[i], w->side_new[i]))
+        w->found[w->n_found++] = (em_found){*before, *after, i};
+    w->side_new[i] = sign;
+}
+
+/* The crossings of event i by the signs at the places of the survey and in the dips between the nodes: of nine nodes
+ * a polynomial is made, which is g_i wherever g_i is smooth within a step. 0, or -1 and w->reason. */
+static int em_search(em_walk *w, const em_survey *s, int i) {
+    double a[EM_NODES], size = 0.0, theta = 0.0, low;
+    em_polynomial(s, i, a);
+    for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
+    if (em_is_wild(w, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
+    em_point before = {w->t, w->g[i]};
+    em_pass(w, i, &before, &before);
+    for (int k = 0; k < s->count; ++k) {
+        em_point here = {s->t[k], s->g[k][i]};
+        const double side = w->side_new[i];
+        const int node = k - s->near - 1; /* before this one */
+        if (node >= (s->near > 0) && side * here.g > 0.0 && side * s->g[k - 1][i] > 0.0 &&
+            em_lowest(s, i, a, node, side, &theta, &low) && low < 0.05 * size) {
+            em_point dip;
+            const int dips = em_dips(w, i, side, &theta, &dip.g);
+            if (dips < 0) return -1;
+            dip.t = w->t + theta * w->h;
+            if (dips) em_pass(w, i, &before, &dip), before = dip;
+        }
+        em_pass(w, i, &before, &here);
+        if (here.g != 0.0) before = here;
+    }
+    return 0;
+}
+
+/* What is zero at the end of the run has come there, unless it rested at zero before. */
+static void em_arrive(em_walk *w, const em_survey *s, int i) {
+    const em_point end = {w->t_new, w->g_new[i]};
+    if (w->t_new != w->run->t_end || end.g != 0.0 || w->side[i] == 0) return;
+    if (s->g[s->count - 2][i] == 0.0) return;
+    if (em_fires(w->run->event_direction[i], w->side_new[i])) w->found[w->n_found++] = (em_found){end, end, i};
+}
+
+#endif

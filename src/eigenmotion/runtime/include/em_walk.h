@@ -1,0 +1,141 @@
+/* em_walk.h: what a run carries from step to step, and what it asks of the model on the way. */
+#ifndef EM_WALK_H
+#define EM_WALK_H
+
+#include <time.h>
+
+#include "em_signals.h"
+#include "em_tableaux.h"
+
+enum {
+    EM_LANES = 4,
+    EM_WIDTH = (N_STATE + EM_LANES - 1) / EM_LANES * EM_LANES, /* a state padded with zeros */
+    EM_SOME_EVENTS = N_EVENTS > 0 ? N_EVENTS : 1,
+    EM_GLANCES = 3,    /* states within every step at which events are looked at, */
+    EM_NODES = 9,      /* those at its ends included where a closer look is needed, */
+    EM_QUARTERS = 26,  /* and ever closer to a start at which one is zero */
+    EM_PLACES = EM_QUARTERS + EM_NODES,
+    EM_MOST_FOUND = N_EVENTS > 0 ? N_EVENTS * (EM_PLACES + EM_NODES) : 1,
+    EM_SOME_INPUTS = N_INPUTS > 0 ? N_INPUTS : 1,
+    EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1
+};
+
+/* fmin and fmax for numbers: inline where the library's, which mind NaN, are calls. */
+EM_INLINE double em_min(double a, double b) { return a < b ? a : b; }
+EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }
+
+typedef struct em_walk em_walk;
+
+/* A method as the stepper sees it (em_methods.h): how it steps from w->t, w->y by w->h to w->t_new, and what it knows of
+ * the states between. What the rows of F mean is its own affair. */
+typedef struct em_scheme {
+    int error_order;                /* steps are chosen by an error that is O(h^(error_order + 1)) */
+    int terms;                      /* of its interpolant */
+    int (*step)(em_walk *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
+    int (*interpolate)(em_walk *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
+    int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
+    void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
+} em_scheme;
+
+/* A number g at a time; two of different signs, and whose they are. */
+typedef struct em_point {
+    double t, g;
+} em_point;
+
+typedef struct em_found {
+    em_point before, after;
+    int event;
+} em_found;
+
+/* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
+struct em_walk {
+    double K[EM_STAGES][EM_WIDTH];             /* K[0] = f(t, y); the others are the method's */
+    double y[EM_WIDTH], y_new[EM_WIDTH], f_new[EM_WIDTH];
+    double y_raw[EM_WIDTH];                    /* y_new before it was settled */
+    double argument[EM_WIDTH], error[EM_WIDTH], weight[EM_WIDTH];
+    double F[EM_DENSE_COEFFICIENTS][N_STATE];  /* the interpolant of the step: what it means is the method's */
+    double memory[EM_SOME_MEMORY], memory_new[EM_SOME_MEMORY];
+    double u[EM_SOME_INPUTS];
+    double g[EM_SOME_EVENTS], g_new[EM_SOME_EVENTS];
+    double noise[EM_SOME_EVENTS], zero[EM_SOME_EVENTS]; /* of g at the start of the run, and what is no more than 0 there */
+    double quiet[EM_SOME_EVENTS];              /* beyond which a g that was zero at the start is so no longer */
+    em_found found[EM_MOST_FOUND];             /* what passes zero in the step under way */
+    long piece[EM_SOME_INPUTS];                /* of each signal, valid within the step */
+    em_run *run;
+    em_scheme scheme;
+    const double *end_rate;                    /* f at t_new, y_raw where the step knows it, else NULL */
+    double rtol, direction, t, t_new, h;
+    double stretch;                            /* rtol^(-1 / order): h stretch is the time on which the motion varies */
+    double h_next;                             /* size the controller proposes, positive */
+    double signals_end;                        /* where the first piece ends: no step goes beyond */
+    double error_norm, last_error;             /* of the step under way; log of that of the last accepted one */
+    double longest[N_ROWS > 0 ? N_ROWS : 1];   /* squared lengths of the rows of B, the largest so far */
+    double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta with rows in such units */
+    double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
+    double energy, energy_tolerance;           /* at the start; what the tolerances make of it, the largest so far */
+    long next_witness;                         /* the number of right-hand sides at which it is looked at again */
+    em_fault reason;                           /* why the last attempt at a step failed */
+    int rank;                                  /* of the constraint rows, at the start */
+    int starts_near;                           /* whether the start is near a singularity of the chart */
+    int retries;                               /* how many rejected ones the step under way follows */
+    int near;                                  /* whether stages are settled: a singular position is near */
+    int mode, mode_new, moved, has_interpolant, n_found;
+    int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
+    size_t next_t_eval;
+    struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
+    struct timespec polled;
+    unsigned looks_every, attempts_since_look;
+    void *block;                               /* what to free */
+};
+
+static void em_signals(em_walk *w, double t) {
+    for (int i = 0; i < N_INPUTS; ++i) w->u[i] = em_signal_at(&w->run->inputs[i], w->piece[i], t);
+}
+
+/* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
+static int em_blame(em_walk *w, double t, const double *y);
+
+/* What is asked of constraint rows. */
+static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
+
+/* dy <- f(t, y) with the signals at t. */
+EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const double *memory, double *dy) {
+    em_run *run = w->run;
+    if (N_INPUTS > 0) em_signals(w, t);
+    ++run->n_rhs;
+    return model_rhs(mode, t, y, run->prepared, w->u, memory, em_constraint_flags(run), dy, &w->reason) ? em_blame(w, t, y) : 0;
+}
+
+static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double pace,
+                     em_fault *fault) {
+    if (!SETTLES && run->stabilise && !(flags & EM_BEGIN)) return 0;
+    if (run->stabilise) flags |= EM_STABILISE;
+    if (!(flags & EM_LEAST_NORM)) flags |= em_constraint_flags(run);
+    return model_settle(mode, flags, t, y, run->prepared, memory, pace, fault);
+}
+
+/* dy <- f at the nearest point on the constraints. Where their rows lose their directions, as near a singular position,
+ * an argument that is off them by e has rates that are off by e over the square of what is left; on them they are not. */
+EM_COLD int em_settled_rhs(em_walk *w, double t, const double *y, double *dy) {
+    double settled[EM_WIDTH], memory[EM_SOME_MEMORY];
+    int mode = w->mode;
+    memcpy(settled, y, sizeof settled);
+    memcpy(memory, w->memory, sizeof memory);
+    if (em_settle(w->run, &mode, EM_KEEP_MODE, t, settled, memory, 0.0, &w->reason) < 0) return -1;
+    return em_rhs(w, mode, t, settled, memory, dy);
+}
+
+/* dy <- f within a step. */
+EM_INLINE int em_stage_rate(em_walk *w, double t, const double *y, double *dy) {
+    return N_POSITIONS > 0 && w->near ? em_settled_rhs(w, t, y, dy) : em_rhs(w, w->mode, t, y, w->memory, dy);
+}
+
+/* NaN and infinity survive a product with zero. */
+EM_INLINE int em_all_finite(const double *restrict y) {
+    double sum[EM_LANES] = {0.0};
+    for (int k = 0; k < EM_WIDTH; k += EM_LANES)
+        for (int lane = 0; lane < EM_LANES; ++lane) sum[lane] += 0.0 * y[k + lane];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]) == 0.0;
+}
+
+#endif
