@@ -20,6 +20,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline, PPoly
 from scipy.special import ellipj, ellipk
 
+from eigenmotion.running.methods import COMPILED
+
 from .structures import Poll as Poll
 from .structures import Rows as Rows
 from .structures import Run as Run
@@ -34,7 +36,7 @@ STRICT = "-std=c11 -Wall -Wextra -Wpedantic -Werror".split()
 FAST = "-O3 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math".split()
 COMPILER = shlex.split(os.environ.get("CC", "cc"))
 
-METHODS = ("rk34", "dopri5", "dop853")
+METHODS = tuple(COMPILED)
 (FINISHED, TERMINAL_EVENT, STEP_SIZE_UNDERFLOW, TOO_MANY_STEPS, NON_FINITE_STATE, SINGULAR_MASS_MATRIX) = range(6)
 POSITION_NOT_REACHED, INTERRUPTED, OUT_OF_MEMORY = 8, 9, 10
 CONSTANT, HOLD, LINEAR, CUBIC = range(4)
@@ -224,7 +226,7 @@ def simulate(
     signals = (Signal * max(1, len(inputs)))(*(one for one, _ in inputs))
     directions, terminals = numbers(direction or [0] * n_events, np.intc), numbers(terminal or [0] * n_events, np.intc)
     callback = Poll(lambda _: poll()) if poll else Poll()
-    run = Run(t_start=t_span[0], t_end=t_span[1], method=METHODS.index(method), rtol=rtol, max_step=math.inf)
+    run = Run(t_start=t_span[0], t_end=t_span[1], method=COMPILED[method].number, rtol=rtol, max_step=math.inf)
     run.max_steps, run.stabilise = 1_000_000, 1
     run.y_start, run.atol = start.ctypes.data, tolerance.ctypes.data
     run.inputs = ct.addressof(signals)

@@ -10,15 +10,14 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Event, Model, System, t
 from eigenmotion.arguments.signals import Signal
 from eigenmotion.results.solution import Solution
+from eigenmotion.running.methods import COMPILED, IMPLICIT, METHODS
 from eigenmotion.runtime import StopReason
 
 from .generation import system_for
 
-COMPILED, IMPLICIT = ("rk34", "dopri5", "dop853"), ("Radau", "BDF", "LSODA")
-METHODS = (*COMPILED, *IMPLICIT)
 X = dynamicsymbols("x")
 WAYS = pytest.mark.parametrize("way", [1, -1])
-EVERY = pytest.mark.parametrize("method", METHODS)
+EVERY = pytest.mark.parametrize("method", [name for name, method in METHODS.items() if not method.needs])
 
 
 @cache

@@ -66,7 +66,17 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
     "running": ("codegen.model", "runtime", "arguments", "results"),
     "system": ("codegen.model", "runtime", "arguments", "running"),
-    "building": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "results", "system", "files"),
+    "building": (
+        "codegen.model",
+        "codegen.c",
+        "codegen",
+        "runtime",
+        "arguments",
+        "results",
+        "running",
+        "system",
+        "files",
+    ),
     "reference": ("codegen.model", "arguments"),
     "pages": ("codegen.model", "files"),
     "report": (

@@ -1,6 +1,5 @@
 """Implicit methods and their Jacobians."""
 
-import importlib.util
 from itertools import pairwise
 
 import numpy as np
@@ -9,11 +8,11 @@ from sympy import Rational, cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
+from eigenmotion.running.methods import IMPLICIT
 
 from .models_table import BY_NAME
 
-HAS_SUNDIALS = importlib.util.find_spec("sksundae") is not None
-METHODS = ("Radau", "BDF", "LSODA") + ("CVODE",) * HAS_SUNDIALS
+METHODS = tuple(name for name, method in IMPLICIT.items() if method.is_installed)
 
 
 def complex_like_differences(fun, y):

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..pages.figures import BLACK, FORMULATIONS, ORANGE, SKY, Picture, blank, picture, uncluttered
+from ..running import methods
 from .examine import Findings
 from .recommend import Curve
 from .solvers import METHODS, OURS, RADAU_ORDER
@@ -33,6 +34,7 @@ _LOOKS: dict[str, tuple[str, str, Any]] = {
 _HOLLOW = "inverse"  # often on top of "lagrange", which must show through
 _ERROR = "largest error, max $|x - x_{ref}| / (1 + |x_{ref}|)$"
 _BEST = "dop853"
+_FIXED = {name for name, method in methods.METHODS.items() if method.order}
 
 
 def pictures(found: Findings) -> tuple[Picture, ...]:
@@ -138,7 +140,7 @@ def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], sprea
 
 def _guide(axes: Any, lines: Sequence[Curve], order: int, floor: float) -> bool:
     """Draw the method's slope through the middle of the points it is about, where steps follow the tolerance at all."""
-    fixed = [c for c in lines if c.method in {*METHODS, "Radau"} and c.order(floor) is not None]
+    fixed = [c for c in lines if c.method in _FIXED and c.order(floor) is not None]
     every = [(p.nsteps or 0, p.error_max or 0.0) for curve in fixed for p in curve.points]
     points = [(steps, error) for steps, error in every if steps and floor < error < 1e-2]
     if not points:

@@ -3,19 +3,19 @@
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 
 from ..arguments.names import Vector
 from ..results.solution import Solution
+from ..running import methods
 from ..running.simulate import simulate
 from ..system.system import System
 
-METHODS = {"rk34": 4, "dopri5": 5, "dop853": 8}  # compiled ones, with the order that error falls with
-IMPLICIT = ("Radau", "BDF", "LSODA", "CVODE")
-RADAU_ORDER = 5
+METHODS = {name: method.order or 0 for name, method in methods.COMPILED.items()}  # with the order that error falls with
+IMPLICIT = tuple(methods.IMPLICIT)
+RADAU_ORDER = methods.METHODS["Radau"].order or 0
 OURS = "eigenmotion"
 OUR_TOLERANCES = tuple(float(10.0 ** (-k / 2)) for k in range(6, 28))  # 1e-3, 3e-4, ... 3e-14
 IMPLICIT_TOLERANCES = tuple(float(10.0**-k) for k in range(3, 14))
@@ -95,7 +95,11 @@ def implicit_solvers(systems: Sequence[System], problem: Problem) -> tuple[list[
     them: lagrange nothing, so that its rows are the quickest.
     """
     chosen = next((system for system in systems if system.formulation == _PLAIN), systems[0])
-    absent = [] if find_spec("sksundae") else [("CVODE", "not installed (pip install 'eigenmotion[stiff]')")]
+    absent = [
+        (name, f"not installed (pip install 'eigenmotion[{method.extra}]')")
+        for name, method in methods.IMPLICIT.items()
+        if not method.is_installed
+    ]
     names = [method for method in IMPLICIT if method not in dict(absent)]
     return [_solver(chosen, problem, method, IMPLICIT_TOLERANCES) for method in names], absent
 

@@ -18,15 +18,15 @@ from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..codegen.model import ModelError
 from ..results.solution import Solution
+from .methods import Method, checker_of
 
 if TYPE_CHECKING:
     from ..system.system import System
 
-Run = Callable[[Task, str], Solution]
+Runner = Callable[[Task, Method], Solution]
 
 TIGHTER, TIGHTER_ACROSS = 1e-2, 1e-4
 FINEST = 3e-14  # rtol: below, the stepper's own error estimate is rounding
-COMPILED_CHECK, STIFF_CHECK = "dop853", "Radau"
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ class ErrorCost:
     share: float
 
 
-def with_error_estimate(task: Task, method: str, checker: "System | None", is_compiled: bool, run: Run) -> Solution:
+def with_error_estimate(task: Task, method: Method, checker: "System | None", run: Runner) -> Solution:
     """Run a task, and again more accurately; the solution gets `error_estimate` and `error_cost`.
 
     Parameters
@@ -78,26 +78,24 @@ def with_error_estimate(task: Task, method: str, checker: "System | None", is_co
     checker
         The same model in another formulation for the second run, or None: the same program. What a formulation itself
         got wrong shows only against another one.
-    is_compiled
-        Whether `method` is one of the compiled ones; stiff ones are checked by a stiff one.
     """
     solution, first = _clocked(run, task, method)
-    checking = COMPILED_CHECK if is_compiled else STIFF_CHECK
+    checking = checker_of(method)
     if not len(solution.t) or solution.t[-1] == task.t_start:
         return _blank(solution, task)
-    across = is_compiled and method != checking
+    across = method.is_compiled and method != checking
     tighter = _tighter(task, solution, TIGHTER_ACROSS if across else TIGHTER)
     if checker is not None:
         tighter = _on(checker, tighter)
     second, seconds = _clocked(run, tighter, checking)
     solution["error_estimate"] = _compared(task, solution, second, tighter.rtol)
     solution["error_cost"] = ErrorCost(
-        tighter.model.formulation, checking, tighter.rtol, second.nfev, second.nsteps, seconds, seconds / first
+        tighter.model.formulation, checking.name, tighter.rtol, second.nfev, second.nsteps, seconds, seconds / first
     )
     return solution
 
 
-def _clocked(run: Run, task: Task, method: str) -> tuple[Solution, float]:
+def _clocked(run: Runner, task: Task, method: Method) -> tuple[Solution, float]:
     start = time.perf_counter()
     solution = run(task, method)
     return solution, time.perf_counter() - start

@@ -14,14 +14,14 @@ from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
 from ..runtime import CompiledModel, EvaluationError, Run
 from .error_estimate import with_error_estimate
+from .methods import METHODS, Method
 from .start import start_state
-from .stiff import METHODS, simulate_stiff
+from .stiff import simulate_stiff
 
 if TYPE_CHECKING:
     from ..system.system import System
 
-_COMPILED = {"rk34": 0, "dopri5": 1, "dop853": 2}  # em_method
-_METHODS = {name.lower(): name for name in (*_COMPILED, *METHODS)}
+_METHODS = {name.lower(): name for name in METHODS}
 _STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
@@ -96,7 +96,7 @@ def simulate(
         Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
     """
     _check_call(system, positional, misspelt)
-    chosen = choice(method, _METHODS, "method")
+    chosen = METHODS[choice(method, _METHODS, "method")]
     start, end = span(t_span)
     relative, absolute = tolerances(system.compiled, rtol, atol)
     first, longest, most = step_limits(first_step, max_step, max_steps, abs(end - start))
@@ -113,7 +113,7 @@ def simulate(
     if estimate_error is False:
         return _run(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
-    return with_error_estimate(task, chosen, checker, chosen in _COMPILED, _run)
+    return with_error_estimate(task, chosen, checker, _run)
 
 
 def _check_call(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> None:
@@ -141,8 +141,8 @@ def _checker(given: Any) -> "System":
     return checker
 
 
-def _run(task: Task, method: str) -> Solution:
-    found = _simulate_compiled(task, _COMPILED[method]) if method in _COMPILED else simulate_stiff(task, method)
+def _run(task: Task, method: Method) -> Solution:
+    found = simulate_stiff(task, method) if method.number is None else _simulate_compiled(task, method.number)
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in
         found["sol"] = DenseOutput(found.t, partial(_standing, row))

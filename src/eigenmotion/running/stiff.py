@@ -4,15 +4,15 @@ They solve with a Jacobian of (x, v) -> (v, xddot), 2 n numbers square: carrying
 add a fast variable wherever axes turn, for nothing that x does not know (docs/theory.md).
 """
 
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache, partial
 from itertools import pairwise
+from pkgutil import resolve_name
 from typing import Any
 
 import numpy as np
-from scipy.integrate import BDF, LSODA, OdeSolution, Radau
+from scipy.integrate import OdeSolution, Radau
 
 from ..arguments.names import Vector
 from ..arguments.options import Task
@@ -20,11 +20,9 @@ from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
 from ..runtime import EvaluationError, StopReason, explain
 from .drift import Drift
-from .sundials import Cvode
+from .methods import Method
 from .watch import Function, Watch
 from .witness import Witness
-
-METHODS: dict[str, Callable[..., Any]] = {"Radau": Radau, "BDF": BDF, "LSODA": LSODA, "CVODE": Cvode}
 
 
 @dataclass(slots=True)
@@ -66,8 +64,8 @@ class _Progress:
         self.nfev, self.njev, self.nlu = self.nfev + solver.nfev, self.njev + solver.njev, self.nlu + solver.nlu
 
 
-def simulate_stiff(task: Task, method: str) -> Solution:
-    """Run one of METHODS. The integration itself is not projected; every row that is given out is."""
+def simulate_stiff(task: Task, method: Method) -> Solution:
+    """Run a method whose steps are made in Python. They are not projected; every row that is given out is."""
     model = task.model
     rows = np.ascontiguousarray(task.y[None, :])
     v = model.velocity_rows(np.array([task.t_start]), rows, task.prepared)[0]
@@ -75,7 +73,7 @@ def simulate_stiff(task: Task, method: str) -> Solution:
         [task.t_start], [np.concatenate((task.y[: model.n], v))], Watch(task), Drift(task), Witness(task)
     )
     try:
-        stop, said = _advance(task, METHODS[method], progress)
+        stop, said = _advance(task, method, progress)
     except EvaluationError as error:
         stop, said = error.stop, str(error)
     except KeyboardInterrupt:
@@ -85,7 +83,7 @@ def simulate_stiff(task: Task, method: str) -> Solution:
     return _solution(task, progress, stop, message)
 
 
-def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple[StopReason, str]:
+def _advance(task: Task, method: Method, progress: _Progress) -> tuple[StopReason, str]:
     """Integrate from one kink of the inputs to the next: no polynomial reaches across a jump."""
     kinks = task.inputs.kinks(task.t_start, task.t_end)
     forward = task.t_end > task.t_start
@@ -96,7 +94,7 @@ def _advance(task: Task, kind: Callable[..., Any], progress: _Progress) -> tuple
     progress.witness.begin(progress.z[0])
     for start, end in pairwise(ends):
         u = _inputs(task, start, end)
-        solver = _solver(task, kind, u, (start, end), progress)
+        solver = _solver(task, method, u, (start, end), progress)
         try:
             stop = _leg(task, solver, u, progress)
         finally:
@@ -144,7 +142,7 @@ _NEWTON = 0.01
 leaves of the rates of stiff springs: then stages seem not to converge, and steps get thousands of times too short."""
 
 
-def _solver(task: Task, kind: Callable[..., Any], u: Function, span: tuple[float, float], progress: _Progress) -> Any:
+def _solver(task: Task, method: Method, u: Function, span: tuple[float, float], progress: _Progress) -> Any:
     """Return a solver between two kinks. It sees NaN where the rate has no value, and tries a shorter step."""
     (start, end), z = span, progress.z[-1]
 
@@ -162,11 +160,11 @@ def _solver(task: Task, kind: Callable[..., Any], u: Function, span: tuple[float
         return task.model.motion_jacobian(t, z, task.prepared, u(t), task.least_norm)
 
     first = min(task.first_step, abs(end - start)) or None
-    solver = kind(
+    solver = resolve_name(method.solver)(
         rate, start, z, end, jac=jacobian, rtol=task.rtol, atol=np.tile(task.atol, 2), first_step=first,
         max_step=task.max_step,
     )  # fmt: skip
-    if kind is Radau:
+    if isinstance(solver, Radau):
         solver.newton_tol = max(solver.newton_tol, _NEWTON)
     return solver
 

@@ -8,6 +8,7 @@ from scipy.interpolate import BarycentricInterpolator
 
 from ..arguments.names import Vector
 from ..codegen.model import ModelError
+from .methods import IMPLICIT
 
 ORDER = 5
 """Of BDF at the most: its interpolant within a step is a polynomial of that degree."""
@@ -17,8 +18,10 @@ def _cvode() -> Any:
     try:
         from sksundae.cvode import CVODE  # noqa: PLC0415  (an optional package)
     except ImportError as error:
+        *others, last = (method.name for method in IMPLICIT.values() if not method.needs)
         raise ModelError(
-            "method CVODE needs SUNDIALS: pip install 'eigenmotion[stiff]', or use Radau, BDF or LSODA"
+            f"method CVODE needs SUNDIALS: pip install 'eigenmotion[{IMPLICIT['CVODE'].extra}]', "
+            f"or use {', '.join(others)} or {last}"
         ) from error
     return CVODE
 

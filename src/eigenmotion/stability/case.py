@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from types import MappingProxyType
 
 import numpy as np
@@ -11,12 +10,15 @@ from ..arguments.names import Vector
 from ..arguments.signals import Signal
 from ..codegen.model import Model
 from ..reference.extended import Rhs
+from ..running.methods import METHODS
 from .truth import Integrated, Truth
 from .variants import UNCONSTRAINED, Variant
 
 EXPLICIT = {"rk34": 1e-7, "dopri5": 1e-8, "dop853": 1e-8}
-STIFF = {"Radau": 1e-6, "BDF": 1e-6, "LSODA": 1e-7} | ({"CVODE": 1e-7} if find_spec("sksundae") else {})
-TOLERANCES: Mapping[str, float] = MappingProxyType(EXPLICIT | STIFF)
+STIFF = {"Radau": 1e-6, "BDF": 1e-6, "LSODA": 1e-7, "CVODE": 1e-7}
+TOLERANCES: Mapping[str, float] = MappingProxyType(
+    {name: tolerance for name, tolerance in (EXPLICIT | STIFF).items() if METHODS[name].is_installed}
+)
 
 
 @dataclass(frozen=True)

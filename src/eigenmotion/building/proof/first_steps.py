@@ -9,6 +9,7 @@ import numpy as np
 from ...arguments.names import Vector
 from ...codegen.model import ModelError
 from ...results.solution import Solution
+from ...running.methods import COMPILED
 from ...runtime import EvaluationError, StopReason
 from ...system.system import System
 from .identities import geometric
@@ -31,7 +32,7 @@ def first_steps(system: System) -> Iterator[tuple[str, str]]:
     """
     x = system.initial[0]
     with np.errstate(all="ignore"):
-        for method in ("rk34", "dopri5", "dop853"):
+        for method in COMPILED:
             try:
                 run = system.simulate((0.0, 1e9), method=method, rtol=TOLERANCE, atol=0.0, max_steps=STEPS)
             except ModelError:

@@ -1,0 +1,64 @@
+"""The methods there are: the one table that all others are made from.
+
+What compiled ones do stands in em_methods.h, under the same names and numbers.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from importlib.util import find_spec
+from types import MappingProxyType
+
+
+@dataclass(frozen=True, slots=True)
+class Method:
+    """A way to integrate: compiled, or in Python.
+
+    name : as users write it, in upper or lower case
+    order : the power of the step size that the error of a run falls with; None where it varies from step to step
+    implicit : solves equations in every step, with the Jacobian of the motion (x, v): for stiff scenes
+    number : of a compiled one, em_method of eigenmotion.h; else None
+    solver : of the others, "module:class" of what makes the steps, as `scipy.integrate.OdeSolver` does
+    needs : the package without which there is none, "" where it comes with ours
+    extra : what installs that: pip install 'eigenmotion[extra]'
+    """
+
+    name: str
+    order: int | None
+    implicit: bool = False
+    number: int | None = None
+    solver: str = ""
+    needs: str = ""
+    extra: str = ""
+
+    @property
+    def is_compiled(self) -> bool:
+        """Whether all of a run is compiled code."""
+        return self.number is not None
+
+    @property
+    def is_installed(self) -> bool:
+        """Whether what it needs is there."""
+        return not self.needs or find_spec(self.needs) is not None
+
+
+def _table(*methods: Method) -> Mapping[str, Method]:
+    return MappingProxyType({method.name: method for method in methods})
+
+
+METHODS = _table(
+    Method("rk34", order=4, number=0),
+    Method("dopri5", order=5, number=1),
+    Method("dop853", order=8, number=2),
+    Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau"),
+    Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF"),
+    Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA"),
+    Method("CVODE", order=None, implicit=True, solver="eigenmotion.running.sundials:Cvode",
+           needs="sksundae", extra="stiff"),
+)  # fmt: skip
+COMPILED = _table(*(method for method in METHODS.values() if method.is_compiled))
+IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
+
+
+def checker_of(method: Method) -> Method:
+    """Return the method that checks runs of another: of its kind the one of the highest order that does not vary."""
+    return max((m for m in METHODS.values() if m.implicit == method.implicit), key=lambda m: m.order or 0)
