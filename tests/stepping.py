@@ -22,7 +22,8 @@ from scipy.special import ellipj, ellipk
 
 from eigenmotion.running.methods import COMPILED
 
-from .structures import Poll as Poll
+from .structures import INCLUDE as INCLUDE
+from .structures import NUMBERS, POLL
 from .structures import Rows as Rows
 from .structures import Run as Run
 from .structures import Signal as Signal
@@ -31,15 +32,16 @@ from .structures import Tableau as Tableau
 Array = NDArray[np.float64]
 Build = Callable[["Mechanism"], "Compiled"]
 
-INCLUDE = Path(__file__).parents[1] / "src" / "eigenmotion" / "runtime" / "include"
 STRICT = "-std=c11 -Wall -Wextra -Wpedantic -Werror".split()
 FAST = "-O3 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math".split()
 COMPILER = shlex.split(os.environ.get("CC", "cc"))
 
 METHODS = tuple(COMPILED)
-(FINISHED, TERMINAL_EVENT, STEP_SIZE_UNDERFLOW, TOO_MANY_STEPS, NON_FINITE_STATE, SINGULAR_MASS_MATRIX) = range(6)
-POSITION_NOT_REACHED, INTERRUPTED, OUT_OF_MEMORY = 8, 9, 10
-CONSTANT, HOLD, LINEAR, CUBIC = range(4)
+FINISHED, TERMINAL_EVENT, INTERRUPTED = NUMBERS["EM_FINISHED"], NUMBERS["EM_TERMINAL_EVENT"], NUMBERS["EM_INTERRUPTED"]
+STEP_SIZE_UNDERFLOW, TOO_MANY_STEPS = NUMBERS["EM_STEP_SIZE_UNDERFLOW"], NUMBERS["EM_TOO_MANY_STEPS"]
+NON_FINITE_STATE, SINGULAR_MASS_MATRIX = NUMBERS["EM_NON_FINITE_STATE"], NUMBERS["EM_SINGULAR_MASS_MATRIX"]
+POSITION_NOT_REACHED, OUT_OF_MEMORY = NUMBERS["EM_POSITION_NOT_REACHED"], NUMBERS["EM_OUT_OF_MEMORY"]
+CONSTANT, HOLD, LINEAR, CUBIC = (NUMBERS[f"EM_{name}"] for name in ("CONSTANT", "HOLD", "LINEAR", "CUBIC"))
 
 SOURCE = string.Template(r"""
 #include "eigenmotion.h"
@@ -225,7 +227,7 @@ def simulate(
     start, tolerance = numbers(y0), numbers(np.broadcast_to(numbers(atol), n))
     signals = (Signal * max(1, len(inputs)))(*(one for one, _ in inputs))
     directions, terminals = numbers(direction or [0] * n_events, np.intc), numbers(terminal or [0] * n_events, np.intc)
-    callback = Poll(lambda _: poll()) if poll else Poll()
+    callback = POLL(lambda _: poll()) if poll else POLL()
     run = Run(t_start=t_span[0], t_end=t_span[1], method=COMPILED[method].number, rtol=rtol, max_step=math.inf)
     run.max_steps, run.stabilise = 1_000_000, 1
     run.y_start, run.atol = start.ctypes.data, tolerance.ctypes.data

@@ -1,79 +1,56 @@
-"""The structures of `eigenmotion.h` and `em_tableaux.h`, field by field."""
+"""The structures of `eigenmotion.h` and `em_tableaux.h` for ctypes, read off the headers."""
 
 import ctypes as ct
+import re
+from pathlib import Path
+from typing import Any
+
+INCLUDE = Path(__file__).parents[1] / "src" / "eigenmotion" / "runtime" / "include"
+TEXT = re.sub(r"/\*.*?\*/", "", "".join((INCLUDE / f"{name}.h").read_text() for name in ("eigenmotion", "em_tableaux")),
+              flags=re.DOTALL)  # fmt: skip
+POLL = ct.CFUNCTYPE(ct.c_int, ct.c_void_p)
 
 
-class Fault(ct.Structure):
-    _fields_ = (("status", ct.c_int), ("first", ct.c_int), ("second", ct.c_int), ("size", ct.c_double))
+def enumerators() -> dict[str, int]:
+    """Name -> number, of every `enum {...}`."""
+    found: dict[str, int] = {}
+    for body in re.findall(r"\benum\s*\w*\s*\{(.*?)\}", TEXT, re.DOTALL):
+        number = -1
+        for entry in filter(None, map(str.strip, body.split(","))):
+            name, _, value = (part.strip() for part in entry.partition("="))
+            found[name] = number = int(value) if value else number + 1
+    return found
 
 
-class Signal(ct.Structure):
-    _fields_ = (("kind", ct.c_int), ("count", ct.c_size_t), ("times", ct.c_void_p), ("values", ct.c_void_p))
+NUMBERS = enumerators()
+KINDS: dict[str, Any] = {"double": ct.c_double, "int": ct.c_int, "long": ct.c_long, "size_t": ct.c_size_t}
 
 
-class Rows(ct.Structure):
-    _fields_ = (
-        *((name, ct.c_size_t) for name in ("count", "capacity", "width")),
-        *((name, ct.POINTER(ct.c_double)) for name in ("t", "y")),
-    )
+def declared(statement: str) -> list[tuple[str, Any]]:
+    """Names and types of one declaration. Addresses, but those of what a run allocates, are numbers."""
+    if "(" in statement:
+        return [(re.findall(r"\(\*(\w+)\)", statement)[0], POLL)]
+    words, *more = (part.strip() for part in statement.split(","))
+    kind, first = re.fullmatch(r"(.*?)\s*(\**\w+(?:\[\w+\])*)", words).groups()  # type: ignore[union-attr]
+    fields = []
+    for stars, name, sizes in re.findall(r"(\**)(\w+)((?:\[\w+\])*)", " ".join([first, *more])):
+        made = KINDS.get(kind) if not kind.startswith(("const", "struct")) else None
+        if stars:
+            made = ct.POINTER(made) if made else ct.c_void_p
+        for size in reversed(re.findall(r"\w+", sizes)):
+            made = made * (int(size) if size.isdigit() else NUMBERS[size])
+        fields.append((name, made))
+    return fields
 
 
-class DenseStep(ct.Structure):
-    _fields_ = (("t", ct.c_double), ("h", ct.c_double), ("mode", ct.c_int))
+def structure(name: str) -> Any:
+    body = re.findall(rf"struct {name} \{{(.*?)\}} {name};", TEXT, re.DOTALL)[0]
+    said = filter(None, (" ".join(statement.split()) for statement in body.split(";")))
+    return type(name, (ct.Structure,), {"_fields_": [field for statement in said for field in declared(statement)]})
 
 
-Poll = ct.CFUNCTYPE(ct.c_int, ct.c_void_p)
+KINDS |= dict.fromkeys(re.findall(r"typedef enum (\w+)", TEXT), ct.c_int)
+for known in ("em_fault", "em_signal", "em_rows", "em_dense_step", "em_run", "em_tableau"):
+    KINDS[known] = structure(known)
 
-
-class Run(ct.Structure):
-    """`em_run`, field by field."""
-
-    _fields_ = (
-        ("t_start", ct.c_double),
-        ("t_end", ct.c_double),
-        ("y_start", ct.c_void_p),
-        ("prepared", ct.c_void_p),
-        ("inputs", ct.c_void_p),
-        ("method", ct.c_int),
-        ("rtol", ct.c_double),
-        ("atol", ct.c_void_p),
-        ("first_step", ct.c_double),
-        ("max_step", ct.c_double),
-        ("max_steps", ct.c_long),
-        ("stabilise", ct.c_int),
-        ("least_norm", ct.c_int),
-        ("dense", ct.c_int),
-        ("t_eval", ct.c_void_p),
-        ("n_t_eval", ct.c_size_t),
-        ("event_direction", ct.c_void_p),
-        ("event_terminal", ct.c_void_p),
-        ("poll", Poll),
-        ("poll_argument", ct.c_void_p),
-        ("fault", Fault),
-        ("rows", Rows),
-        ("events", ct.POINTER(Rows)),
-        ("dense_steps", ct.POINTER(DenseStep)),
-        ("dense_table", ct.POINTER(ct.c_double)),
-        ("n_dense", ct.c_size_t),
-        ("dense_capacity", ct.c_size_t),
-        ("kept", ct.c_int),
-        ("n_rhs", ct.c_long),
-        ("n_steps", ct.c_long),
-        ("n_rejected", ct.c_long),
-        ("n_bounded", ct.c_long),
-        ("t_reached", ct.c_double),
-        ("model", ct.c_void_p),
-    )
-
-
-class Tableau(ct.Structure):
-    _fields_ = (
-        *(
-            (name, ct.c_int)
-            for name in ("stages", "solution", "velocity_stage", "error_order", "errors", "last_extra", "corrections")
-        ),
-        ("c", ct.c_double * 16),
-        ("a", ct.c_double * 16 * 16),
-        ("e", ct.c_double * 16 * 2),
-        ("d", ct.c_double * 16 * 4),
-    )
+Signal, Rows, Run, Tableau = (KINDS[name] for name in ("em_signal", "em_rows", "em_run", "em_tableau"))

@@ -1,0 +1,89 @@
+"""Who else states the ABI states what `eigenmotion.h` does: declarations for Cython, what tests read off, methods."""
+
+import ctypes as ct
+import re
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from eigenmotion.running.methods import COMPILED
+
+from .stepping import COMPILER, INCLUDE
+from .structures import KINDS, NUMBERS
+
+RUNTIME = INCLUDE.parent
+HEADERS = ("stddef.h", "eigenmotion.h", "em_start.h", "em_tableaux.h")
+
+
+def refused(folder: Path, *lines: str) -> str:
+    """What the compiler says against some lines after the headers; "" where nothing."""
+    source = folder / "claims.c"
+    source.write_text("\n".join([*(f"#include <{name}>" for name in HEADERS), *lines, ""]), encoding="utf-8")
+    command = [*COMPILER, "-std=gnu11", "-fsyntax-only", f"-I{INCLUDE}", str(source)]
+    return subprocess.run(command, capture_output=True, text=True, check=False).stderr
+
+
+def statements() -> Iterator[tuple[int, str]]:
+    """(indentation, text) of every declaration of abi.pxd and start.pxd, on one line each."""
+    held = ""
+    for name in ("abi.pxd", "start.pxd"):
+        for line in (RUNTIME / name).read_text(encoding="utf-8").splitlines():
+            held = f"{held} {line.strip()}" if held else line.rstrip()
+            if held.count("(") == held.count(")"):
+                yield len(held) - len(held.lstrip()), held.strip().replace(" noexcept nogil", "")
+                held = ""
+
+
+def claims() -> Iterator[str]:
+    """All that they say, as C that does not compile where it is not so."""
+    of, kind = "", ""
+    for depth, text in statements():
+        if found := re.fullmatch(r"ctypedef (struct|enum) (\w+):", text):
+            kind, of = found.groups()
+        elif depth == 8 and kind == "enum":
+            yield f"static const {of} is_{text} = {text};"
+        elif depth == 8:
+            field = re.findall(r"\(\*(\w+)\)|(\w+)$", text)[0]
+            name = "".join(field)
+            alone = f"struct said_{of}_{name} {{ {text}; }};"
+            types = (f"__typeof__((({one} *)0)->{name})" for one in (of, f"struct said_{of}_{name}"))
+            yield f'{alone} _Static_assert(__builtin_types_compatible_p({", ".join(types)}), "{of}.{name}");'
+        elif depth == 4:
+            yield f"{text};" if "(" in text else f"enum {{ is_{text.split()[-1]} = {text.split()[-1]} }};"
+
+
+def test_cython_sees_the_structures_that_c_has(tmp_path):
+    said = list(claims())
+    assert sum("_Static_assert" in line for line in said) > 100
+    assert sum("em_start(" in line for line in said) == 1
+    assert not refused(tmp_path, *said)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"), [("long max_steps", "int max_steps"), ("const double *y_start", "double *y_start")]
+)
+def test_another_type_is_noticed(tmp_path, right, wrong):
+    said = [line.replace(right, wrong) for line in claims()]
+    assert right.split()[-1].strip("*") in refused(tmp_path, *said)
+
+
+def test_tests_see_the_structures_that_c_has(tmp_path):
+    said = []
+    for name, made in KINDS.items():
+        if issubclass(made, ct.Structure):
+            said.append(f'_Static_assert(sizeof({name}) == {ct.sizeof(made)}, "{name}");')
+            said += [
+                f'_Static_assert(offsetof({name}, {field}) == {getattr(made, field).offset}, "{name}.{field}");'
+                for field, _ in made._fields_
+            ]
+    said += [f'_Static_assert({name} == {number}, "{name}");' for name, number in NUMBERS.items()]
+    assert len(said) > 80
+    assert not refused(tmp_path, *said)
+
+
+def test_compiled_methods_have_the_numbers_of_the_abi():
+    assert {f"EM_{name.upper()}": method.number for name, method in COMPILED.items()} == {
+        name: NUMBERS[name] for name in ("EM_RK34", "EM_DOPRI5", "EM_DOP853")
+    }
