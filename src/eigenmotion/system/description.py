@@ -1,0 +1,119 @@
+"""What a compiled model says of itself."""
+
+from ..arguments.names import Vector
+from ..runtime import CompiledModel
+
+
+class Description:
+    """Names, dimensions, defaults and structure of one compiled model."""
+
+    __slots__ = ("_compiled",)
+
+    def __init__(self, compiled: CompiledModel) -> None:
+        self._compiled = compiled
+
+    @property
+    def name(self) -> str:
+        """The model's name."""
+        return self._compiled.name
+
+    @property
+    def n(self) -> int:
+        """How many coordinates."""
+        return self._compiled.n
+
+    @property
+    def m(self) -> int:
+        """How many constraint rows."""
+        return self._compiled.m
+
+    @property
+    def h(self) -> int:
+        """How many of the rows, the first ones, are holonomic."""
+        return self._compiled.h
+
+    @property
+    def n_state(self) -> int:
+        """How many numbers y has."""
+        return self._compiled.n_state
+
+    @property
+    def formulation(self) -> str:
+        """One of "eigenfactor", "cholesky", "lagrange", "inverse"."""
+        return self._compiled.formulation
+
+    @property
+    def close_eigenvalues(self) -> str:
+        """One of "bounded", "extrapolate"."""
+        return self._compiled.close_eigenvalues
+
+    @property
+    def schur(self) -> str:
+        """How Delta is factored."""
+        return self._compiled.schur
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of x, in order."""
+        return self._compiled.coordinates
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Names and defaults, in order. A copy: defaults do not change."""
+        return dict(zip(self._compiled.parameters, self._compiled.parameter_defaults.tolist(), strict=True))
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Names and defaults, in order. A copy."""
+        return dict(zip(self._compiled.inputs, self._compiled.input_defaults.tolist(), strict=True))
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Names of the outputs."""
+        return self._compiled.outputs
+
+    @property
+    def events(self) -> tuple[str, ...]:
+        """Names of the events, in the order of `Solution.t_events`."""
+        return self._compiled.events
+
+    @property
+    def quasi_velocities(self) -> tuple[str, ...]:
+        """Names of the quasi-velocities y = P(x, t) xdot (3), where the model states any."""
+        return self._compiled.quasi_velocities
+
+    @property
+    def initial(self) -> tuple[Vector, Vector]:
+        """The model's x (n,), v (n,) at the start. Copies."""
+        return self._compiled.initial_x.copy(), self._compiled.initial_v.copy()
+
+    @property
+    def layout(self) -> dict[str, slice]:
+        """Name of a part of y -> its slice."""
+        return {name: slice(start, start + length) for name, start, length in self._compiled.layout}
+
+    @property
+    def left_out(self) -> tuple[str, ...]:
+        """What this model's program does without, and why."""
+        return self._compiled.left_out
+
+    @property
+    def blocks(self) -> tuple[tuple[int, ...], ...]:
+        """The coordinates of each diagonal block of M."""
+        block = self._compiled.block
+        return tuple(tuple(k for k, b in enumerate(block) if b == which) for which in sorted(set(block)))
+
+    @property
+    def scales(self) -> Vector:
+        """(n,) units of the coordinates inside the eigenproblem. A copy."""
+        return self._compiled.scales.copy()
+
+    @property
+    def conserves_energy(self) -> bool:
+        """Whether `jacobi_integral` is a constant of the motion."""
+        return self._compiled.conserves_energy
+
+    @property
+    def compiled(self) -> CompiledModel:
+        """The functions on bare float64 arrays."""
+        return self._compiled
