@@ -42,6 +42,8 @@ def claims() -> Iterator[str]:
     for depth, text in statements():
         if found := re.fullmatch(r"ctypedef (struct|enum) (\w+):", text):
             kind, of = found.groups()
+        elif depth == 8 and text == "pass":
+            yield f"static const {of} is_{of} = 0;"
         elif depth == 8 and kind == "enum":
             yield f"static const {of} is_{text} = {text};"
         elif depth == 8:

@@ -28,6 +28,7 @@ class Task(NamedTuple):
     atol : (n,), of x_k [u_k] and of its velocity [u_k / s]
     t_eval : (k,) in the direction of time, or None: a row for every accepted step
     first_step : 0 where it is chosen
+    stabilise : whether constraints and eigenfactors are restored on the way
     """
 
     model: CompiledModel
@@ -43,7 +44,7 @@ class Task(NamedTuple):
     first_step: float
     max_step: float
     max_steps: int
-    project: bool
+    stabilise: bool
     least_norm: bool
 
 

@@ -75,15 +75,15 @@ class Projection:
         x, v = self._reached(x0, v0)
         for _ in range(_ENOUGH if self.model.h else 0):
             tangential = self._tangential(M, x, x - x0)
-            if _norm(M, tangential) <= 1e-15 * _norm(M, x) + 1e-12 * _norm(M, x - x0):
+            if length(M, tangential) <= 1e-15 * length(M, x) + 1e-12 * length(M, x - x0):
                 break
             nearer, v = self._reached(x - tangential, v0)
-            if not _norm(M, nearer - x0) < _norm(M, x - x0):
+            if not length(M, nearer - x0) < length(M, x - x0):
                 break
             x = nearer
         x, v = self._reached(x, v0)
         dx, dv = x - x0, v - v0
-        moved = {"dx": dx, "dv": dv, "distance": _norm(M, dx), "velocity_distance": _norm(self._mass(x), dv)}
+        moved = {"dx": dx, "dv": dv, "distance": length(M, dx), "velocity_distance": length(self._mass(x), dv)}
         return ConsistentState(x, v, **moved)
 
     def _reached(self, x: Vector, v: Vector) -> tuple[Vector, Vector]:
@@ -102,5 +102,6 @@ class Projection:
         return np.asarray(d - W @ np.linalg.lstsq(A @ W, A @ d, rcond=1e-12)[0])
 
 
-def _norm(M: Vector, d: Vector) -> float:
+def length(M: Vector, d: Vector) -> float:
+    """Return sqrt(d^T M d), in the mass metric."""
     return sqrt(max(float(d @ M @ d), 0.0))

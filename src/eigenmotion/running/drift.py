@@ -8,6 +8,7 @@ from scipy.linalg import qr
 from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..runtime import EvaluationError, StopReason, explain
+from .consistent import length
 
 _DRIFTED = 0.3  # x and v may be off the constraints by this part of the largest distance and velocity so far
 _FARTHEST = 10.0  # and by this many times the tolerances
@@ -28,13 +29,13 @@ class Drift:
             return
         x, v = z[:n], z[n:]
         M = model.factored_matrix(t, x, c)
-        self.farthest = max(self.farthest, _norm(M, x - self.task.y[:n]))
-        self.fastest = max(self.fastest, _norm(M, v))
+        self.farthest = max(self.farthest, length(M, x - self.task.y[:n]))
+        self.fastest = max(self.fastest, length(M, v))
         near_x, near_v = model.project(t, x, v, c, self.task.least_norm)
-        allowed = (_FARTHEST * _norm(M, self.task.atol + self.task.rtol * np.abs(q)) for q in (x, v))
-        if _norm(M, near_x - x) > _DRIFTED * self.farthest + next(allowed):
+        allowed = (_FARTHEST * length(M, self.task.atol + self.task.rtol * np.abs(q)) for q in (x, v))
+        if length(M, near_x - x) > _DRIFTED * self.farthest + next(allowed):
             raise self._failure(t, x, M)
-        if _norm(M, near_v - v) > _DRIFTED * self.fastest + next(allowed):
+        if length(M, near_v - v) > _DRIFTED * self.fastest + next(allowed):
             raise self._failure(t, x, M)
 
     def _failure(self, t: float, x: Vector, M: Vector) -> EvaluationError:
@@ -43,7 +44,3 @@ class Drift:
         weakest = int(qr(np.linalg.solve(np.linalg.cholesky(M), A.T), mode="r", pivoting=True)[1][-1])
         stop = StopReason.DEPENDENT_CONSTRAINTS
         return EvaluationError(explain(stop, self.task.model.coordinates, weakest), stop)
-
-
-def _norm(M: Vector, d: Vector) -> float:
-    return float(np.sqrt(max(float(d @ M @ d), 0.0)))

@@ -104,10 +104,10 @@ def simulate(
     signals = _inputs(system, inputs, start, end)
     x, v = system.start(x0, v0, start, prepared)
     y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
-    project = choice(stabilisation, _STABILISATIONS, "stabilisation")
+    stabilise = choice(stabilisation, _STABILISATIONS, "stabilisation")
     task = Task(
         system.compiled, prepared, signals, start, end, y, relative, absolute,
-        rows_at(t_eval, start, end), truth(dense_output, "dense_output"), first, longest, most, project,
+        rows_at(t_eval, start, end), truth(dense_output, "dense_output"), first, longest, most, stabilise,
         least_norm_of(dependent_constraints),
     )  # fmt: skip
     if estimate_error is False:

@@ -179,7 +179,7 @@ def _published(task: Task, t: Vector, z: Vector) -> Vector:
     """Return y (k, n_state) at z (k, 2 n): projected where asked, eigenfactors continuous from row to row."""
     n, model = task.model.n, task.model
     x, v = np.ascontiguousarray(z[:, :n]), np.ascontiguousarray(z[:, n:])
-    if task.project and model.m:
+    if task.stabilise and model.m:
         for k, time in enumerate(t):
             with suppress(EvaluationError):  # the run has ended there, and says why
                 x[k], v[k] = model.project(time, x[k], v[k], task.prepared, task.least_norm)

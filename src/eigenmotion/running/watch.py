@@ -90,7 +90,7 @@ class Watch:
         """
         model, c, n = self.task.model, self.task.prepared, self.task.model.n
         x, v = z[:n], z[n:]
-        if self.task.project and model.m:
+        if self.task.stabilise and model.m:
             x, v = model.project(t, x, v, c, self.task.least_norm)
         rows = [np.ascontiguousarray(row)[None] for row in (x, v, u)]
         values: Vector = model.event_rows(np.array([t]), rows[0], rows[1], rows[2], c)[0]

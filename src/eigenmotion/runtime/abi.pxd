@@ -5,9 +5,7 @@ cdef extern from "eigenmotion.h" nogil:
     const int EM_DENSE_COEFFICIENTS
 
     ctypedef enum em_status:
-        EM_FINISHED
         EM_TERMINAL_EVENT
-        EM_OUT_OF_MEMORY
 
     ctypedef struct em_fault:
         em_status status
@@ -21,7 +19,7 @@ cdef extern from "eigenmotion.h" nogil:
         int length
 
     ctypedef enum em_signal_kind:
-        EM_CONSTANT
+        pass
 
     ctypedef struct em_signal:
         em_signal_kind kind
@@ -30,7 +28,7 @@ cdef extern from "eigenmotion.h" nogil:
         const double *values
 
     ctypedef enum em_method:
-        EM_RK34
+        pass
 
     ctypedef struct em_rows:
         size_t count

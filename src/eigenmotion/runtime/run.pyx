@@ -37,9 +37,9 @@ cdef class Run:
     Parameters
     ----------
     task
-        An `eigenmotion.options.Task`.
+        An `eigenmotion.arguments.options.Task`.
     method
-        0 rk34, 1 dopri5, 2 dop853.
+        em_method; see `eigenmotion.running.methods`.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ cdef class Run:
         run.t_start, run.t_end, run.y_start = task.t_start, task.t_end, self.hold(task.y, model.n_state, "y")
         run.rtol, run.atol = task.rtol, self.hold(task.atol, model.n, "atol")
         run.first_step, run.max_step, run.max_steps = task.first_step, task.max_step, task.max_steps
-        run.stabilise, run.least_norm, run.dense = task.project, task.least_norm, task.dense
+        run.stabilise, run.least_norm, run.dense = task.stabilise, task.least_norm, task.dense
         run.event_direction, run.event_terminal = model.model.event_direction, model.model.event_terminal
         run.poll, run.poll_argument = poll, <void *> self
         if task.t_eval is not None:

@@ -67,7 +67,7 @@ typedef struct em_rows {
 /* One accepted step kept for dense output: t in [t, t + h], coefficients in the run's dense table. */
 typedef struct em_dense_step {
     double t, h;
-    int mode, rows; /* rows: flags of the rows kept in it */
+    int mode, kept; /* kept: as em_run's, within the step */
 } em_dense_step;
 
 struct em_model;
@@ -103,7 +103,7 @@ typedef struct em_run {
     em_dense_step *dense_steps;  /* (n_dense) */
     double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */
     size_t n_dense, dense_capacity;
-    int kept;                    /* flags of the rows that were independent at the last accepted step (em_rank.h) */
+    int kept;                    /* flags of the constraint rows kept at the last accepted step (em_rank.h) */
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not run the published equations */
     double t_reached;
@@ -151,7 +151,7 @@ typedef struct em_model {
     int (*eigenfactors)(double t, const double *x, const double *c, double *C, double *s, em_fault *fault);
     int (*output)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                   double *out, em_fault *fault);                                           /* (n_outputs) */
-    /* J (n_state, n_state) of rhs; J (2 n, 2 n) of (x, v) -> (v, xddot): by differences of fourth order. */
+    /* J (n_state, n_state) of rhs; J (2 n, 2 n) of (x, v) -> (v, xddot): by differences (em_differentiate.h). */
     int (*jacobian)(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault);
     int (*motion_jacobian)(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
                            em_fault *fault);

@@ -16,8 +16,8 @@ static int em_fail_weakest(em_walk *w, double size) {
     return em_blame(w, w->t_new, w->y_new);
 }
 
-static int em_keep_rows(em_walk *w, double t, const double *x) { return (void)w, (void)t, (void)x, 0; }
-static int em_keep_rows_at_start(em_walk *w) { return (void)w, 0; }
+static int em_keep_constraints(em_walk *w, double t, const double *x) { return (void)w, (void)t, (void)x, 0; }
+static int em_keep_constraints_at_start(em_walk *w) { return (void)w, 0; }
 static int em_check_dependent(em_walk *w) { return (void)w, 0; }
 static int em_check_positions(em_walk *w) { return (void)w, 0; }
 static int em_check_drift(em_walk *w) { return (void)w, 0; }

@@ -42,8 +42,8 @@ static int em_events_inside(em_walk *w, double t, double *g) {
 
 /* --- the start of a run --- */
 
-#define EM_LAST_PLACES (256.0 * DBL_EPSILON)
-#define EM_OF_TOLERANCE 1e-3
+#define EM_LAST_PLACES (256.0 * DBL_EPSILON) /* relative: what the arithmetic before the start may leave of a number */
+#define EM_OF_TOLERANCE 1e-3                 /* the part of a tolerance within which a start is meant to be on zero */
 
 /* What g changes by from one to the other adds to what is zero at the start, and `part` of it to noise. */
 static void em_add_noise(em_walk *w, const double *g, double part) {

@@ -3,7 +3,7 @@
 #define EM_GUARD_H
 
 #include "em_blame.h"
-#include "em_kept_rows.h"
+#include "em_kept_constraints.h"
 
 #define EM_DRIFTED 0.3 /* where nothing is settled, x and v are off by no more than this part of the largest */
 #define EM_SETTLES_STAGES 0.1 /* the part of the largest pivot below which a singular position is near */
@@ -28,7 +28,7 @@ EM_COLD int em_blame(em_walk *w, double t, const double *y) {
 }
 
 /* The rows at the end of a step, in the mass metric, and the longest that each was. 0, or -1 and w->reason. */
-static int em_look_at_rows(em_walk *w, em_root *root) {
+static int em_look_at_constraints(em_walk *w, em_root *root) {
     if (em_root_at(w->t_new, w->y_new, w->run->prepared, root, &w->reason)) return -1;
     for (int row = 0; row < N_ROWS; ++row)
         w->longest[row] = em_max(w->longest[row], root->Delta[row * N_ROWS + row]);
@@ -37,7 +37,7 @@ static int em_look_at_rows(em_walk *w, em_root *root) {
 
 /* The row that adds least to the others, of those that are independent, each in units of its longest; *pivot <- the
  * square of what it adds. -1 where nothing is known of the rows. */
-static int em_weakest_row(em_walk *w, const em_root *root, double *pivot) {
+static int em_weakest_constraint(em_walk *w, const em_root *root, double *pivot) {
     double Delta[EM_SOME_ROWS * EM_SOME_ROWS], pivots[EM_SOME_ROWS];
     int rows[EM_SOME_ROWS];
     for (int i = 0; i < N_ROWS; ++i)
@@ -56,7 +56,7 @@ static int em_weakest_row(em_walk *w, const em_root *root, double *pivot) {
 EM_COLD int em_fail_weakest(em_walk *w, double size) {
     em_root root;
     double pivot;
-    const int row = em_look_at_rows(w, &root) == 0 ? em_weakest_row(w, &root, &pivot) : -1;
+    const int row = em_look_at_constraints(w, &root) == 0 ? em_weakest_constraint(w, &root, &pivot) : -1;
     em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, size);
     return em_blame(w, w->t_new, w->y_new);
 }
@@ -95,7 +95,7 @@ static int em_check_drift(em_walk *w) {
 /* Positions on the constraints are known to rounding c of phi. Where a row becomes shorter than about sqrt(c) beside
  * what it was, phi = 0 and phi = c are motions on different branches of a singular position: nothing tells which.
  * 0, or -1 and w->reason. */
-static int em_check_rows(em_walk *w, const em_root *root) {
+static int em_check_lengths(em_walk *w, const em_root *root) {
     for (int row = 0; row < N_POSITIONS; ++row) {
         const double square = root->Delta[row * N_ROWS + row], longest = w->longest[row];
         if (!(square > EM_SINGULAR_PIVOT * longest))
@@ -111,7 +111,7 @@ static int em_check_branch(em_walk *w, const em_root *root) {
     const double size = fabs(w->h), near = em_min(1e-2, EM_NEARBY * w->rtol);
     double pivot;
     if (!w->near && w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
-    const int row = em_weakest_row(w, root, &pivot);
+    const int row = em_weakest_constraint(w, root, &pivot);
     if (row < 0) return 0;
     w->strongest = em_max(w->strongest, pivot);
     w->near = w->run->stabilise && pivot < EM_SETTLES_STAGES * w->strongest;
@@ -123,8 +123,8 @@ static int em_check_branch(em_walk *w, const em_root *root) {
 /* Whether the constraints on positions tell one motion from another here. 0, or -1 and w->reason. */
 static int em_check_positions(em_walk *w) {
     em_root root;
-    if (em_look_at_rows(w, &root)) return -1;
-    if (!w->run->least_norm && em_check_rows(w, &root)) return -1;
+    if (em_look_at_constraints(w, &root)) return -1;
+    if (!w->run->least_norm && em_check_lengths(w, &root)) return -1;
     return em_check_branch(w, &root);
 }
 

@@ -18,14 +18,14 @@ static int em_inside(em_walk *w, double t, double *y, double *memory) {
 
 /* em_model.interpolate: y (n_state) at t from the kept step number `step`, settled and published. 0, or -1. */
 static int em_interpolate(const em_run *run, size_t step, double t, double *y) {
-    const em_dense_step *kept = &run->dense_steps[step];
+    const em_dense_step *at = &run->dense_steps[step];
     const double *F = run->dense_table + step * EM_DENSE_COEFFICIENTS * N_STATE;
     double inside[N_STATE], memory[EM_SOME_MEMORY] = {0.0};
     const em_scheme scheme = em_scheme_of(run->method);
     em_fault fault;
-    int mode = kept->mode;
-    scheme.evaluate(F, scheme.terms, (t - kept->t) / kept->h, inside);
-    if (em_settle(run, &mode, EM_KEEP_MODE | kept->rows, t, inside, memory, t - kept->t, &fault) < 0) return -1;
+    int mode = at->mode;
+    scheme.evaluate(F, scheme.terms, (t - at->t) / at->h, inside);
+    if (em_settle(run, &mode, EM_KEEP_MODE | at->kept, t, inside, memory, t - at->t, &fault) < 0) return -1;
     return model_publish(mode, t, inside, run->prepared, memory, y, &fault);
 }
 

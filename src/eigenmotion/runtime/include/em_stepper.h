@@ -35,7 +35,7 @@ static int em_enter(em_walk *w) {
     run->t_reached = w->t = run->t_start;
     memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
     if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
-    if (run->least_norm && em_keep_rows_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
+    if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
     if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
@@ -94,7 +94,7 @@ static void em_commit(em_walk *w) {
 /* One accepted step, and f anew where a signal jumps at its end. */
 static int em_advance(em_walk *w) {
     if (em_step_forward(w)) return EM_END;
-    if (w->run->least_norm && em_keep_rows(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
+    if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
     int terminal = 0;
     if (em_record(w, &t_stop, &terminal)) return EM_END;

@@ -76,9 +76,10 @@ static double em_polynomial_at(const double *a, double theta) {
  * enough. */
 static int em_is_wild(const em_walk *w, const double *a, double size, double probe) {
     enum { RETRIES = 5 };
+    const double brief = 1e-3, wild = 0.02; /* of the longest step; of `size` */
     const double tail = fabs(a[EM_NODES - 3]) + fabs(a[EM_NODES - 2]) + fabs(a[EM_NODES - 1]);
     const double off = fabs(em_polynomial_at(a, EM_PROBE) - probe);
-    return w->retries < RETRIES && fabs(w->h) > 1e-3 * w->longest_step && em_max(tail, off) > 0.02 * size;
+    return w->retries < RETRIES && fabs(w->h) > brief * w->longest_step && em_max(tail, off) > wild * size;
 }
 
 /* Between nodes j and j + 1, where g_i has the sign `side`: *theta <- where the polynomial is lowest, *low <- how low.

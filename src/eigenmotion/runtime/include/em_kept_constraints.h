@@ -1,6 +1,6 @@
-/* em_kept_rows.h: which constraint rows a run solves for where some depend on others ("least_norm", em_rank.h). */
-#ifndef EM_KEPT_ROWS_H
-#define EM_KEPT_ROWS_H
+/* em_kept_constraints.h: which constraint rows a run solves for where some depend on others ("least_norm", em_rank.h). */
+#ifndef EM_KEPT_CONSTRAINTS_H
+#define EM_KEPT_CONSTRAINTS_H
 
 #include "em_mechanics.h"
 #include "em_walk.h"
@@ -45,7 +45,7 @@ static int em_check_dropped(em_walk *w, const em_root *root, int kept) {
 
 /* run->kept <- rows that are independent at x, of which there are as many as at the start. -1 and w->reason where there
  * are more, on the constraints: it was a singular position, and the rows kept do not hold what starts there. */
-static int em_keep_rows(em_walk *w, double t, const double *x) {
+static int em_keep_constraints(em_walk *w, double t, const double *x) {
     em_root root;
     int kept;
     if (N_ROWS == 0) return 0;
@@ -62,11 +62,11 @@ static int em_keep_rows(em_walk *w, double t, const double *x) {
 }
 
 /* The same at the nearest point on the constraints: off them rows are independent that are not on them. */
-static int em_keep_rows_at_start(em_walk *w) {
+static int em_keep_constraints_at_start(em_walk *w) {
     double x[N];
     memcpy(x, w->y, sizeof x);
     if (N_POSITIONS > 0 && em_newton_from_afar(w->t, x, w->run->prepared, EM_LEAST_NORM, &w->reason) < 0) return -1;
-    return em_keep_rows(w, w->t, x);
+    return em_keep_constraints(w, w->t, x);
 }
 
 #endif
