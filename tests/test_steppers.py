@@ -12,6 +12,8 @@ import pytest
 from scipy.integrate import DOP853, RK45
 from scipy.special import ellipk
 
+from eigenmotion.running.methods import COMPILED
+
 from .stepping import (
     CIRCLE,
     FINISHED,
@@ -139,6 +141,16 @@ def test_factors_count_where_the_published_equations_run(build: Build, stabilise
         resting = simulate(build(Mechanism(rhs=rhs, n_c=1, **RESTING)), [1.0, 0.0, 0.0], (0.0, 3.0), **options)
         assert counted.run.n_steps > 4 * resting.run.n_steps
         assert abs(resting.y[2, -1] - math.sin(120.0)) > 1e-4
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_first_step_is_sized_by_the_norm_of_all_others(build: Build, method: str) -> None:
+    """Over 2 n numbers where factors are added to the norm, and over all where they count like others: d0, d1 and d2
+    differ by sqrt(3 / 2), and with them the first step by the root of the order of that."""
+    compiled = build(Mechanism(rhs="dy[0] = y[1]; dy[1] = -y[0]; dy[2] = cos(t);", n_c=1))
+    options = {"rtol": 1e-6, "atol": 1e-6, "method": method}
+    added, counted = (simulate(compiled, [1.0, 0.5, 0.5], (0.0, 3.0), stabilise=on, **options).t[1] for on in (1, 0))
+    assert added / counted == pytest.approx(1.5 ** (-0.5 / COMPILED[method].order), rel=1e-9)
 
 
 def test_roots_of_eigenvalues_count_relative_to_themselves(build: Build) -> None:
