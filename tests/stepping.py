@@ -7,7 +7,6 @@ import math
 import os
 import shlex
 import shutil
-import string
 import subprocess
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -22,6 +21,7 @@ from scipy.special import ellipj, ellipk
 
 from eigenmotion.running.methods import COMPILED
 
+from .mechanism_in_c import Mechanism as Mechanism
 from .structures import INCLUDE as INCLUDE
 from .structures import NUMBERS, POLL
 from .structures import Rows as Rows
@@ -30,7 +30,7 @@ from .structures import Signal as Signal
 from .structures import Tableau as Tableau
 
 Array = NDArray[np.float64]
-Build = Callable[["Mechanism"], "Compiled"]
+Build = Callable[[Mechanism], "Compiled"]
 
 STRICT = "-std=c11 -Wall -Wextra -Wpedantic -Werror".split()
 FAST = "-O3 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math".split()
@@ -42,83 +42,6 @@ STEP_SIZE_UNDERFLOW, TOO_MANY_STEPS = NUMBERS["EM_STEP_SIZE_UNDERFLOW"], NUMBERS
 NON_FINITE_STATE, SINGULAR_MASS_MATRIX = NUMBERS["EM_NON_FINITE_STATE"], NUMBERS["EM_SINGULAR_MASS_MATRIX"]
 POSITION_NOT_REACHED, OUT_OF_MEMORY = NUMBERS["EM_POSITION_NOT_REACHED"], NUMBERS["EM_OUT_OF_MEMORY"]
 CONSTANT, HOLD, LINEAR, CUBIC = (NUMBERS[f"EM_{name}"] for name in ("CONSTANT", "HOLD", "LINEAR", "CUBIC"))
-
-SOURCE = string.Template(r"""
-#include "eigenmotion.h"
-#include "em_linear.h"
-enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0, N_STATE = 2 * N + N_C + N_S };
-enum { N_INPUTS = $n_inputs, N_EVENTS = $n_events, N_MEMORY = $n_memory, SETTLES = $settles };
-#define UNUSED (void)mode, (void)t, (void)y, (void)c, (void)u, (void)memory, (void)flags, (void)h, (void)fault
-$preamble
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
-                     int flags, double *dy, em_fault *fault) {
-    const double h = 0.0;
-    UNUSED;
-    $rhs
-    return 0;
-}
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double h,
-                        em_fault *fault) {
-    const double *u = NULL;
-    UNUSED;
-    $settle
-    return 0;
-}
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
-                                 double *ev) {
-    (void)y, (void)c, (void)memory;
-    for (int k = 0; k < N; ++k) ev[k] = e[k] / (mode ? 2.0 : 1.0);
-}
-static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault) {
-    (void)t, (void)c, (void)fault;
-    for (int k = 0; k < N; ++k) v[k] = y[N + k] / (mode ? 2.0 : 1.0);
-    return 0;
-}
-static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault) {
-    (void)memory;
-    memcpy(row, y, N_STATE * sizeof *row);
-    return model_velocity(mode, t, y, c, row + N, fault);
-}
-static void model_events(double t, const double *x, const double *v, const double *c, const double *u, double *g) {
-    (void)t, (void)x, (void)v, (void)c, (void)u, (void)g;
-    $events
-}
-#include "em_stepper.h"
-int simulate(em_run *run);
-int interpolate(const em_run *run, size_t step, double t, double *y);
-void release(em_run *run);
-const em_tableau *tableau(int method);
-int simulate(em_run *run) { return em_simulate(run); }
-int interpolate(const em_run *run, size_t step, double t, double *y) { return em_interpolate(run, step, t, y); }
-void release(em_run *run) { em_release(run); }
-const em_tableau *tableau(int method) {
-    static const em_tableau *const all[] = {&EM_RK34_TABLEAU, &EM_DOPRI5_TABLEAU, &EM_DOP853_TABLEAU};
-    return all[method];
-}
-$main
-""")
-
-
-@dataclass(frozen=True, slots=True)
-class Mechanism:
-    """Bodies of the C functions of a model whose eta is v in mode 0 and 2 v in mode 1."""
-
-    rhs: str
-    settle: str = ""
-    events: str = ""
-    preamble: str = ""
-    main: str = ""
-    n: int = 1
-    n_c: int = 0
-    n_s: int = 0
-    n_inputs: int = 0
-    n_events: int = 0
-    n_memory: int = 0
-    settles: int = 0
-
-    def text(self) -> str:
-        return SOURCE.substitute({name: getattr(self, name) for name in self.__slots__})
 
 
 @dataclass(frozen=True, slots=True)

@@ -210,6 +210,11 @@ def included(header: str, folder: Path) -> set[str]:
     return {header}.union(*(included(name, folder) for name in re.findall(r'^#include "(\w+\.h)"', text, re.MULTILINE)))
 
 
+def test_every_header_says_first_what_it_is():
+    for header in (RUNTIME / "include").glob("*.h"):
+        assert header.read_text(encoding="utf-8").startswith(f"/* {header.name}: ")
+
+
 def headers(file: Path) -> set[str]:
     """Those of ours that a file of the runtime includes, by the declarations it imports."""
     text = file.read_text(encoding="utf-8")
