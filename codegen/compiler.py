@@ -3,32 +3,25 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import astuple
+from dataclasses import asdict, astuple
 
 from .c.emit import Sources, emit
-from .c.lower import CLOSE_EIGENVALUES, FORMULATIONS, SCHUR, Choices, Defaults, lower
+from .c.lower import Defaults, lower
 from .c.program import Program
-from .model import Model, ModelError
+from .choices import STANDARD, Choices
+from .model import Model
 from .model.normalise import name_of
 from .physics.derive import derive
 from .physics.specialise import ALL_SAVINGS, Saving, specialise
 
 
 def generate(
-    model: Model,
-    *,
-    formulation: str = "eigenfactor",
-    close_eigenvalues: str = "bounded",
-    schur: str = "auto",
-    origin: str = "",
-    savings: frozenset[Saving] = ALL_SAVINGS,
+    model: Model, choices: Choices = STANDARD, *, origin: str = "", savings: frozenset[Saving] = ALL_SAVINGS
 ) -> Sources:
     """Derive, specialise, lower and print a model.
 
     Parameters
     ----------
-    formulation, close_eigenvalues, schur
-        See section "Build" of the manual; unknown ones are errors.
     origin
         The command to name in the files.
     savings
@@ -37,10 +30,9 @@ def generate(
     Raises
     ------
     ModelError
-        The model, or a choice, has a mistake.
+        The model has a mistake, or a choice is not for it.
     """
-    choices = _choices(formulation, close_eigenvalues, schur)
-    return emit(program(model, choices, savings), origin or _origin(model, choices), _hash(model, choices))
+    return emit(program(model, choices, savings), origin or _origin(model, choices), input_hash(model, choices))
 
 
 def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS) -> Program:
@@ -49,16 +41,14 @@ def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAV
     return lower(scene, _defaults(model), choices)
 
 
-def input_hash(model: Model, *, formulation: str = "eigenfactor", close_eigenvalues: str = "bounded",
-               schur: str = "auto") -> str:  # fmt: skip
+def input_hash(model: Model, choices: Choices = STANDARD) -> str:
     """Return the SHA-256 of everything that the generated files depend on but this compiler itself."""
-    return _hash(model, _choices(formulation, close_eigenvalues, schur))
+    return hashlib.sha256("\n".join((model.canonical(), *astuple(choices))).encode()).hexdigest()
 
 
-def explain(model: Model, *, formulation: str = "eigenfactor", close_eigenvalues: str = "bounded",
-            schur: str = "auto") -> str:  # fmt: skip
+def explain(model: Model, choices: Choices = STANDARD) -> str:
     """Return a text for readers: states, blocks, operations, and what was left out and why."""
-    made = program(model, _choices(formulation, close_eigenvalues, schur))
+    made = program(model, choices)
     layout = [f"  {part.name:8} y[{part.start}:{part.start + part.length}]" for part in made.layout]
     blocks = [f"  {{{block.names}}}: {_kind(block.turning, block.fixed)}" for block in made.blocks]
     return "\n".join([
@@ -76,27 +66,10 @@ def _kind(turning: bool, fixed: bool) -> str:
     return "constant, factored once per parameter set" if fixed else "one coordinate, s = sqrt(M) in closed form"
 
 
-def _choices(formulation: str, close_eigenvalues: str, schur: str) -> Choices:
-    _check("formulation", formulation, FORMULATIONS)
-    _check("close_eigenvalues", close_eigenvalues, CLOSE_EIGENVALUES)
-    _check("schur", schur, SCHUR)
-    return Choices(formulation, close_eigenvalues, schur)
-
-
-def _check(what: str, value: str, known: tuple[str, ...]) -> None:
-    if value not in known:
-        raise ModelError(f"{what} {value!r} is not known; choose one of {', '.join(known)}")
-
-
 def _origin(model: Model, choices: Choices) -> str:
     """Say how these files come about where the model is of no file."""
-    chosen = zip(("formulation", "close_eigenvalues", "schur"), astuple(choices), strict=True)
-    return f"eigenmotion.build(<Model {model.name}>, {', '.join(f'{name}={value!r}' for name, value in chosen)})"
-
-
-def _hash(model: Model, choices: Choices) -> str:
-    text = "\n".join((model.canonical(), choices.formulation, choices.close_eigenvalues, choices.schur))
-    return hashlib.sha256(text.encode()).hexdigest()
+    chosen = ", ".join(f"{name}={value!r}" for name, value in asdict(choices).items())
+    return f"eigenmotion.build(<Model {model.name}>, {chosen})"
 
 
 def _defaults(model: Model) -> Defaults:

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.c.emit import Sources
-from eigenmotion.codegen.compiler import FORMULATIONS
+from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, load_model
@@ -37,14 +37,14 @@ def model_of(name: str) -> Model:
 @cache
 def system_of(name: str, formulation: str = "eigenfactor", **options: str) -> System:
     """Return the System of models/NAME.py, optimised: only then the compiler sees all it can warn of."""
-    return loaded(compiler.generate(model_of(name), formulation=formulation, **options), "-O1")
+    return loaded(compiler.generate(model_of(name), Choices(formulation, **options)), "-O1")
 
 
 def system_for(
     model: Model, formulation: str = "eigenfactor", savings: frozenset[Saving] = ALL_SAVINGS, **options: str
 ) -> System:
     """Return the System of any model, compiled in a hurry."""
-    return loaded(compiler.generate(model, formulation=formulation, savings=savings, **options), "-O0")
+    return loaded(compiler.generate(model, Choices(formulation, **options), savings=savings), "-O0")
 
 
 def loaded(sources: Sources, *flags: str) -> System:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from eigenmotion.codegen import compiler
+from eigenmotion.codegen.choices import Choices
 
 from eigenmotion import Model, System
 
@@ -62,7 +63,7 @@ def check(seed: int, counts: Counts, formulations: Iterable[str] = FORMULATIONS,
     counts.mechanisms += 1
     for formulation in formulations:
         try:
-            system = loaded(compiler.generate(model, formulation=formulation), *flags)
+            system = loaded(compiler.generate(model, Choices(formulation)), *flags)
             counts.systems += 1
             for state in states:
                 counts.wrong.extend(f"mechanism {seed}, {formulation}: {fault}"

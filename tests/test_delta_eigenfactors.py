@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.c.emit import SourceFile, Sources
-from eigenmotion.codegen.c.lower import Choices
 from eigenmotion.codegen.c.program import Program
+from eigenmotion.codegen.choices import Choices
 from scipy.linalg import expm
 from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
@@ -76,7 +76,7 @@ def model(name: str) -> Model:
 def system(name: str, formulation: str = "eigenfactor", **options: str) -> System:
     if name not in MODELS:
         return system_of(name, formulation, **options)
-    return loaded(compiler.generate(model(name), formulation=formulation, **options), "-O1")
+    return loaded(compiler.generate(model(name), Choices(formulation, **options)), "-O1")
 
 
 # --- at an accepted step ----------------------------------------------------------------------------------------------
@@ -111,7 +111,7 @@ def called(function: Callable[..., int], *arguments: np.ndarray | float | None) 
 
 
 def settling(name: str, folder: Path) -> Settling:
-    sources = compiler.generate(model(name), **EXTRAPOLATE)
+    sources = compiler.generate(model(name), Choices(**EXTRAPOLATE))
     files = [replace(f, text=f.text + SETTLE) if f.name.endswith(".c") else f for f in sources.files]
     compile_into(folder, Sources(sources.name, tuple(files)), ("-O1",))
     program = compiler.program(model(name), Choices(**EXTRAPOLATE))

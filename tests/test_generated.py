@@ -14,6 +14,7 @@ from eigenmotion.codegen.c import program as codegen_program
 from eigenmotion.codegen.c.emit import TEMPLATES, environment, undeclared
 from eigenmotion.codegen.c.printer import Body, Section, c_identifier, c_identifiers
 from eigenmotion.codegen.c.program import BlockView, Bodies, EventView, Place, Program, Slice
+from eigenmotion.codegen.choices import Choices
 from jinja2 import nodes
 from sympy import Rational, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
@@ -187,7 +188,7 @@ def test_any_name_will_do(formulation, harmless):
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_no_symbol_gets_the_name_of_anything_in_the_file(formulation, tmp_path):
     """Exhaustive where the test above samples: every word of a generated file that is not the user's own."""
-    sources = compiler.generate(named(("p1", "p2", "p3", "w"), ["k1", "k2"]), formulation=formulation)
+    sources = compiler.generate(named(("p1", "p2", "p3", "w"), ["k1", "k2"]), Choices(formulation))
     path = tmp_path / "named.c"
     path.write_text(next(file.text for file in sources.files if file.name.endswith(".c")))
     own = re.compile(r"((sin|cos)_)?(p\d|k\d)(_d?dot)?|w|through|seen|named\w*|lambda_0")

@@ -13,6 +13,7 @@ from functools import cache
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
+from eigenmotion.codegen.choices import Choices
 
 from eigenmotion import Model, System
 
@@ -58,7 +59,7 @@ def moving(scene: Scenario) -> Model:
 
 @cache
 def system_in_frames(name: str, formulation: str) -> System:
-    return loaded(compiler.generate(framed(moving(BY_NAME[name])), formulation=formulation), "-O0")
+    return loaded(compiler.generate(framed(moving(BY_NAME[name])), Choices(formulation)), "-O0")
 
 
 def span_of(scene: Scenario) -> float:
@@ -125,7 +126,7 @@ def test_the_order_of_coordinates_is_no_matter():
 
 
 def differences_in_order(scene: Scenario, formulation: str) -> str:
-    one, other = (loaded(compiler.generate(framed(model), formulation=formulation), "-O0")
+    one, other = (loaded(compiler.generate(framed(model), Choices(formulation)), "-O0")
                   for model in (moving(scene), reordered(moving(scene))))  # fmt: skip
     span = span_of(scene)
     own, run = Frame().run(one, span, *TOLERANCE), Frame().run(other, span, *TOLERANCE)

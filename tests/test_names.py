@@ -6,7 +6,8 @@ import pytest
 import sympy
 from eigenmotion.codegen.c.emit import commented, quoted
 from eigenmotion.codegen.c.printer import c_identifier
-from eigenmotion.codegen.compiler import FORMULATIONS, generate
+from eigenmotion.codegen.choices import FORMULATIONS, Choices
+from eigenmotion.codegen.compiler import generate
 
 import eigenmotion as em
 from eigenmotion.building.request import order
@@ -40,7 +41,7 @@ def named() -> em.Model:
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_every_name_comes_back(formulation):
-    system = loaded(generate(named(), formulation=formulation), "-O0")
+    system = loaded(generate(named(), Choices(formulation)), "-O0")
     assert system.coordinates == COORDINATES
     assert tuple(system.parameters) == OTHERS
     assert (system.outputs, system.events) == (("*/ \n",), ("*/ ??/",))

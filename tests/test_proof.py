@@ -10,6 +10,7 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 import sympy
+from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.compiler import generate
 from eigenmotion.codegen.graph import convert
 from eigenmotion.codegen.graph.graph import Graph, Kind, exact
@@ -148,7 +149,7 @@ OTHERS = tuple((f"rhs_{formulation}", "f1[1] = ", "f1[1] = 1.0001*") for formula
 
 def changed(model, function, old, new, formulation="eigenfactor"):
     """Return generated sources in which one function has another text."""
-    sources = generate(model, formulation=formulation)
+    sources = generate(model, Choices(formulation))
     files = []
     for file in sources.files:
         before, start, rest = file.text.partition(f" {function}(double t, ")

@@ -15,7 +15,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy
-from eigenmotion.codegen.c.lower import FORMULATIONS
+from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.codegen.model import ModelError
 from sympy.physics.mechanics import dynamicsymbols
 

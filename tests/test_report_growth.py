@@ -9,6 +9,7 @@ from math import comb
 from pathlib import Path
 
 import pytest
+from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.compiler import explain
 
 import eigenmotion as em
@@ -83,7 +84,7 @@ def test_operations_are_counted_as_they_are_executed(tmp_path):
 @pytest.mark.parametrize("n", [2, 3])
 def test_operations_are_those_of_the_equations(printed, n):
     """Of lagrange, by hand: the terms of the model, M = L D L^T = L L^T, and L^-T L^-1 f."""
-    text = explain(em.load_model(ROOT / "models" / "chain.py", n=n), formulation="lagrange")
+    text = explain(em.load_model(ROOT / "models" / "chain.py", n=n), Choices("lagrange"))
     (line,) = re.findall(r"^  lagrange: (.*)$", text, re.M)
     terms = sum(map(int, re.findall(r"\d+", line)))
     products = 2 * (comb(n, 2) + comb(n, 3))  # each with its subtraction, of the pivots and of the entries below

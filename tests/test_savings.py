@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy
-from eigenmotion.codegen.compiler import FORMULATIONS
+from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, t

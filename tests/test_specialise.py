@@ -2,7 +2,7 @@
 
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c.lower import Choices
+from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.physics.derive import derive
 from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Kind, Saving, specialise
 from sympy import Rational, cos, sin, symbols

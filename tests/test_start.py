@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from eigenmotion.codegen.compiler import FORMULATIONS
+from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.codegen.model import ModelError
 from sympy import log, sin, sqrt
 

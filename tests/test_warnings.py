@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 import sympy
-from eigenmotion.codegen.compiler import FORMULATIONS, generate
+from eigenmotion.codegen.choices import FORMULATIONS, Choices
+from eigenmotion.codegen.compiler import generate
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -69,7 +70,7 @@ KNOWN = {  # each once gave a warning
 
 def warnings_of(model: em.Model, folder: Path, compiler: str, **options: str) -> str:
     """What a compiler says. GCC finds what may be unset only where it optimises, Clang before."""
-    sources = generate(model, **options)
+    sources = generate(model, Choices(**options))
     for file in sources.files:
         (folder / file.name).write_text(file.text)
     aim = ("-fsyntax-only",) if compiler == "clang" else ("-c", "-o", os.devnull)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import partial
 
+from ..choices import Choices
 from ..graph.graph import Node
 from ..graph.inverse import LARGEST, inverse
 from ..graph.schedule import Constants, Cost
@@ -15,25 +16,6 @@ from ..physics.specialise import Block, Kind, Scene
 from ..physics.terms import Rows, Terms
 from .printer import Assignments, Body, Naming, body, c_identifiers
 from .program import BlockView, Bodies, EventView, Named, Place, Program, RowGroup, Slice
-
-FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
-CARRY_V = ("lagrange", "inverse")
-"""Formulations whose state is (x, xdot)."""
-CLOSE_EIGENVALUES = ("bounded", "extrapolate")
-SCHUR = ("auto", "factor", "eigenfactor")
-
-
-@dataclass(frozen=True, slots=True)
-class Choices:
-    """How a scene is to be computed; see `build` in section 2.2 of the contract."""
-
-    formulation: str = "eigenfactor"
-    close_eigenvalues: str = "bounded"
-    schur: str = "auto"
-
-    @property
-    def extrapolate(self) -> bool:
-        return self.close_eigenvalues == "extrapolate"
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +35,7 @@ class Defaults:
 
 def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     """Lay out state and memory, and write the straight-line part of each function."""
-    names, mechanics, eigen = scene.mechanics.name, scene.mechanics, choices.formulation == "eigenfactor"
+    names, mechanics, eigen = scene.mechanics.name, scene.mechanics, choices.eigenfactor
     blocks, first_delta, first_kept, n_fixed = _views(scene, choices)
     groups, n_state, n_memory = _row_groups(scene, choices, first_delta, first_kept)
     bodies, n_constants = _Writing(scene, choices, blocks, n_fixed).bodies()
@@ -62,7 +44,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     return Program(
         name=names, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues, schur=choices.schur,
         eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
-        inverse=choices.formulation == "inverse", carries_v=choices.formulation in CARRY_V,
+        inverse=choices.formulation == "inverse", carries_v=choices.carries_v,
         bounded=(couples or bool(groups)) and not choices.extrapolate,
         extrapolate=(couples or bool(groups)) and choices.extrapolate, extrapolated=first_kept - 2,
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
@@ -79,20 +61,20 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         delta_eigenfactors=bool(groups), row_groups=groups,
         n_C_delta=sum(group.size**2 for group in groups if group.size > 1),
         n_s_delta=sum(group.size for group in groups if group.size > 1),
-        layout=_layout(n, blocks, groups, choices.formulation), left_out=scene.left_out,
+        layout=_layout(n, blocks, groups, choices), left_out=scene.left_out,
         conserves_energy=scene.conserves_energy, costs=_costs(bodies, choices.formulation), bodies=bodies,
     )  # fmt: skip
 
 
 def _needs_mass(blocks: Sequence[BlockView], choices: Choices) -> bool:
     """Whether velocities follow from the state only with M(x): every varying block that carries no C and s."""
-    carried = choices.formulation == "eigenfactor"
+    carried = choices.eigenfactor
     return any(block.single or block.turning and (not carried or block.size > 1) for block in blocks)
 
 
 def _settles(scene: Scene, choices: Choices) -> bool:
     """Whether a step leaves anything to put right or to remember."""
-    return scene.m > 0 or choices.formulation not in CARRY_V and any(b.kind is not Kind.FIXED for b in scene.blocks)
+    return scene.m > 0 or not choices.carries_v and any(b.kind is not Kind.FIXED for b in scene.blocks)
 
 
 def _named(defaults: Iterable[tuple[str, float]]) -> tuple[Named, ...]:
@@ -109,7 +91,7 @@ def _views(scene: Scene, choices: Choices) -> tuple[tuple[BlockView, ...], int, 
 
     Returns the blocks and the lengths of state, memory and fixed factors.
     """
-    eigen, n, turning = choices.formulation == "eigenfactor", scene.n, scene.turning
+    eigen, n, turning = choices.eigenfactor, scene.n, scene.turning
     first_fixed = len(scene.mechanics.parameters)
     C = s = 2 * n
     s += sum(block.size**2 for block in turning) * eigen
@@ -122,7 +104,7 @@ def _views(scene: Scene, choices: Choices) -> tuple[tuple[BlockView, ...], int, 
         fixed += 2 * room * (block.kind is Kind.FIXED)
         if eigen and block.kind is Kind.TURNING:
             C, s = C + block.size**2, s + block.size
-    n_memory = 0 if choices.formulation in CARRY_V else kept + 2 * choices.extrapolate
+    n_memory = 0 if choices.carries_v else kept + 2 * choices.extrapolate
     return tuple(views), s, n_memory, fixed - first_fixed
 
 
@@ -153,7 +135,7 @@ def _row_groups(scene: Scene, choices: Choices, first: int, first_kept: int) -> 
 
     Returns the groups, none if Delta is factored numerically, and the lengths of state and memory.
     """
-    coupled = scene.row_groups if choices.formulation == "eigenfactor" and choices.schur == "eigenfactor" else ()
+    coupled = scene.row_groups if choices.eigenfactor and choices.schur == "eigenfactor" else ()
     if all(len(rows) < 2 for rows in coupled):
         return (), first, first_kept
     carried = [len(rows) * (len(rows) > 1) for rows in coupled]
@@ -164,10 +146,10 @@ def _row_groups(scene: Scene, choices: Choices, first: int, first_kept: int) -> 
     return tuple(groups), s, kept
 
 
-def _layout(n: int, blocks: Sequence[BlockView], groups: Sequence[RowGroup], formulation: str) -> tuple[Slice, ...]:
-    slices = [Slice("x", 0, n), Slice("v" if formulation in CARRY_V else "eta", n, n)]
+def _layout(n: int, blocks: Sequence[BlockView], groups: Sequence[RowGroup], choices: Choices) -> tuple[Slice, ...]:
+    slices = [Slice("x", 0, n), Slice("v" if choices.carries_v else "eta", n, n)]
     turning = [block for block in blocks if block.turning]
-    if formulation == "eigenfactor" and turning:
+    if choices.eigenfactor and turning:
         slices.append(Slice("C", turning[0].C, sum(block.size**2 for block in turning)))
         slices.append(Slice("s", turning[0].s, sum(block.size for block in turning)))
     carried = [group for group in groups if group.size > 1]
@@ -193,7 +175,7 @@ class _Writing:
     def __init__(self, scene: Scene, choices: Choices, blocks: tuple[BlockView, ...], n_fixed: int) -> None:
         self.scene, self.choices, self.blocks = scene, choices, blocks
         self.mechanics, self.terms = scene.mechanics, Terms(scene)
-        self.scales = scene.scales if choices.formulation == "eigenfactor" else (1.0,) * scene.n
+        self.scales = scene.scales if choices.eigenfactor else (1.0,) * scene.n
         every = (*self.mechanics.parameters, *self.mechanics.x, *self.mechanics.v, *self.mechanics.inputs,
                  *self.mechanics.accelerations, *self.mechanics.multipliers)  # fmt: skip
         self.identifiers = c_identifiers(symbol.name for symbol in every) | {"t": "t"}
@@ -201,7 +183,7 @@ class _Writing:
         self.first_constant = len(self.mechanics.parameters) + n_fixed
 
     def bodies(self) -> tuple[Bodies, int]:
-        eigen = self.choices.formulation == "eigenfactor"
+        eigen = self.choices.eigenfactor
         published = {"lagrange": self.lagrange, "inverse": self.inverse}.get(
             self.choices.formulation, partial(self.right_hand_side, eigen)
         )()
@@ -220,11 +202,11 @@ class _Writing:
         return Bodies(prepare=prepare, **written), len(self.constants.nodes)
 
     def bounded(self) -> bool:
-        eigen = self.choices.formulation == "eigenfactor" and self.choices.close_eigenvalues == "bounded"
+        eigen = self.choices.bounded
         return eigen and (any(block.size > 1 for block in self.scene.turning) or self.carries_delta())
 
     def carries_delta(self) -> bool:
-        chosen = self.choices.formulation == "eigenfactor" and self.choices.schur == "eigenfactor"
+        chosen = self.choices.eigenfactor and self.choices.schur == "eigenfactor"
         return chosen and any(len(rows) > 1 for rows in self.scene.row_groups)
 
     # -- places --------------------------------------------------------------------------------------------------
@@ -261,7 +243,7 @@ class _Writing:
     def masses(self, full: bool, settle: bool = False) -> list[tuple[str, Node]]:
         """M of the blocks that vary: the lower triangle, or both; of a single coordinate a number."""
         given: list[tuple[str, Node]] = []
-        velocities_only = settle and self.choices.formulation in CARRY_V
+        velocities_only = settle and self.choices.carries_v
         for block in self.blocks:
             if velocities_only and not block.constrained:
                 continue

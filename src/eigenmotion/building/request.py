@@ -1,7 +1,7 @@
 """What to generate: a model, the options that shape its code, and the command that a header states."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache
 from importlib.metadata import version
 from importlib.resources import files
@@ -11,6 +11,7 @@ from pathlib import Path
 
 from ..arguments.names import unknown
 from ..codegen.c.emit import Sources
+from ..codegen.choices import STANDARD, Choices
 from ..codegen.compiler import explain, generate, input_hash
 from ..codegen.model import Model, ModelError
 from .cache import key
@@ -26,17 +27,13 @@ class Order:
     """One model and the options of its generated code; `origin` is the command its headers name."""
 
     model: Model
-    formulation: str = "eigenfactor"
-    close_eigenvalues: str = "bounded"
-    schur: str = "auto"
+    choices: Choices = STANDARD
     origin: str = ""
 
     @property
     def input_hash(self) -> str:
         """Hash of all that the generated code depends on but the generator itself."""
-        return input_hash(
-            self.model, formulation=self.formulation, close_eigenvalues=self.close_eigenvalues, schur=self.schur
-        )
+        return input_hash(self.model, self.choices)
 
     @property
     def sources_hash(self) -> str:
@@ -45,19 +42,11 @@ class Order:
 
     def sources(self) -> Sources:
         """Derive and render."""
-        return generate(
-            self.model,
-            formulation=self.formulation,
-            close_eigenvalues=self.close_eigenvalues,
-            schur=self.schur,
-            origin=self.origin,
-        )
+        return generate(self.model, self.choices, origin=self.origin)
 
     def explanation(self) -> str:
         """Say in words what the generated code carries and what it left out."""
-        return explain(
-            self.model, formulation=self.formulation, close_eigenvalues=self.close_eigenvalues, schur=self.schur
-        )
+        return explain(self.model, self.choices)
 
     @property
     def file_names(self) -> tuple[str, ...]:
@@ -85,21 +74,21 @@ def order(
     ModelError
         The file or the model has a mistake, or takes no such arguments.
     """
-    options = {"formulation": formulation, "close_eigenvalues": close_eigenvalues, "schur": schur}
+    choices = Choices(formulation, close_eigenvalues, schur)
     given = definitions or {}
     if isinstance(source, Model):
         if given:
             raise ModelError(f"model {source.name}: {unknown('option', given, OPTIONS)} A Model takes no keywords.")
-        return Order(source, **options)
-    return Order(load_model(source, **given), **options, origin=_command(Path(source).name, given, options))
+        return Order(source, choices)
+    return Order(load_model(source, **given), choices, _command(Path(source).name, given, choices))
 
 
-def _command(file: str, definitions: Mapping[str, object], options: Mapping[str, str]) -> str:
+def _command(file: str, definitions: Mapping[str, object], choices: Choices) -> str:
     """Write the command that generates these files, without what it takes by default and without folders."""
-    defaults = Order.__dataclass_fields__
     words = ["eigenmotion", "generate", file]
     words += [f"-D {name}={value}" for name, value in sorted(definitions.items())]
-    chosen = {name: value for name, value in options.items() if value != defaults[name].default}
+    standard = asdict(STANDARD)
+    chosen = {name: value for name, value in asdict(choices).items() if value != standard[name]}
     words += [f"--{name.replace('_', '-')} {value}" for name, value in chosen.items()]
     return " ".join(words)
 

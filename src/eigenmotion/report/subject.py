@@ -10,7 +10,7 @@ from ..building.errors import BuildError, CompilerNotFoundError
 from ..building.extension import compile_in, load
 from ..building.request import order
 from ..building.toolchain import EXTENSION_SUFFIX, toolchain
-from ..codegen.c.lower import FORMULATIONS
+from ..codegen.choices import FORMULATIONS
 from ..codegen.model import Model, ModelError
 from ..codegen.physics.derive import derive
 from ..system.system import System

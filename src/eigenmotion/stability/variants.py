@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..codegen.c.lower import FORMULATIONS
+from ..codegen.choices import FORMULATIONS
 
 
 @dataclass(frozen=True, slots=True)

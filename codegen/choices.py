@@ -1,0 +1,61 @@
+"""How the equations of a model are to be computed: the choices of `build`, checked as they are made."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .model import ModelError
+
+FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
+CARRY_V = ("lagrange", "inverse")
+"""Formulations whose state is (x, xdot)."""
+CLOSE_EIGENVALUES = ("bounded", "extrapolate")
+SCHUR = ("auto", "factor", "eigenfactor")
+
+
+@dataclass(frozen=True, slots=True)
+class Choices:
+    """The options that shape generated code; see section "Build" of the manual.
+
+    Raises
+    ------
+    ModelError
+        One is not known.
+    """
+
+    formulation: str = "eigenfactor"
+    close_eigenvalues: str = "bounded"
+    schur: str = "auto"
+
+    def __post_init__(self) -> None:
+        _check("formulation", self.formulation, FORMULATIONS)
+        _check("close_eigenvalues", self.close_eigenvalues, CLOSE_EIGENVALUES)
+        _check("schur", self.schur, SCHUR)
+
+    @property
+    def eigenfactor(self) -> bool:
+        """Whether the state carries C and s: the published system."""
+        return self.formulation == "eigenfactor"
+
+    @property
+    def carries_v(self) -> bool:
+        """Whether the state carries xdot itself."""
+        return self.formulation in CARRY_V
+
+    @property
+    def bounded(self) -> bool:
+        """Whether a triangular root takes over where eigenvalues come close."""
+        return self.eigenfactor and self.close_eigenvalues == "bounded"
+
+    @property
+    def extrapolate(self) -> bool:
+        """Whether Omega is extrapolated there (32), (53)."""
+        return self.eigenfactor and self.close_eigenvalues == "extrapolate"
+
+
+def _check(what: str, value: str, known: tuple[str, ...]) -> None:
+    if value not in known:
+        raise ModelError(f"{what} {value!r} is not known; choose one of {', '.join(known)}")
+
+
+STANDARD = Choices()
