@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:31fe5d2204273ff4c415b926b989b104002208d1e173c9bba73717d59568a5a4 */
+/* body sha256:98a3dbe0ac6d49524928c86e76ff10b189d1ca5d892414c7f9d2c5e5766fa987 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -52,70 +52,76 @@ enum {
 static const int block[N] = { 0, 0, 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double m_1 = parameters[0];
+    const double m_2 = parameters[1];
+    const double m_3 = parameters[2];
+    const double m_4 = parameters[3];
+    const double m_5 = parameters[4];
+    const double l_1 = parameters[5];
+    const double l_2 = parameters[6];
+    const double l_3 = parameters[7];
+    const double l_4 = parameters[8];
+    const double l_5 = parameters[9];
+    const double g = parameters[10];
+    const double z_0 = l_1*m_4 + l_1*m_5;
+    const double z_1 = l_1*m_3 + z_0;
+    const double z_2 = l_1*m_2 + z_1;
+    const double z_3 = m_4*l_2 + m_5*l_2;
+    const double z_4 = m_3*l_2 + z_3;
+    const double z_5 = m_4*l_3 + m_5*l_3;
+    const double z_6 = m_5*l_5;
+    const double z_7 = l_1*m_1*g;
+    const double z_8 = m_2*g;
+    const double z_9 = m_3*g;
+    const double z_10 = m_4*g;
+    const double z_11 = m_5*g;
+    const double z_12 = z_10 + z_11;
+    const double z_13 = z_9 + z_12;
+    const double z_14 = z_8 + z_13;
+    prepared[11] = z_2*l_2;
+    prepared[12] = l_3*z_1;
+    prepared[13] = l_3*z_4;
+    prepared[14] = l_4*z_0;
+    prepared[15] = l_4*z_3;
+    prepared[16] = l_4*z_5;
+    prepared[17] = l_1*z_6;
+    prepared[18] = l_2*z_6;
+    prepared[19] = l_3*z_6;
+    prepared[20] = l_4*z_6;
+    prepared[21] = z_7 + l_1*z_14;
+    prepared[22] = l_2*z_14;
+    prepared[23] = l_3*z_13;
+    prepared[24] = l_4*z_12;
+    prepared[25] = g*z_6;
+    prepared[26] = l_1*z_2 + m_1*(l_1*l_1);
+    prepared[27] = l_2*(m_2*l_2 + z_4);
+    prepared[28] = l_3*(m_3*l_3 + z_5);
+    prepared[29] = l_4*(m_4*l_4 + m_5*l_4);
+    prepared[30] = m_5*(l_5*l_5);
+    prepared[31] = z_6;
+    prepared[32] = z_8;
+    prepared[33] = z_9;
+    prepared[34] = z_10;
+    prepared[35] = z_11;
+    prepared[36] = z_7;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double m_1 = c[0];
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double m_4 = c[3];
-    const double m_5 = c[4];
-    const double l_1 = c[5];
-    const double l_2 = c[6];
-    const double l_3 = c[7];
-    const double l_4 = c[8];
-    const double l_5 = c[9];
-    const double g = c[10];
-    const double z_5 = l_1*m_4 + l_1*m_5;
-    const double z_6 = l_1*m_3 + z_5;
-    const double z_7 = l_1*m_2 + z_6;
-    const double z_10 = m_4*l_2 + m_5*l_2;
-    const double z_11 = m_3*l_2 + z_10;
-    const double z_13 = m_4*l_3 + m_5*l_3;
-    const double z_15 = m_5*l_5;
-    const double z_18 = l_1*m_1*g;
-    const double z_19 = m_2*g;
-    const double z_20 = m_3*g;
-    const double z_21 = m_4*g;
-    const double z_22 = m_5*g;
-    const double z_23 = z_21 + z_22;
-    const double z_24 = z_20 + z_23;
-    const double z_25 = z_19 + z_24;
-    c[11] = z_7*l_2;
-    c[12] = l_3*z_6;
-    c[13] = l_3*z_11;
-    c[14] = l_4*z_5;
-    c[15] = l_4*z_10;
-    c[16] = l_4*z_13;
-    c[17] = l_1*z_15;
-    c[18] = l_2*z_15;
-    c[19] = l_3*z_15;
-    c[20] = l_4*z_15;
-    c[21] = z_18 + l_1*z_25;
-    c[22] = l_2*z_25;
-    c[23] = l_3*z_24;
-    c[24] = l_4*z_23;
-    c[25] = g*z_15;
-    c[26] = l_1*z_7 + m_1*(l_1*l_1);
-    c[27] = l_2*(m_2*l_2 + z_11);
-    c[28] = l_3*(m_3*l_3 + z_13);
-    c[29] = l_4*(m_4*l_4 + m_5*l_4);
-    c[30] = m_5*(l_5*l_5);
-    c[31] = z_15;
-    c[32] = z_19;
-    c[33] = z_20;
-    c[34] = z_21;
-    c[35] = z_22;
-    c[36] = z_18;
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double c_0 = c[11];
     const double c_1 = c[12];
     const double c_2 = c[13];
@@ -164,10 +170,10 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[11];
     const double c_1 = c[12];
     const double c_2 = c[13];
@@ -187,61 +193,63 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double sin_theta_1 = em_sin(theta_1);
     const double cos_theta_1 = em_cos(theta_1);
     const double sin_theta_2 = em_sin(theta_2);
-    const double z_7 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
+    const double z_4 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
     const double cos_theta_3 = em_cos(theta_3);
     const double sin_theta_3 = em_sin(theta_3);
-    const double z_12 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
+    const double z_7 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
     const double cos_theta_4 = em_cos(theta_4);
     const double sin_theta_4 = em_sin(theta_4);
-    const double z_17 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
+    const double z_10 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
     const double cos_theta_5 = em_cos(theta_5);
     const double sin_theta_5 = em_sin(theta_5);
-    const double z_22 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
-    const double z_24 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
-    const double z_26 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
-    const double z_28 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
-    const double z_30 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
-    const double z_32 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
-    const double z_34 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
-    dM[5] = dM[1] = -z_7;
-    dM[10] = dM[2] = -z_12;
-    dM[15] = dM[3] = -z_17;
-    dM[20] = dM[4] = -z_22;
-    dM[30] = dM[26] = z_7;
-    dM[36] = dM[32] = -z_24;
-    dM[41] = dM[33] = -z_26;
-    dM[46] = dM[34] = -z_28;
-    dM[60] = dM[52] = z_12;
-    dM[61] = dM[57] = z_24;
-    dM[67] = dM[63] = -z_30;
-    dM[72] = dM[64] = -z_32;
-    dM[90] = dM[78] = z_17;
-    dM[91] = dM[83] = z_26;
-    dM[92] = dM[88] = z_30;
-    dM[98] = dM[94] = -z_34;
-    dM[120] = dM[104] = z_22;
-    dM[121] = dM[109] = z_28;
-    dM[122] = dM[114] = z_32;
-    dM[123] = dM[119] = z_34;
+    const double z_13 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
+    const double z_14 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
+    const double z_15 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
+    const double z_16 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
+    const double z_17 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
+    const double z_18 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
+    const double z_19 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
+    dM[5] = dM[1] = -z_4;
+    dM[10] = dM[2] = -z_7;
+    dM[15] = dM[3] = -z_10;
+    dM[20] = dM[4] = -z_13;
+    dM[30] = dM[26] = z_4;
+    dM[36] = dM[32] = -z_14;
+    dM[41] = dM[33] = -z_15;
+    dM[46] = dM[34] = -z_16;
+    dM[60] = dM[52] = z_7;
+    dM[61] = dM[57] = z_14;
+    dM[67] = dM[63] = -z_17;
+    dM[72] = dM[64] = -z_18;
+    dM[90] = dM[78] = z_10;
+    dM[91] = dM[83] = z_15;
+    dM[92] = dM[88] = z_17;
+    dM[98] = dM[94] = -z_19;
+    dM[120] = dM[104] = z_13;
+    dM[121] = dM[109] = z_16;
+    dM[122] = dM[114] = z_18;
+    dM[123] = dM[119] = z_19;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double m_4 = c[3];
@@ -267,76 +275,76 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta_3 = x[2];
     const double theta_4 = x[3];
     const double theta_5 = x[4];
-    const double z_2 = theta_1_dot*l_1;
+    const double z_0 = theta_1_dot*l_1;
     const double cos_theta_1 = em_cos(theta_1);
     const double sin_theta_1 = em_sin(theta_1);
     const double sin_theta_2 = em_sin(theta_2);
-    const double z_11 = theta_2_dot*l_2;
-    const double z_12 = sin_theta_1*z_2 + sin_theta_2*z_11;
+    const double z_4 = theta_2_dot*l_2;
+    const double z_5 = sin_theta_1*z_0 + sin_theta_2*z_4;
     const double sin_theta_3 = em_sin(theta_3);
-    const double z_17 = theta_3_dot*l_3;
-    const double z_18 = z_12 + sin_theta_3*z_17;
+    const double z_7 = theta_3_dot*l_3;
+    const double z_8 = z_5 + sin_theta_3*z_7;
     const double sin_theta_4 = em_sin(theta_4);
-    const double z_23 = theta_4_dot*l_4;
-    const double z_24 = z_18 + sin_theta_4*z_23;
+    const double z_10 = theta_4_dot*l_4;
+    const double z_11 = z_8 + sin_theta_4*z_10;
     const double sin_theta_5 = em_sin(theta_5);
-    const double z_29 = theta_5_dot*sin_theta_5;
-    const double z_30 = z_24 + l_5*z_29;
-    const double z_32 = m_5*z_30 + m_4*z_24;
-    const double z_34 = z_32 + m_3*z_18;
-    const double z_36 = z_34 + m_2*z_12;
-    const double z_37 = cos_theta_1*z_36;
+    const double z_13 = theta_5_dot*sin_theta_5;
+    const double z_14 = z_11 + l_5*z_13;
+    const double z_15 = m_5*z_14 + m_4*z_11;
+    const double z_16 = z_15 + m_3*z_8;
+    const double z_17 = z_16 + m_2*z_5;
+    const double z_18 = cos_theta_1*z_17;
     const double cos_theta_2 = em_cos(theta_2);
-    const double z_39 = cos_theta_1*z_2 + cos_theta_2*z_11;
+    const double z_20 = cos_theta_1*z_0 + cos_theta_2*z_4;
     const double cos_theta_3 = em_cos(theta_3);
-    const double z_41 = z_39 + cos_theta_3*z_17;
+    const double z_22 = z_20 + cos_theta_3*z_7;
     const double cos_theta_4 = em_cos(theta_4);
-    const double z_43 = z_41 + cos_theta_4*z_23;
+    const double z_24 = z_22 + cos_theta_4*z_10;
     const double cos_theta_5 = em_cos(theta_5);
-    const double z_45 = theta_5_dot*cos_theta_5;
-    const double z_46 = z_43 + l_5*z_45;
-    const double z_47 = m_5*z_46 + m_4*z_43;
-    const double z_48 = z_47 + m_3*z_41;
-    const double z_49 = z_48 + m_2*z_39;
-    const double z_51 = theta_1_dot*theta_1_dot;
-    const double z_52 = theta_2_dot*theta_2_dot;
-    const double z_53 = z_51*(l_1*cos_theta_1) + z_52*(l_2*cos_theta_2);
-    const double z_54 = theta_3_dot*theta_3_dot;
-    const double z_55 = z_53 + z_54*(l_3*cos_theta_3);
-    const double z_56 = theta_4_dot*theta_4_dot;
-    const double z_57 = z_55 + z_56*(l_4*cos_theta_4);
-    const double z_58 = l_5*(theta_5_dot*theta_5_dot);
-    const double z_59 = z_57 + cos_theta_5*z_58;
-    const double z_60 = m_5*z_59 + m_4*z_57;
-    const double z_61 = m_3*z_55 + z_60;
-    const double z_62 = m_2*z_53 + z_61;
-    const double z_63 = z_51*(l_1*sin_theta_1) + z_52*(l_2*sin_theta_2);
-    const double z_64 = z_63 + z_54*(l_3*sin_theta_3);
-    const double z_65 = z_64 + z_56*(l_4*sin_theta_4);
-    const double z_66 = z_65 + sin_theta_5*z_58;
-    const double z_67 = m_5*z_66 + m_4*z_65;
-    const double z_68 = m_3*z_64 + z_67;
-    const double z_69 = m_2*z_63 + z_68;
-    const double z_70 = cos_theta_2*z_36;
-    const double z_72 = cos_theta_3*z_34;
-    const double z_74 = cos_theta_4*z_32;
-    const double z_77 = z_30*z_45;
-    bias[0] = (z_2*z_37 - sin_theta_1*(z_49*z_2 + c_10)) - (l_1*(theta_1_dot*z_37 + sin_theta_1*z_62) -
-        l_1*(theta_1_dot*(sin_theta_1*z_49) + cos_theta_1*z_69));
-    bias[1] = (z_11*z_70 - sin_theta_2*(z_49*z_11 + c_11)) - (l_2*(theta_2_dot*z_70 + sin_theta_2*z_62) -
-        l_2*(theta_2_dot*(sin_theta_2*z_49) + cos_theta_2*z_69));
-    bias[2] = (z_17*z_72 - sin_theta_3*(z_48*z_17 + c_12)) - (l_3*(theta_3_dot*z_72 + sin_theta_3*z_61) -
-        l_3*(theta_3_dot*(sin_theta_3*z_48) + cos_theta_3*z_68));
-    bias[3] = (z_23*z_74 - sin_theta_4*(z_47*z_23 + c_13)) - (l_4*(theta_4_dot*z_74 + sin_theta_4*z_60) -
-        l_4*(theta_4_dot*(sin_theta_4*z_47) + cos_theta_4*z_67));
-    bias[4] = (c_20*z_77 - sin_theta_5*(theta_5_dot*(z_46*c_20) + c_14)) - (c_20*(z_77 + sin_theta_5*z_59) -
-        c_20*(z_46*z_29 + cos_theta_5*z_66));
+    const double z_26 = theta_5_dot*cos_theta_5;
+    const double z_27 = z_24 + l_5*z_26;
+    const double z_28 = m_5*z_27 + m_4*z_24;
+    const double z_29 = z_28 + m_3*z_22;
+    const double z_30 = z_29 + m_2*z_20;
+    const double z_31 = theta_1_dot*theta_1_dot;
+    const double z_32 = theta_2_dot*theta_2_dot;
+    const double z_33 = z_31*(l_1*cos_theta_1) + z_32*(l_2*cos_theta_2);
+    const double z_34 = theta_3_dot*theta_3_dot;
+    const double z_35 = z_33 + z_34*(l_3*cos_theta_3);
+    const double z_36 = theta_4_dot*theta_4_dot;
+    const double z_37 = z_35 + z_36*(l_4*cos_theta_4);
+    const double z_38 = l_5*(theta_5_dot*theta_5_dot);
+    const double z_39 = z_37 + cos_theta_5*z_38;
+    const double z_40 = m_5*z_39 + m_4*z_37;
+    const double z_41 = m_3*z_35 + z_40;
+    const double z_42 = m_2*z_33 + z_41;
+    const double z_43 = z_31*(l_1*sin_theta_1) + z_32*(l_2*sin_theta_2);
+    const double z_44 = z_43 + z_34*(l_3*sin_theta_3);
+    const double z_45 = z_44 + z_36*(l_4*sin_theta_4);
+    const double z_46 = z_45 + sin_theta_5*z_38;
+    const double z_47 = m_5*z_46 + m_4*z_45;
+    const double z_48 = m_3*z_44 + z_47;
+    const double z_49 = m_2*z_43 + z_48;
+    const double z_50 = cos_theta_2*z_17;
+    const double z_51 = cos_theta_3*z_16;
+    const double z_52 = cos_theta_4*z_15;
+    const double z_53 = z_14*z_26;
+    bias[0] = (z_0*z_18 - sin_theta_1*(z_30*z_0 + c_10)) - (l_1*(theta_1_dot*z_18 + sin_theta_1*z_42) -
+        l_1*(theta_1_dot*(sin_theta_1*z_30) + cos_theta_1*z_49));
+    bias[1] = (z_4*z_50 - sin_theta_2*(z_30*z_4 + c_11)) - (l_2*(theta_2_dot*z_50 + sin_theta_2*z_42) -
+        l_2*(theta_2_dot*(sin_theta_2*z_30) + cos_theta_2*z_49));
+    bias[2] = (z_7*z_51 - sin_theta_3*(z_29*z_7 + c_12)) - (l_3*(theta_3_dot*z_51 + sin_theta_3*z_41) -
+        l_3*(theta_3_dot*(sin_theta_3*z_29) + cos_theta_3*z_48));
+    bias[3] = (z_10*z_52 - sin_theta_4*(z_28*z_10 + c_13)) - (l_4*(theta_4_dot*z_52 + sin_theta_4*z_40) -
+        l_4*(theta_4_dot*(sin_theta_4*z_28) + cos_theta_4*z_47));
+    bias[4] = (c_20*z_53 - sin_theta_5*(theta_5_dot*(z_27*c_20) + c_14)) - (c_20*(z_53 + sin_theta_5*z_39) -
+        c_20*(z_27*z_13 + cos_theta_5*z_46));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double l_1 = c[5];
     const double l_2 = c[6];
     const double l_3 = c[7];
@@ -376,49 +384,140 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double cos_theta_2 = em_cos(theta_2);
     const double sin_theta_1 = em_sin(theta_1);
     const double sin_theta_2 = em_sin(theta_2);
-    const double z_10 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double z_4 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
     const double cos_theta_3 = em_cos(theta_3);
     const double sin_theta_3 = em_sin(theta_3);
-    const double z_16 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double z_7 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
     const double cos_theta_4 = em_cos(theta_4);
     const double sin_theta_4 = em_sin(theta_4);
-    const double z_22 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double z_10 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
     const double cos_theta_5 = em_cos(theta_5);
     const double sin_theta_5 = em_sin(theta_5);
-    const double z_28 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const double z_31 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    const double z_33 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    const double z_35 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const double z_38 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    const double z_40 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const double z_43 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const double z_47 = l_1*cos_theta_1 + l_2*cos_theta_2;
-    const double z_50 = z_47 + l_3*cos_theta_3;
-    const double z_53 = z_50 + l_4*cos_theta_4;
-    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_10 + theta_3_dot*z_16 + theta_4_dot*z_22 +
-        theta_5_dot*z_28) + theta_2_dot*(theta_1_dot*z_10 + theta_2_dot*c_16 + theta_3_dot*z_31 + theta_4_dot*z_33
-        + theta_5_dot*z_35) + theta_3_dot*(theta_1_dot*z_16 + theta_2_dot*z_31 + theta_3_dot*c_17 +
-        theta_4_dot*z_38 + theta_5_dot*z_40) + theta_4_dot*(theta_1_dot*z_22 + theta_2_dot*z_33 + theta_3_dot*z_38
-        + theta_4_dot*c_18 + theta_5_dot*z_43) + theta_5_dot*(theta_1_dot*z_28 + theta_2_dot*z_35 +
-        theta_3_dot*z_40 + theta_4_dot*z_43 + theta_5_dot*c_19));
+    const double z_13 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const double z_14 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const double z_15 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double z_16 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const double z_17 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double z_18 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const double z_19 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double z_20 = l_1*cos_theta_1 + l_2*cos_theta_2;
+    const double z_21 = z_20 + l_3*cos_theta_3;
+    const double z_22 = z_21 + l_4*cos_theta_4;
+    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_4 + theta_3_dot*z_7 + theta_4_dot*z_10 +
+        theta_5_dot*z_13) + theta_2_dot*(theta_1_dot*z_4 + theta_2_dot*c_16 + theta_3_dot*z_14 + theta_4_dot*z_15
+        + theta_5_dot*z_16) + theta_3_dot*(theta_1_dot*z_7 + theta_2_dot*z_14 + theta_3_dot*c_17 +
+        theta_4_dot*z_17 + theta_5_dot*z_18) + theta_4_dot*(theta_1_dot*z_10 + theta_2_dot*z_15 + theta_3_dot*z_17
+        + theta_4_dot*c_18 + theta_5_dot*z_19) + theta_5_dot*(theta_1_dot*z_13 + theta_2_dot*z_16 +
+        theta_3_dot*z_18 + theta_4_dot*z_19 + theta_5_dot*c_19));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = -(z_47*c_21 + z_50*c_22 + z_53*c_23 + (z_53 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
+    e[3] = -(z_20*c_21 + z_21*c_22 + z_22*c_23 + (z_22 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
+{
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double c_10 = c[21];
+    const double c_11 = c[22];
+    const double c_12 = c[23];
+    const double c_13 = c[24];
+    const double c_14 = c[25];
+    const double theta_1_dot = v[0];
+    const double theta_2_dot = v[1];
+    const double theta_3_dot = v[2];
+    const double theta_4_dot = v[3];
+    const double theta_5_dot = v[4];
+    const double theta_1 = x[0];
+    const double theta_2 = x[1];
+    const double theta_3 = x[2];
+    const double theta_4 = x[3];
+    const double theta_5 = x[4];
+    const double cos_theta_2 = em_cos(theta_2);
+    const double sin_theta_1 = em_sin(theta_1);
+    const double z_2 = theta_1_dot*sin_theta_1;
+    const double cos_theta_1 = em_cos(theta_1);
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_5 = theta_2_dot*sin_theta_2;
+    const double z_6 = theta_1_dot*cos_theta_1;
+    const double z_7 = theta_2_dot*cos_theta_2;
+    const double cos_theta_3 = em_cos(theta_3);
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_10 = theta_3_dot*sin_theta_3;
+    const double z_11 = theta_3_dot*cos_theta_3;
+    const double cos_theta_4 = em_cos(theta_4);
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_14 = theta_4_dot*sin_theta_4;
+    const double z_15 = theta_4_dot*cos_theta_4;
+    const double cos_theta_5 = em_cos(theta_5);
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_18 = theta_5_dot*sin_theta_5;
+    const double z_19 = theta_5_dot*cos_theta_5;
+    const double z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const double z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const double z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const double z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const double z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const double z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const double z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const double z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const double z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const double z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_2 + cos_theta_1*z_5) - c_0*(sin_theta_2*z_6 +
+        sin_theta_1*z_7));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_2 + cos_theta_1*z_10) - c_1*(sin_theta_3*z_6 +
+        sin_theta_1*z_11));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_5 + cos_theta_2*z_10) - c_2*(sin_theta_3*z_7 +
+        sin_theta_2*z_11));
+    Mdot1[2][2] = 0.0;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_2 + cos_theta_1*z_14) - c_3*(sin_theta_4*z_6 +
+        sin_theta_1*z_15));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_5 + cos_theta_2*z_14) - c_4*(sin_theta_4*z_7 +
+        sin_theta_2*z_15));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_10 + cos_theta_3*z_14) - c_5*(sin_theta_4*z_11 +
+        sin_theta_3*z_15));
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_2 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_6 +
+        sin_theta_1*z_19));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_5 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_7 +
+        sin_theta_2*z_19));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_10 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_11 +
+        sin_theta_3*z_19));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_14 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_15 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = 0.0;
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
+    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
+    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
+    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -426,8 +525,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -447,94 +545,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[3] = v1[3];
     dy[4] = v1[4];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
-    const double c_10 = c[21];
-    const double c_11 = c[22];
-    const double c_12 = c[23];
-    const double c_13 = c[24];
-    const double c_14 = c[25];
-    const double theta_1_dot = v1[0];
-    const double theta_2_dot = v1[1];
-    const double theta_3_dot = v1[2];
-    const double theta_4_dot = v1[3];
-    const double theta_5_dot = v1[4];
-    const double theta_1 = y[0];
-    const double theta_2 = y[1];
-    const double theta_3 = y[2];
-    const double theta_4 = y[3];
-    const double theta_5 = y[4];
-    const double cos_theta_2 = em_cos(theta_2);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double z_6 = theta_1_dot*sin_theta_1;
-    const double cos_theta_1 = em_cos(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double z_10 = theta_2_dot*sin_theta_2;
-    const double z_11 = theta_1_dot*cos_theta_1;
-    const double z_12 = theta_2_dot*cos_theta_2;
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double z_18 = theta_3_dot*sin_theta_3;
-    const double z_19 = theta_3_dot*cos_theta_3;
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double z_26 = theta_4_dot*sin_theta_4;
-    const double z_27 = theta_4_dot*cos_theta_4;
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_35 = theta_5_dot*sin_theta_5;
-    const double z_36 = theta_5_dot*cos_theta_5;
-    const double z_40 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
-    const double z_41 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
-    const double z_42 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
-    const double z_43 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
-    const double z_45 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
-    const double z_46 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
-    const double z_47 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
-    const double z_49 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
-    const double z_50 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const double z_52 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_6 + cos_theta_1*z_10) - c_0*(sin_theta_2*z_11 +
-        sin_theta_1*z_12));
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_6 + cos_theta_1*z_18) - c_1*(sin_theta_3*z_11 +
-        sin_theta_1*z_19));
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_10 + cos_theta_2*z_18) - c_2*(sin_theta_3*z_12 +
-        sin_theta_2*z_19));
-    Mdot1[2][2] = 0.0;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_6 + cos_theta_1*z_26) - c_3*(sin_theta_4*z_11 +
-        sin_theta_1*z_27));
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_10 + cos_theta_2*z_26) - c_4*(sin_theta_4*z_12 +
-        sin_theta_2*z_27));
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_18 + cos_theta_3*z_26) - c_5*(sin_theta_4*z_19 +
-        sin_theta_3*z_27));
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_6 + cos_theta_1*z_35) - c_6*(sin_theta_5*z_11 +
-        sin_theta_1*z_36));
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_10 + cos_theta_2*z_35) - c_7*(sin_theta_5*z_12 +
-        sin_theta_2*z_36));
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_18 + cos_theta_3*z_35) - c_8*(sin_theta_5*z_19 +
-        sin_theta_3*z_36));
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_26 + cos_theta_4*z_35) - c_9*(sin_theta_5*z_27 +
-        sin_theta_4*z_36));
-    Mdot1[4][4] = 0.0;
-    f1[0] = -((z_40 + z_41 + z_42 + z_43) + sin_theta_1*c_10);
-    f1[1] = (z_40 - z_45 - z_46 - z_47) - sin_theta_2*c_11;
-    f1[2] = (z_41 + z_45 - z_49 - z_50) - sin_theta_3*c_12;
-    f1[3] = (z_42 + z_46 + z_49 - z_52) - sin_theta_4*c_13;
-    f1[4] = (z_43 + z_47 + z_50 + z_52) - sin_theta_5*c_14;
+    double Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -578,14 +590,10 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[10])
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
     const double c_0 = c[11];
     const double c_1 = c[12];
     const double c_2 = c[13];
@@ -601,11 +609,11 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_17 = c[28];
     const double c_18 = c[29];
     const double c_19 = c[30];
-    const double theta_1 = y[0];
-    const double theta_2 = y[1];
-    const double theta_3 = y[2];
-    const double theta_4 = y[3];
-    const double theta_5 = y[4];
+    const double theta_1 = x[0];
+    const double theta_2 = x[1];
+    const double theta_3 = x[2];
+    const double theta_4 = x[3];
+    const double theta_5 = x[4];
     const double cos_theta_1 = em_cos(theta_1);
     const double cos_theta_2 = em_cos(theta_2);
     const double sin_theta_1 = em_sin(theta_1);
@@ -631,6 +639,112 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
     M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
     M1[4][4] = c_19;
+    shared[0] = cos_theta_2;
+    shared[1] = sin_theta_1;
+    shared[2] = cos_theta_1;
+    shared[3] = sin_theta_2;
+    shared[4] = cos_theta_3;
+    shared[5] = sin_theta_3;
+    shared[6] = cos_theta_4;
+    shared[7] = sin_theta_4;
+    shared[8] = cos_theta_5;
+    shared[9] = sin_theta_5;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[10],
+                                 double Mdot1[N1][N1], double f1[N1])
+{
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double c_10 = c[21];
+    const double c_11 = c[22];
+    const double c_12 = c[23];
+    const double c_13 = c[24];
+    const double c_14 = c[25];
+    const double cos_theta_2 = shared[0];
+    const double sin_theta_1 = shared[1];
+    const double cos_theta_1 = shared[2];
+    const double sin_theta_2 = shared[3];
+    const double cos_theta_3 = shared[4];
+    const double sin_theta_3 = shared[5];
+    const double cos_theta_4 = shared[6];
+    const double sin_theta_4 = shared[7];
+    const double cos_theta_5 = shared[8];
+    const double sin_theta_5 = shared[9];
+    const double theta_1_dot = v[0];
+    const double theta_2_dot = v[1];
+    const double theta_3_dot = v[2];
+    const double theta_4_dot = v[3];
+    const double theta_5_dot = v[4];
+    const double z_10 = theta_1_dot*sin_theta_1;
+    const double z_11 = theta_2_dot*sin_theta_2;
+    const double z_12 = theta_1_dot*cos_theta_1;
+    const double z_13 = theta_2_dot*cos_theta_2;
+    const double z_14 = theta_3_dot*sin_theta_3;
+    const double z_15 = theta_3_dot*cos_theta_3;
+    const double z_16 = theta_4_dot*sin_theta_4;
+    const double z_17 = theta_4_dot*cos_theta_4;
+    const double z_18 = theta_5_dot*sin_theta_5;
+    const double z_19 = theta_5_dot*cos_theta_5;
+    const double z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const double z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const double z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const double z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const double z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const double z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const double z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const double z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const double z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const double z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
+        sin_theta_1*z_13));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
+        sin_theta_1*z_15));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
+        sin_theta_2*z_15));
+    Mdot1[2][2] = 0.0;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
+        sin_theta_1*z_17));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
+        sin_theta_2*z_17));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
+        sin_theta_3*z_17));
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
+        sin_theta_1*z_19));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
+        sin_theta_2*z_19));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
+        sin_theta_3*z_19));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = 0.0;
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
+    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
+    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
+    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[10];
+    triangular_masses(y, c, M1, shared);
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -649,69 +763,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[3] = v1[3];
     dy[4] = v1[4];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double c_10 = c[21];
-    const double c_11 = c[22];
-    const double c_12 = c[23];
-    const double c_13 = c[24];
-    const double c_14 = c[25];
-    const double theta_1_dot = v1[0];
-    const double theta_2_dot = v1[1];
-    const double theta_3_dot = v1[2];
-    const double theta_4_dot = v1[3];
-    const double theta_5_dot = v1[4];
-    const double z_31 = theta_1_dot*sin_theta_1;
-    const double z_33 = theta_2_dot*sin_theta_2;
-    const double z_34 = theta_1_dot*cos_theta_1;
-    const double z_35 = theta_2_dot*cos_theta_2;
-    const double z_37 = theta_3_dot*sin_theta_3;
-    const double z_38 = theta_3_dot*cos_theta_3;
-    const double z_40 = theta_4_dot*sin_theta_4;
-    const double z_41 = theta_4_dot*cos_theta_4;
-    const double z_43 = theta_5_dot*sin_theta_5;
-    const double z_44 = theta_5_dot*cos_theta_5;
-    const double z_45 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
-    const double z_46 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
-    const double z_47 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
-    const double z_48 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
-    const double z_50 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
-    const double z_51 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
-    const double z_52 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
-    const double z_54 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
-    const double z_55 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const double z_57 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_31 + cos_theta_1*z_33) - c_0*(sin_theta_2*z_34 +
-        sin_theta_1*z_35));
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_31 + cos_theta_1*z_37) - c_1*(sin_theta_3*z_34 +
-        sin_theta_1*z_38));
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_33 + cos_theta_2*z_37) - c_2*(sin_theta_3*z_35 +
-        sin_theta_2*z_38));
-    Mdot1[2][2] = 0.0;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_31 + cos_theta_1*z_40) - c_3*(sin_theta_4*z_34 +
-        sin_theta_1*z_41));
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_33 + cos_theta_2*z_40) - c_4*(sin_theta_4*z_35 +
-        sin_theta_2*z_41));
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_37 + cos_theta_3*z_40) - c_5*(sin_theta_4*z_38 +
-        sin_theta_3*z_41));
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_31 + cos_theta_1*z_43) - c_6*(sin_theta_5*z_34 +
-        sin_theta_1*z_44));
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_33 + cos_theta_2*z_43) - c_7*(sin_theta_5*z_35 +
-        sin_theta_2*z_44));
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_37 + cos_theta_3*z_43) - c_8*(sin_theta_5*z_38 +
-        sin_theta_3*z_44));
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_40 + cos_theta_4*z_43) - c_9*(sin_theta_5*z_41 +
-        sin_theta_4*z_44));
-    Mdot1[4][4] = 0.0;
-    f1[0] = -((z_45 + z_46 + z_47 + z_48) + sin_theta_1*c_10);
-    f1[1] = (z_45 - z_50 - z_51 - z_52) - sin_theta_2*c_11;
-    f1[2] = (z_46 + z_50 - z_54 - z_55) - sin_theta_3*c_12;
-    f1[3] = (z_47 + z_51 + z_54 - z_57) - sin_theta_4*c_13;
-    f1[4] = (z_48 + z_52 + z_55 + z_57) - sin_theta_5*c_14;
+    double Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -745,14 +798,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double shared[10])
 {
-    int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
     const double c_0 = c[11];
     const double c_1 = c[12];
     const double c_2 = c[13];
@@ -768,11 +817,11 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_17 = c[28];
     const double c_18 = c[29];
     const double c_19 = c[30];
-    const double theta_1 = y[0];
-    const double theta_2 = y[1];
-    const double theta_3 = y[2];
-    const double theta_4 = y[3];
-    const double theta_5 = y[4];
+    const double theta_1 = x[0];
+    const double theta_2 = x[1];
+    const double theta_3 = x[2];
+    const double theta_4 = x[3];
+    const double theta_5 = x[4];
     const double cos_theta_1 = em_cos(theta_1);
     const double cos_theta_2 = em_cos(theta_2);
     const double sin_theta_1 = em_sin(theta_1);
@@ -798,6 +847,93 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     M1[2][4] = M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
     M1[3][4] = M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
     M1[4][4] = c_19;
+    shared[0] = cos_theta_2;
+    shared[1] = sin_theta_1;
+    shared[2] = cos_theta_1;
+    shared[3] = sin_theta_2;
+    shared[4] = cos_theta_3;
+    shared[5] = sin_theta_3;
+    shared[6] = cos_theta_4;
+    shared[7] = sin_theta_4;
+    shared[8] = cos_theta_5;
+    shared[9] = sin_theta_5;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[10],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double c_2 = c[13];
+    const double c_3 = c[14];
+    const double c_4 = c[15];
+    const double c_5 = c[16];
+    const double c_6 = c[17];
+    const double c_7 = c[18];
+    const double c_8 = c[19];
+    const double c_9 = c[20];
+    const double cos_theta_2 = shared[0];
+    const double sin_theta_1 = shared[1];
+    const double cos_theta_1 = shared[2];
+    const double sin_theta_2 = shared[3];
+    const double cos_theta_3 = shared[4];
+    const double sin_theta_3 = shared[5];
+    const double cos_theta_4 = shared[6];
+    const double sin_theta_4 = shared[7];
+    const double cos_theta_5 = shared[8];
+    const double sin_theta_5 = shared[9];
+    const double theta_1_dot = v[0];
+    const double theta_2_dot = v[1];
+    const double theta_3_dot = v[2];
+    const double theta_4_dot = v[3];
+    const double theta_5_dot = v[4];
+    const double z_10 = theta_1_dot*sin_theta_1;
+    const double z_11 = theta_2_dot*sin_theta_2;
+    const double z_12 = theta_1_dot*cos_theta_1;
+    const double z_13 = theta_2_dot*cos_theta_2;
+    const double z_14 = theta_3_dot*sin_theta_3;
+    const double z_15 = theta_3_dot*cos_theta_3;
+    const double z_16 = theta_4_dot*sin_theta_4;
+    const double z_17 = theta_4_dot*cos_theta_4;
+    const double z_18 = theta_5_dot*sin_theta_5;
+    const double z_19 = theta_5_dot*cos_theta_5;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
+        sin_theta_1*z_13));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
+        sin_theta_1*z_15));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
+        sin_theta_2*z_15));
+    Mdot1[2][2] = 0.0;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
+        sin_theta_1*z_17));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
+        sin_theta_2*z_17));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
+        sin_theta_3*z_17));
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
+        sin_theta_1*z_19));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
+        sin_theta_2*z_19));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
+        sin_theta_3*z_19));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = 0.0;
+}
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    double M1[N1][N1], shared[10];
+    settled_masses(y, c, M1, shared);
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5 */
     double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -817,6 +953,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -824,47 +961,14 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double theta_1_dot = v1[0];
-    const double theta_2_dot = v1[1];
-    const double theta_3_dot = v1[2];
-    const double theta_4_dot = v1[3];
-    const double theta_5_dot = v1[4];
-    const double z_31 = theta_1_dot*sin_theta_1;
-    const double z_33 = theta_2_dot*sin_theta_2;
-    const double z_34 = theta_1_dot*cos_theta_1;
-    const double z_35 = theta_2_dot*cos_theta_2;
-    const double z_37 = theta_3_dot*sin_theta_3;
-    const double z_38 = theta_3_dot*cos_theta_3;
-    const double z_40 = theta_4_dot*sin_theta_4;
-    const double z_41 = theta_4_dot*cos_theta_4;
-    const double z_43 = theta_5_dot*sin_theta_5;
-    const double z_44 = theta_5_dot*cos_theta_5;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_31 + cos_theta_1*z_33) - c_0*(sin_theta_2*z_34 +
-        sin_theta_1*z_35));
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_31 + cos_theta_1*z_37) - c_1*(sin_theta_3*z_34 +
-        sin_theta_1*z_38));
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_33 + cos_theta_2*z_37) - c_2*(sin_theta_3*z_35 +
-        sin_theta_2*z_38));
-    Mdot1[2][2] = 0.0;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_31 + cos_theta_1*z_40) - c_3*(sin_theta_4*z_34 +
-        sin_theta_1*z_41));
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_33 + cos_theta_2*z_40) - c_4*(sin_theta_4*z_35 +
-        sin_theta_2*z_41));
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_37 + cos_theta_3*z_40) - c_5*(sin_theta_4*z_38 +
-        sin_theta_3*z_41));
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_31 + cos_theta_1*z_43) - c_6*(sin_theta_5*z_34 +
-        sin_theta_1*z_44));
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_33 + cos_theta_2*z_43) - c_7*(sin_theta_5*z_35 +
-        sin_theta_2*z_44));
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_37 + cos_theta_3*z_43) - c_8*(sin_theta_5*z_38 +
-        sin_theta_3*z_44));
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_40 + cos_theta_4*z_43) - c_9*(sin_theta_5*z_41 +
-        sin_theta_4*z_44));
-    Mdot1[4][4] = 0.0;
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            v[2] = v1[2];
+            v[3] = v1[3];
+            v[4] = v1[4];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

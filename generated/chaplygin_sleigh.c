@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:b19834f2cb2f7a401cdfbcb33a4b37a8321a87adb870bef492ecbc95b9d772ac */
+/* body sha256:a4942d2f6cd2b86077c2421833689740dbbf5546ef046266dcbf0d929a650aba */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -56,23 +56,29 @@ enum {
 static const int block[N] = { 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double J = parameters[1];
+    const double a_ = parameters[2];
+    prepared[3] = m*a_;
+    prepared[4] = J + m*(a_*a_);
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double m = c[0];
-    const double J_ = c[1];
-    const double a_ = c[2];
-    c[3] = m*a_;
-    c[4] = J_ + m*(a_*a_);
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double m = c[0];
     const double c_0 = c[3];
     const double c_1 = c[4];
@@ -88,10 +94,10 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[3];
     const double theta = x[2];
     const double cos_theta = em_cos(theta);
@@ -101,9 +107,9 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                     double *restrict A, double *restrict b)
 {
-(void)t, (void)c;
     const double theta = x[2];
     const double sin_theta = em_sin(theta);
     const double cos_theta = em_cos(theta);
@@ -114,34 +120,35 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)t, (void)u;
     const double c_0 = c[3];
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double theta_dot = v[2];
     const double theta = x[2];
     const double cos_theta = em_cos(theta);
-    const double z_4 = c_0*(theta_dot*theta_dot);
+    const double z_1 = c_0*(theta_dot*theta_dot);
     const double sin_theta = em_sin(theta);
-    bias[0] = cos_theta*z_4;
-    bias[1] = sin_theta*z_4;
+    bias[0] = cos_theta*z_1;
+    bias[1] = sin_theta*z_1;
     bias[2] = 0.0;
     gamma[0] = -(x_dot*theta_dot*cos_theta + y_dot*theta_dot*sin_theta);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m = c[0];
     const double c_0 = c[3];
     const double c_1 = c[4];
@@ -150,9 +157,9 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta_dot = v[2];
     const double theta = x[2];
     const double sin_theta = em_sin(theta);
-    const double z_6 = theta_dot*c_0;
+    const double z_1 = theta_dot*c_0;
     const double cos_theta = em_cos(theta);
-    e[0] = 0.5*(x_dot*(x_dot*m - sin_theta*z_6) + y_dot*(y_dot*m + cos_theta*z_6) - theta_dot*(x_dot*sin_theta*c_0
+    e[0] = 0.5*(x_dot*(x_dot*m - sin_theta*z_1) + y_dot*(y_dot*m + cos_theta*z_1) - theta_dot*(x_dot*sin_theta*c_0
         - y_dot*cos_theta*c_0 - theta_dot*c_1));
     e[1] = 0.0;
     e[2] = 0.0;
@@ -160,18 +167,47 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double A1[N_ROWS][N1], double gamma[N_ROWS])
+{
+    const double c_0 = c[3];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double theta_dot = v[2];
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = theta_dot*c_0;
+    const double sin_theta = em_sin(theta);
+    const double z_3 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_1;
+    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_1;
+    Mdot1[2][2] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f1[2] = -z_3*c_0;
+    A1[0][0] = -sin_theta;
+    A1[0][1] = cos_theta;
+    A1[0][2] = 0.0;
+    gamma[0] = -z_3;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -179,8 +215,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, y, theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4], y[5] };
@@ -198,33 +233,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[1] = v1[1];
     dy[2] = v1[2];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double c_0 = c[3];
-    const double x_dot = v1[0];
-    const double y_dot = v1[1];
-    const double theta_dot = v1[2];
-    const double theta = y[2];
-    const double cos_theta = em_cos(theta);
-    const double z_4 = theta_dot*c_0;
-    const double sin_theta = em_sin(theta);
-    const double z_8 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_4;
-    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_4;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f1[2] = -z_8*c_0;
-    A1[0][0] = -sin_theta;
-    A1[0][1] = cos_theta;
-    A1[0][2] = 0.0;
-    gamma[0] = -z_8;
+    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
 
     /* x, y, theta: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -298,18 +308,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[2])
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
     const double m = c[0];
     const double c_0 = c[3];
     const double c_1 = c[4];
-    const double theta = y[2];
+    const double theta = x[2];
     const double sin_theta = em_sin(theta);
     const double cos_theta = em_cos(theta);
     M1[0][0] = m;
@@ -318,6 +324,46 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     M1[2][0] = -sin_theta*c_0;
     M1[2][1] = cos_theta*c_0;
     M1[2][2] = c_1;
+    shared[0] = cos_theta;
+    shared[1] = sin_theta;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[2],
+                                 double Mdot1[N1][N1], double f1[N1], double A1[N_ROWS][N1],
+                                 double gamma[N_ROWS])
+{
+    const double c_0 = c[3];
+    const double cos_theta = shared[0];
+    const double sin_theta = shared[1];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double theta_dot = v[2];
+    const double z_2 = theta_dot*c_0;
+    const double z_3 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_2;
+    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_2;
+    Mdot1[2][2] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f1[2] = -z_3*c_0;
+    A1[0][0] = -sin_theta;
+    A1[0][1] = cos_theta;
+    A1[0][2] = 0.0;
+    gamma[0] = -z_3;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[2];
+    triangular_masses(y, c, M1, shared);
 
     /* x, y, theta: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -334,29 +380,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[1] = v1[1];
     dy[2] = v1[2];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double x_dot = v1[0];
-    const double y_dot = v1[1];
-    const double theta_dot = v1[2];
-    const double z_7 = theta_dot*c_0;
-    const double z_10 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_7;
-    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_7;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f1[2] = -z_10*c_0;
-    A1[0][0] = -sin_theta;
-    A1[0][1] = cos_theta;
-    A1[0][2] = 0.0;
-    gamma[0] = -z_10;
+    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    triangular_motion(dy, c, shared, Mdot1, f1, A1, gamma);
 
     /* x, y, theta: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -418,20 +443,14 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[2])
 {
-    int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
-    double A1[N_ROWS][N1];
-    double b[N_ROWS];
     const double m = c[0];
     const double c_0 = c[3];
     const double c_1 = c[4];
-    const double theta = y[2];
+    const double theta = x[2];
     const double sin_theta = em_sin(theta);
     const double cos_theta = em_cos(theta);
     M1[0][0] = m;
@@ -444,6 +463,36 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     A1[0][1] = cos_theta;
     A1[0][2] = 0.0;
     b[0] = 0.0;
+    shared[0] = cos_theta;
+    shared[1] = sin_theta;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[2],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[3];
+    const double cos_theta = shared[0];
+    const double sin_theta = shared[1];
+    const double theta_dot = v[2];
+    const double z_2 = theta_dot*c_0;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_2;
+    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_2;
+    Mdot1[2][2] = 0.0;
+}
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
+    settled_masses(y, c, M1, A1, b, shared);
 
     /* x, y, theta */
     double eta1[N1] = { y[3], y[4], y[5] };
@@ -463,6 +512,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -470,15 +520,12 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double theta_dot = v1[2];
-    const double z_7 = theta_dot*c_0;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_7;
-    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_7;
-    Mdot1[2][2] = 0.0;
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            v[2] = v1[2];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

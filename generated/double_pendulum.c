@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:4ae74d406ff8d406346217b1e995be66f65207af635bc34941506a137a1fdc07 */
+/* body sha256:9ea83f7873e1223654f9d934994e5f981b629f8aa6fe74c8596908e5f46c033b */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -52,32 +52,38 @@ enum {
 static const int block[N] = { 0, 0 };
 static const double scales[N] = { 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double l1 = parameters[2];
+    const double l2 = parameters[3];
+    const double g = parameters[4];
+    const double z_0 = l1*m2;
+    const double z_1 = m1*l1;
+    const double z_2 = l1*l1;
+    prepared[5] = l2*z_0;
+    prepared[6] = g*z_1 + g*z_0;
+    prepared[7] = m2*l2*g;
+    prepared[8] = m1*z_2 + m2*z_2;
+    prepared[9] = m2*(l2*l2);
+    prepared[10] = z_1;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double m1 = c[0];
-    const double m2 = c[1];
-    const double l1 = c[2];
-    const double l2 = c[3];
-    const double g = c[4];
-    const double z_3 = l1*m2;
-    const double z_6 = m1*l1;
-    const double z_7 = l1*l1;
-    c[5] = l2*z_3;
-    c[6] = g*z_6 + g*z_3;
-    c[7] = m2*l2*g;
-    c[8] = m1*z_7 + m2*z_7;
-    c[9] = m2*(l2*l2);
-    c[10] = z_6;
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double c_0 = c[5];
     const double c_3 = c[8];
     const double c_4 = c[9];
@@ -93,10 +99,10 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[5];
     const double theta1 = x[0];
     const double theta2 = x[1];
@@ -104,28 +110,30 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double sin_theta1 = em_sin(theta1);
     const double cos_theta1 = em_cos(theta1);
     const double sin_theta2 = em_sin(theta2);
-    const double z_7 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    dM[2] = dM[1] = -z_7;
-    dM[6] = dM[5] = z_7;
+    const double z_4 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    dM[2] = dM[1] = -z_4;
+    dM[6] = dM[5] = z_4;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double c_0 = c[5];
     const double c_1 = c[6];
     const double c_2 = c[7];
@@ -135,20 +143,20 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
-    const double z_7 = cos_theta2*sin_theta1;
+    const double z_2 = cos_theta2*sin_theta1;
     const double cos_theta1 = em_cos(theta1);
     const double sin_theta2 = em_sin(theta2);
-    const double z_10 = cos_theta1*sin_theta2;
-    const double z_11 = theta1_dot*theta2_dot*(c_0*(z_7 - z_10));
-    const double z_13 = c_0*(theta1_dot*z_7 + theta2_dot*z_10) - c_0*(theta1_dot*z_10 + theta2_dot*z_7);
-    bias[0] = -((z_11 + sin_theta1*c_1) - theta2_dot*z_13);
-    bias[1] = (z_11 - sin_theta2*c_2) + theta1_dot*z_13;
+    const double z_5 = cos_theta1*sin_theta2;
+    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
+    const double z_7 = c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2);
+    bias[0] = -((z_6 + sin_theta1*c_1) - theta2_dot*z_7);
+    bias[1] = (z_6 - sin_theta2*c_2) + theta1_dot*z_7;
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m2 = c[1];
     const double l1 = c[2];
     const double l2 = c[3];
@@ -165,26 +173,51 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
-    const double z_10 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_10) + theta2_dot*(theta1_dot*z_10 + theta2_dot*c_4));
+    const double z_4 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_4) + theta2_dot*(theta1_dot*z_4 + theta2_dot*c_4));
     e[1] = 0.0;
     e[2] = 0.0;
     e[3] = -g*(m2*(l1*cos_theta1 + l2*cos_theta2) + cos_theta1*c_5);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
+{
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double z_2 = cos_theta2*sin_theta1;
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta1*sin_theta2;
+    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2));
+    Mdot1[1][1] = 0.0;
+    f1[0] = -(z_6 + sin_theta1*c_1);
+    f1[1] = z_6 - sin_theta2*c_2;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -192,8 +225,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta1, theta2: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2], y[3] };
@@ -210,29 +242,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[0] = v1[0];
     dy[1] = v1[1];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double theta1_dot = v1[0];
-    const double theta2_dot = v1[1];
-    const double theta1 = y[0];
-    const double theta2 = y[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double z_6 = cos_theta2*sin_theta1;
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_10 = cos_theta1*sin_theta2;
-    const double z_11 = theta1_dot*theta2_dot*(c_0*(z_6 - z_10));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_6 + theta2_dot*z_10) - c_0*(theta1_dot*z_10 +
-        theta2_dot*z_6));
-    Mdot1[1][1] = 0.0;
-    f1[0] = -(z_11 + sin_theta1*c_1);
-    f1[1] = z_11 - sin_theta2*c_2;
+    double Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* theta1, theta2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -273,19 +284,15 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[4])
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
     const double c_0 = c[5];
     const double c_3 = c[8];
     const double c_4 = c[9];
-    const double theta1 = y[0];
-    const double theta2 = y[1];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
     const double cos_theta1 = em_cos(theta1);
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
@@ -293,6 +300,43 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     M1[0][0] = c_3;
     M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     M1[1][1] = c_4;
+    shared[0] = cos_theta2;
+    shared[1] = sin_theta1;
+    shared[2] = cos_theta1;
+    shared[3] = sin_theta2;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[4],
+                                 double Mdot1[N1][N1], double f1[N1])
+{
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double cos_theta2 = shared[0];
+    const double sin_theta1 = shared[1];
+    const double cos_theta1 = shared[2];
+    const double sin_theta2 = shared[3];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double z_4 = cos_theta2*sin_theta1;
+    const double z_5 = cos_theta1*sin_theta2;
+    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_4 - z_5));
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
+    Mdot1[1][1] = 0.0;
+    f1[0] = -(z_6 + sin_theta1*c_1);
+    f1[1] = z_6 - sin_theta2*c_2;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[4];
+    triangular_masses(y, c, M1, shared);
 
     /* theta1, theta2: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -308,22 +352,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[0] = v1[0];
     dy[1] = v1[1];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double theta1_dot = v1[0];
-    const double theta2_dot = v1[1];
-    const double z_10 = cos_theta2*sin_theta1;
-    const double z_12 = cos_theta1*sin_theta2;
-    const double z_13 = theta1_dot*theta2_dot*(c_0*(z_10 - z_12));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_10 + theta2_dot*z_12) - c_0*(theta1_dot*z_12 +
-        theta2_dot*z_10));
-    Mdot1[1][1] = 0.0;
-    f1[0] = -(z_13 + sin_theta1*c_1);
-    f1[1] = z_13 - sin_theta2*c_2;
+    double Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
 
     /* theta1, theta2: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -354,19 +384,15 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double shared[4])
 {
-    int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
     const double c_0 = c[5];
     const double c_3 = c[8];
     const double c_4 = c[9];
-    const double theta1 = y[0];
-    const double theta2 = y[1];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
     const double cos_theta1 = em_cos(theta1);
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
@@ -374,6 +400,39 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     M1[0][0] = c_3;
     M1[0][1] = M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     M1[1][1] = c_4;
+    shared[0] = cos_theta2;
+    shared[1] = sin_theta1;
+    shared[2] = cos_theta1;
+    shared[3] = sin_theta2;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[5];
+    const double cos_theta2 = shared[0];
+    const double sin_theta1 = shared[1];
+    const double cos_theta1 = shared[2];
+    const double sin_theta2 = shared[3];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double z_4 = cos_theta2*sin_theta1;
+    const double z_5 = cos_theta1*sin_theta2;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
+    Mdot1[1][1] = 0.0;
+}
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    double M1[N1][N1], shared[4];
+    settled_masses(y, c, M1, shared);
 
     /* theta1, theta2 */
     double eta1[N1] = { y[2], y[3] };
@@ -393,6 +452,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -400,15 +460,11 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double theta1_dot = v1[0];
-    const double theta2_dot = v1[1];
-    const double z_10 = cos_theta2*sin_theta1;
-    const double z_12 = cos_theta1*sin_theta2;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_10 + theta2_dot*z_12) - c_0*(theta1_dot*z_12 +
-        theta2_dot*z_10));
-    Mdot1[1][1] = 0.0;
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:d7a74218f2d6ebafbdaa355c691fa7f23367a6151732c262d2bd657f71885f84 */
+/* body sha256:b2a9edda5e3f81b1f39a5d9751d1183c839eac6239d496aba847c35b3e8e168c */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -55,29 +55,35 @@ enum {
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double l = parameters[1];
+    const double g = parameters[2];
+    const double a_ = parameters[3];
+    const double w = parameters[4];
+    const double z_0 = m*g;
+    const double z_1 = a_*w;
+    M1[0][0] = m;
+    M2[0][0] = m;
+    prepared[13] = -z_0;
+    prepared[14] = z_1;
+    prepared[15] = a_*(w*w);
+    prepared[16] = 2.0*z_1;
+    prepared[17] = l*l;
+    prepared[18] = fabs(a_);
+    prepared[19] = z_0;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    double M1[N1][N1];
-    double M2[N2][N2];
-    const double m = c[0];
-    const double l = c[1];
-    const double g = c[2];
-    const double a_ = c[3];
-    const double w = c[4];
-    const double z_2 = m*g;
-    const double z_5 = a_*w;
-    M1[0][0] = m;
-    M2[0][0] = m;
-    c[13] = -z_2;
-    c[14] = z_5;
-    c[15] = a_*(w*w);
-    c[16] = 2.0*z_5;
-    c[17] = l*l;
-    c[18] = fabs(a_);
-    c[19] = z_2;
+    double M1[N1][N1], M2[N2][N2];
+    prepared_constants(parameters, M1, M2, c);
     /* block 1 (x): C, s, L, 1 / diag L */
     static const int coordinate1[N1] = { 0 };
     const int singular1 = em_prepare_block(N1, M1[0], c + 5, c + 6, c + 7, c + 8);
@@ -90,9 +96,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t, (void)x;
     const double m = c[0];
     M[0] = m;
     M[2] = M[1] = 0.0;
@@ -100,52 +106,55 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                 EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t, (void)x, (void)c;
+    dM[0] = 0.0;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                     double *restrict b)
 {
     const double a_ = c[3];
     const double w = c[4];
     const double c_3 = c[16];
     const double x_ = x[0];
-    const double y_ = x[1];
-    const double z_5 = t*w;
-    const double cos_z_5 = em_cos(z_5);
-    const double z_7 = y_ - a_*cos_z_5;
-    const double sin_z_5 = em_sin(z_5);
+    const double y = x[1];
+    const double z_0 = t*w;
+    const double cos_z_0 = em_cos(z_0);
+    const double z_2 = y - a_*cos_z_0;
+    const double sin_z_0 = em_sin(z_0);
     A[0] = 2.0*x_;
-    A[1] = 2.0*z_7;
-    b[0] = c_3*(z_7*sin_z_5);
+    A[1] = 2.0*z_2;
+    b[0] = c_3*(z_2*sin_z_0);
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                     double *restrict terms)
 {
     const double a_ = c[3];
     const double w = c[4];
     const double c_4 = c[17];
     const double c_5 = c[18];
     const double x_ = x[0];
-    const double y_ = x[1];
-    const double z_1 = x_*x_;
-    const double z_6 = t*w;
-    const double cos_z_6 = em_cos(z_6);
-    const double z_8 = y_ - a_*cos_z_6;
-    const double sin_z_6 = em_sin(z_6);
-    phi[0] = z_1 + z_8*z_8 - c_4;
-    terms[0] = 2.0*(z_1 + c_4 + (fabs(y_) + c_5*(fabs(cos_z_6) + fabs(z_6*sin_z_6)))*fabs(z_8));
+    const double y = x[1];
+    const double z_0 = x_*x_;
+    const double z_1 = t*w;
+    const double cos_z_1 = em_cos(z_1);
+    const double z_3 = y - a_*cos_z_1;
+    const double sin_z_1 = em_sin(z_1);
+    phi[0] = z_0 + z_3*z_3 - c_4;
+    terms[0] = 2.0*(z_0 + c_4 + (fabs(y) + c_5*(fabs(cos_z_1) + fabs(z_1*sin_z_1)))*fabs(z_3));
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)u;
     const double a_ = c[3];
     const double w = c[4];
     const double c_0 = c[13];
@@ -153,45 +162,72 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double c_2 = c[15];
     const double x_dot = v[0];
     const double y_dot = v[1];
-    const double y_ = x[1];
-    const double z_5 = t*w;
-    const double sin_z_5 = em_sin(z_5);
-    const double z_8 = sin_z_5*c_1;
-    const double z_9 = y_dot + z_8;
-    const double cos_z_5 = em_cos(z_5);
+    const double y = x[1];
+    const double z_0 = t*w;
+    const double sin_z_0 = em_sin(z_0);
+    const double z_2 = sin_z_0*c_1;
+    const double z_3 = y_dot + z_2;
+    const double cos_z_0 = em_cos(z_0);
     bias[0] = 0.0;
     bias[1] = c_0;
-    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_9) + (z_8*z_9 + cos_z_5*(y_ - a_*cos_z_5)*c_2));
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_3) + (z_2*z_3 + cos_z_0*(y - a_*cos_z_0)*c_2));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m = c[0];
     const double c_6 = c[19];
     const double x_dot = v[0];
     const double y_dot = v[1];
-    const double y_ = x[1];
+    const double y = x[1];
     e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = y_*c_6;
+    e[3] = y*c_6;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double f1[N1], double f2[N2],
+                                  double A1[N_ROWS][N1], double A2[N_ROWS][N2], double gamma[N_ROWS])
+{
+    const double a_ = c[3];
+    const double w = c[4];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double c_2 = c[15];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double x_ = x[0];
+    const double y = x[1];
+    const double z_0 = t*w;
+    const double cos_z_0 = em_cos(z_0);
+    const double z_2 = y - a_*cos_z_0;
+    const double sin_z_0 = em_sin(z_0);
+    const double z_4 = sin_z_0*c_1;
+    const double z_5 = y_dot + z_4;
+    f1[0] = 0.0;
+    f2[0] = c_0;
+    A1[0][0] = 2.0*x_;
+    A2[0][0] = 2.0*z_2;
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_5) + (z_4*z_5 + cos_z_0*z_2*c_2));
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -199,8 +235,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
@@ -224,32 +259,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[1] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double f2[N2];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double gamma[N_ROWS];
-    const double a_ = c[3];
-    const double w = c[4];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double c_2 = c[15];
-    const double x_dot = v1[0];
-    const double y_dot = v2[0];
-    const double x_ = y[0];
-    const double y_ = y[1];
-    const double z_6 = t*w;
-    const double cos_z_6 = em_cos(z_6);
-    const double z_8 = y_ - a_*cos_z_6;
-    const double sin_z_6 = em_sin(z_6);
-    const double z_13 = sin_z_6*c_1;
-    const double z_14 = y_dot + z_13;
-    f1[0] = 0.0;
-    f2[0] = c_0;
-    A1[0][0] = 2.0*x_;
-    A2[0][0] = 2.0*z_8;
-    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_14) + (z_13*z_14 + cos_z_6*z_8*c_2));
+    double f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    eigenfactor_motion(t, y, dy, c, f1, f2, A1, A2, gamma);
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
@@ -315,6 +326,24 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 #include "em_mechanics.h"
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(double t, const double *restrict x, const double *restrict c,
+                              double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS])
+{
+    const double a_ = c[3];
+    const double w = c[4];
+    const double c_3 = c[16];
+    const double x_ = x[0];
+    const double y = x[1];
+    const double z_0 = t*w;
+    const double cos_z_0 = em_cos(z_0);
+    const double z_2 = y - a_*cos_z_0;
+    const double sin_z_0 = em_sin(z_0);
+    A1[0][0] = 2.0*x_;
+    A2[0][0] = 2.0*z_2;
+    b[0] = c_3*(z_2*sin_z_0);
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -323,21 +352,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double b[N_ROWS];
-    const double a_ = c[3];
-    const double w = c[4];
-    const double c_3 = c[16];
-    const double x_ = y[0];
-    const double y_ = y[1];
-    const double z_5 = t*w;
-    const double cos_z_5 = em_cos(z_5);
-    const double z_7 = y_ - a_*cos_z_5;
-    const double sin_z_5 = em_sin(z_5);
-    A1[0][0] = 2.0*x_;
-    A2[0][0] = 2.0*z_7;
-    b[0] = c_3*(z_7*sin_z_5);
+    double A1[N_ROWS][N1], A2[N_ROWS][N2], b[N_ROWS];
+    settled_masses(t, y, c, A1, A2, b);
 
     /* x */
     double eta1[N1] = { y[2] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:906ac789c6d70d95df48b06f1982d73973707c03f9fc0cdbcae427a619c8e027 */
+/* body sha256:75f407b904c55b81952616d56bff3922d392719fba7b5361034d3576952051f5 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -59,26 +59,33 @@ enum {
 static const int block[N] = { 0, 0, 0, 1 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double m1 = parameters[0];
+    const double m2 = parameters[1];
+    const double m3 = parameters[2];
+    const double l2 = parameters[4];
+    const double l3 = parameters[5];
+    const double K2 = parameters[7];
+    const double z_0 = m1 + m2;
+    M2[0][0] = m3*(l3*l3);
+    prepared[13] = 2.0*z_0;
+    prepared[14] = m2*l2;
+    prepared[15] = l2*K2;
+    prepared[16] = z_0;
+    prepared[17] = m2*(l2*l2);
+    prepared[18] = m3*(l3*l3);
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
-    const double m1 = c[0];
-    const double m2 = c[1];
-    const double m3 = c[2];
-    const double l2 = c[4];
-    const double l3 = c[5];
-    const double K2 = c[7];
-    const double z_4 = m1 + m2;
-    M2[0][0] = m3*(l3*l3);
-    c[13] = 2.0*z_4;
-    c[14] = m2*l2;
-    c[15] = l2*K2;
-    c[16] = z_4;
-    c[17] = m2*(l2*l2);
-    c[18] = m3*(l3*l3);
+    prepared_constants(parameters, M2, c);
     /* block 2 (theta4): C, s, L, 1 / diag L */
     static const int coordinate2[N2] = { 3 };
     const int singular2 = em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12);
@@ -87,9 +94,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double l1 = c[3];
     const double c_1 = c[14];
     const double c_3 = c[16];
@@ -98,13 +105,13 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double theta1 = x[0];
     const double theta2 = x[1];
     const double theta3 = x[2];
-    const double z_3 = theta3 + l1;
+    const double z_0 = theta3 + l1;
     const double cos_theta1 = em_cos(theta1);
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
-    M[0] = c_3*(z_3*z_3);
-    M[4] = M[1] = z_3*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    M[0] = c_3*(z_0*z_0);
+    M[4] = M[1] = z_0*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
     M[5] = c_4;
     M[8] = M[2] = 0.0;
     M[9] = M[6] = c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
@@ -116,35 +123,35 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double l1 = c[3];
     const double c_0 = c[13];
     const double c_1 = c[14];
     const double theta1 = x[0];
     const double theta2 = x[1];
     const double theta3 = x[2];
-    const double z_2 = theta3 + l1;
+    const double z_0 = theta3 + l1;
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double cos_theta1 = em_cos(theta1);
     const double sin_theta2 = em_sin(theta2);
-    const double z_10 = z_2*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    const double z_11 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    dM[4] = dM[1] = -z_10;
-    dM[9] = dM[6] = z_11;
-    dM[20] = dM[17] = z_10;
-    dM[25] = dM[22] = -z_11;
-    dM[32] = z_2*c_0;
-    dM[36] = dM[33] = z_11;
+    const double z_5 = z_0*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    const double z_6 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    dM[4] = dM[1] = -z_5;
+    dM[9] = dM[6] = z_6;
+    dM[20] = dM[17] = z_5;
+    dM[25] = dM[22] = -z_6;
+    dM[32] = z_0*c_0;
+    dM[36] = dM[33] = z_6;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                     double *restrict A, double *restrict b)
 {
-(void)t;
     const double l1 = c[3];
     const double l2 = c[4];
     const double theta1 = x[0];
@@ -161,16 +168,17 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)t, (void)u;
     const double l1 = c[3];
     const double l2 = c[4];
     const double K1 = c[6];
@@ -187,41 +195,41 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta2 = x[1];
     const double theta3 = x[2];
     const double theta4 = x[3];
-    const double z_3 = K3*(theta1 + 1.5707963267948966 - theta4);
-    const double z_6 = theta3 + l1;
+    const double z_0 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double z_1 = theta3 + l1;
     const double cos_theta1 = em_cos(theta1);
-    const double z_8 = z_6*cos_theta1;
+    const double z_3 = z_1*cos_theta1;
     const double sin_theta2 = em_sin(theta2);
-    const double z_13 = l2*sin_theta2;
+    const double z_5 = l2*sin_theta2;
     const double sin_theta1 = em_sin(theta1);
-    const double z_15 = z_6*sin_theta1;
-    const double z_16 = 4.0 - z_13 - z_15;
+    const double z_7 = z_1*sin_theta1;
+    const double z_8 = 4.0 - z_5 - z_7;
     const double cos_theta2 = em_cos(theta2);
-    const double z_18 = z_8 + l2*cos_theta2;
-    const double z_22 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_23 = theta3_dot*z_22;
-    const double z_24 = theta2_dot*z_23;
-    const double z_25 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    const double z_27 = theta1_dot*z_6;
-    const double z_28 = c_1*(z_24 - theta2_dot*(z_25*z_27));
-    const double z_29 = theta1_dot - theta2_dot;
-    const double z_30 = z_29*z_25;
-    const double z_35 = z_22*(theta2_dot*c_1);
-    const double z_36 = theta3_dot*cos_theta1;
-    bias[0] = -(((z_3 - z_8*K2*z_16 - K2*z_18*z_15) - z_28) + (c_1*(z_24 - theta2_dot*(z_6*z_30)) +
-        c_0*(theta3_dot*z_27)));
-    bias[1] = (c_2*(cos_theta2*z_16 + z_18*sin_theta2) - z_28) - (c_1*(theta1_dot*z_23 - z_27*z_30) +
-        c_1*z_29*z_23);
-    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_16 - cos_theta1*z_18)) - (z_6*c_3*(theta1_dot*theta1_dot) +
-        theta1_dot*z_35)) + z_29*z_35);
-    bias[3] = z_3;
-    gamma[0] = theta1_dot*(z_36 - sin_theta1*z_27) + theta1_dot*z_36 - z_13*(theta2_dot*theta2_dot);
+    const double z_10 = z_3 + l2*cos_theta2;
+    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_12 = theta3_dot*z_11;
+    const double z_13 = theta2_dot*z_12;
+    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double z_15 = theta1_dot*z_1;
+    const double z_16 = c_1*(z_13 - theta2_dot*(z_14*z_15));
+    const double z_17 = theta1_dot - theta2_dot;
+    const double z_18 = z_17*z_14;
+    const double z_19 = z_11*(theta2_dot*c_1);
+    const double z_20 = theta3_dot*cos_theta1;
+    bias[0] = -(((z_0 - z_3*K2*z_8 - K2*z_10*z_7) - z_16) + (c_1*(z_13 - theta2_dot*(z_1*z_18)) +
+        c_0*(theta3_dot*z_15)));
+    bias[1] = (c_2*(cos_theta2*z_8 + z_10*sin_theta2) - z_16) - (c_1*(theta1_dot*z_12 - z_15*z_18) +
+        c_1*z_17*z_12);
+    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_8 - cos_theta1*z_10)) - (z_1*c_3*(theta1_dot*theta1_dot) +
+        theta1_dot*z_19)) + z_17*z_19);
+    bias[3] = z_0;
+    gamma[0] = theta1_dot*(z_20 - sin_theta1*z_15) + theta1_dot*z_20 - z_5*(theta2_dot*theta2_dot);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double l1 = c[3];
     const double l2 = c[4];
     const double K1 = c[6];
@@ -239,38 +247,95 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta2 = x[1];
     const double theta3 = x[2];
     const double theta4 = x[3];
-    const double z_6 = theta3 + l1;
-    const double z_9 = theta2_dot*c_1;
+    const double z_0 = theta3 + l1;
+    const double z_1 = theta2_dot*c_1;
     const double cos_theta1 = em_cos(theta1);
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
-    const double z_16 = z_6*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double z_19 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    const double z_23 = z_6*cos_theta1 + l2*cos_theta2;
-    const double z_24 = 4.0 - l2*sin_theta2 - z_6*sin_theta1;
-    const double z_27 = theta1 + 1.5707963267948966 - theta4;
-    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_6*z_6) + z_9*z_16) +
-        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_16 + theta3_dot*c_1*z_19) + theta3_dot*(theta3_dot*c_3 +
-        z_19*z_9));
+    const double z_6 = z_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double z_8 = z_0*cos_theta1 + l2*cos_theta2;
+    const double z_9 = 4.0 - l2*sin_theta2 - z_0*sin_theta1;
+    const double z_10 = theta1 + 1.5707963267948966 - theta4;
+    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_0*z_0) + z_1*z_6) +
+        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_6 + theta3_dot*c_1*z_7) + theta3_dot*(theta3_dot*c_3 +
+        z_7*z_1));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = 0.5*(K1*(theta3*theta3) + K2*(z_23*z_23 + z_24*z_24) + K3*(z_27*z_27));
+    e[3] = 0.5*(K1*(theta3*theta3) + K2*(z_8*z_8 + z_9*z_9) + K3*(z_10*z_10));
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double f2[N2], double A1[N_ROWS][N1], double gamma[N_ROWS])
+{
+    const double l1 = c[3];
+    const double l2 = c[4];
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double K3 = c[8];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double c_2 = c[15];
+    const double c_3 = c[16];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double theta4 = x[3];
+    const double z_0 = theta3 + l1;
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_6 = theta3_dot*z_5;
+    const double z_7 = theta1_dot - theta2_dot;
+    const double z_8 = z_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    const double z_9 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double z_10 = z_0*cos_theta1;
+    const double z_11 = l2*sin_theta2;
+    const double z_12 = z_0*sin_theta1;
+    const double z_13 = 4.0 - z_11 - z_12;
+    const double z_14 = l2*cos_theta2;
+    const double z_15 = z_10 + z_14;
+    const double z_16 = theta1_dot*theta2_dot;
+    const double z_17 = c_1*(theta2_dot*z_6 - z_8*z_16);
+    const double z_18 = theta3_dot*cos_theta1;
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(z_6 - z_7*z_8);
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = 0.0;
+    Mdot1[1][2] = Mdot1[2][1] = z_5*(c_1*z_7);
+    Mdot1[2][2] = 0.0;
+    f1[0] = -((z_9 - z_10*K2*z_13 - K2*z_15*z_12) - z_17);
+    f1[1] = c_2*(cos_theta2*z_13 + z_15*sin_theta2) - z_17;
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_13 - cos_theta1*z_15)) - (z_0*c_3*(theta1_dot*theta1_dot) +
+        z_5*(c_1*z_16)));
+    f2[0] = z_9;
+    A1[0][0] = z_10;
+    A1[0][1] = z_14;
+    A1[0][2] = sin_theta1;
+    gamma[0] = theta1_dot*(z_18 - theta1_dot*z_12) + theta1_dot*z_18 - z_11*(theta2_dot*theta2_dot);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -278,8 +343,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta1, theta2, theta3: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[4], y[5], y[6] };
@@ -308,62 +372,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[3] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double l1 = c[3];
-    const double l2 = c[4];
-    const double K1 = c[6];
-    const double K2 = c[7];
-    const double K3 = c[8];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double c_2 = c[15];
-    const double c_3 = c[16];
-    const double theta1_dot = v1[0];
-    const double theta2_dot = v1[1];
-    const double theta3_dot = v1[2];
-    const double theta1 = y[0];
-    const double theta2 = y[1];
-    const double theta3 = y[2];
-    const double theta4 = y[3];
-    const double z_4 = theta3 + l1;
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_12 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_13 = theta3_dot*z_12;
-    const double z_16 = theta1_dot - theta2_dot;
-    const double z_17 = z_4*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    const double z_20 = K3*(theta1 + 1.5707963267948966 - theta4);
-    const double z_21 = z_4*cos_theta1;
-    const double z_24 = l2*sin_theta2;
-    const double z_25 = z_4*sin_theta1;
-    const double z_26 = 4.0 - z_24 - z_25;
-    const double z_27 = l2*cos_theta2;
-    const double z_28 = z_21 + z_27;
-    const double z_29 = theta1_dot*theta2_dot;
-    const double z_30 = c_1*(theta2_dot*z_13 - z_17*z_29);
-    const double z_34 = theta3_dot*cos_theta1;
-    Mdot1[0][0] = c_0*(theta3_dot*z_4);
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(z_13 - z_16*z_17);
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = 0.0;
-    Mdot1[1][2] = Mdot1[2][1] = z_12*(c_1*z_16);
-    Mdot1[2][2] = 0.0;
-    f1[0] = -((z_20 - z_21*K2*z_26 - K2*z_28*z_25) - z_30);
-    f1[1] = c_2*(cos_theta2*z_26 + z_28*sin_theta2) - z_30;
-    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_26 - cos_theta1*z_28)) - (z_4*c_3*(theta1_dot*theta1_dot) +
-        z_12*(c_1*z_29)));
-    f2[0] = z_20;
-    A1[0][0] = z_21;
-    A1[0][1] = z_27;
-    A1[0][2] = sin_theta1;
-    gamma[0] = theta1_dot*(z_34 - theta1_dot*z_25) + theta1_dot*z_34 - z_24*(theta2_dot*theta2_dot);
+    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, gamma);
 
     /* theta1, theta2, theta3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -444,35 +454,105 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[8])
+{
+    const double l1 = c[3];
+    const double c_1 = c[14];
+    const double c_3 = c[16];
+    const double c_4 = c[17];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double z_0 = theta3 + l1;
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_6 = c_1*z_5;
+    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    M1[0][0] = c_3*(z_0*z_0);
+    M1[1][0] = z_0*z_6;
+    M1[1][1] = c_4;
+    M1[2][0] = 0.0;
+    M1[2][1] = c_1*z_7;
+    M1[2][2] = c_3;
+    shared[0] = z_0;
+    shared[1] = z_5;
+    shared[2] = z_7;
+    shared[3] = z_6;
+    shared[4] = cos_theta1;
+    shared[5] = sin_theta2;
+    shared[6] = sin_theta1;
+    shared[7] = cos_theta2;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
+                                 const double shared[8], double Mdot1[N1][N1], double f1[N1], double f2[N2],
+                                 double A1[N_ROWS][N1], double gamma[N_ROWS])
+{
+    const double l2 = c[4];
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double K3 = c[8];
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double c_2 = c[15];
+    const double c_3 = c[16];
+    const double z_0 = shared[0];
+    const double z_5 = shared[1];
+    const double z_7 = shared[2];
+    const double z_6 = shared[3];
+    const double cos_theta1 = shared[4];
+    const double sin_theta2 = shared[5];
+    const double sin_theta1 = shared[6];
+    const double cos_theta2 = shared[7];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double theta1 = x[0];
+    const double theta3 = x[2];
+    const double theta4 = x[3];
+    const double z_8 = theta1_dot - theta2_dot;
+    const double z_9 = z_0*z_7;
+    const double z_10 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double z_11 = z_0*cos_theta1;
+    const double z_12 = l2*sin_theta2;
+    const double z_13 = z_0*sin_theta1;
+    const double z_14 = 4.0 - z_12 - z_13;
+    const double z_15 = l2*cos_theta2;
+    const double z_16 = z_11 + z_15;
+    const double z_17 = theta1_dot*theta2_dot;
+    const double z_18 = c_1*(z_5*(theta2_dot*theta3_dot) - z_9*z_17);
+    const double z_19 = theta3_dot*cos_theta1;
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_8*z_9);
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = 0.0;
+    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
+    Mdot1[2][2] = 0.0;
+    f1[0] = -((z_10 - z_11*K2*z_14 - K2*z_16*z_13) - z_18);
+    f1[1] = c_2*(cos_theta2*z_14 + z_16*sin_theta2) - z_18;
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_14 - cos_theta1*z_16)) - (z_0*c_3*(theta1_dot*theta1_dot) +
+        z_6*z_17));
+    f2[0] = z_10;
+    A1[0][0] = z_11;
+    A1[0][1] = z_15;
+    A1[0][2] = sin_theta1;
+    gamma[0] = theta1_dot*(z_19 - theta1_dot*z_13) + theta1_dot*z_19 - z_12*(theta2_dot*theta2_dot);
+}
+
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
  * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
-    const double l1 = c[3];
-    const double c_1 = c[14];
-    const double c_3 = c[16];
-    const double c_4 = c[17];
-    const double theta1 = y[0];
-    const double theta2 = y[1];
-    const double theta3 = y[2];
-    const double z_3 = theta3 + l1;
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_12 = c_1*z_11;
-    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    M1[0][0] = c_3*(z_3*z_3);
-    M1[1][0] = z_3*z_12;
-    M1[1][1] = c_4;
-    M1[2][0] = 0.0;
-    M1[2][1] = c_1*z_14;
-    M1[2][2] = c_3;
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[8];
+    triangular_masses(y, c, M1, shared);
 
     /* theta1, theta2, theta3: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -500,49 +580,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double *const v2 = w2;
     dy[3] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double l2 = c[4];
-    const double K1 = c[6];
-    const double K2 = c[7];
-    const double K3 = c[8];
-    const double c_0 = c[13];
-    const double c_2 = c[15];
-    const double theta1_dot = v1[0];
-    const double theta2_dot = v1[1];
-    const double theta3_dot = v1[2];
-    const double theta4 = y[3];
-    const double z_19 = theta1_dot - theta2_dot;
-    const double z_20 = z_3*z_14;
-    const double z_23 = K3*(theta1 + 1.5707963267948966 - theta4);
-    const double z_24 = z_3*cos_theta1;
-    const double z_27 = l2*sin_theta2;
-    const double z_28 = z_3*sin_theta1;
-    const double z_29 = 4.0 - z_27 - z_28;
-    const double z_30 = l2*cos_theta2;
-    const double z_31 = z_24 + z_30;
-    const double z_32 = theta1_dot*theta2_dot;
-    const double z_33 = c_1*(z_11*(theta2_dot*theta3_dot) - z_20*z_32);
-    const double z_36 = theta3_dot*cos_theta1;
-    Mdot1[0][0] = c_0*(theta3_dot*z_3);
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_11 - z_19*z_20);
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = 0.0;
-    Mdot1[1][2] = Mdot1[2][1] = z_19*z_12;
-    Mdot1[2][2] = 0.0;
-    f1[0] = -((z_23 - z_24*K2*z_29 - K2*z_31*z_28) - z_33);
-    f1[1] = c_2*(cos_theta2*z_29 + z_31*sin_theta2) - z_33;
-    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_29 - cos_theta1*z_31)) - (z_3*c_3*(theta1_dot*theta1_dot) +
-        z_12*z_32));
-    f2[0] = z_23;
-    A1[0][0] = z_24;
-    A1[0][1] = z_30;
-    A1[0][2] = sin_theta1;
-    gamma[0] = theta1_dot*(z_36 - theta1_dot*z_28) + theta1_dot*z_36 - z_27*(theta2_dot*theta2_dot);
+    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], gamma[N_ROWS];
+    triangular_motion(y, dy, c, shared, Mdot1, f1, f2, A1, gamma);
 
     /* theta1, theta2, theta3: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -611,6 +650,64 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[4])
+{
+    const double l1 = c[3];
+    const double l2 = c[4];
+    const double c_1 = c[14];
+    const double c_3 = c[16];
+    const double c_4 = c[17];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    const double theta3 = x[2];
+    const double z_0 = theta3 + l1;
+    const double cos_theta1 = em_cos(theta1);
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_6 = c_1*z_5;
+    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    M1[0][0] = c_3*(z_0*z_0);
+    M1[0][1] = M1[1][0] = z_0*z_6;
+    M1[1][1] = c_4;
+    M1[0][2] = M1[2][0] = 0.0;
+    M1[1][2] = M1[2][1] = c_1*z_7;
+    M1[2][2] = c_3;
+    A1[0][0] = z_0*cos_theta1;
+    A1[0][1] = l2*cos_theta2;
+    A1[0][2] = sin_theta1;
+    b[0] = 0.0;
+    shared[0] = z_0;
+    shared[1] = z_5;
+    shared[2] = z_7;
+    shared[3] = z_6;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[13];
+    const double c_1 = c[14];
+    const double z_0 = shared[0];
+    const double z_5 = shared[1];
+    const double z_7 = shared[2];
+    const double z_6 = shared[3];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double z_8 = theta1_dot - theta2_dot;
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_7*(z_0*z_8));
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = 0.0;
+    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
+    Mdot1[2][2] = 0.0;
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -618,35 +715,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
-    double A1[N_ROWS][N1];
-    double b[N_ROWS];
-    const double l1 = c[3];
-    const double l2 = c[4];
-    const double c_1 = c[14];
-    const double c_3 = c[16];
-    const double c_4 = c[17];
-    const double theta1 = y[0];
-    const double theta2 = y[1];
-    const double theta3 = y[2];
-    const double z_3 = theta3 + l1;
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_12 = c_1*z_11;
-    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    M1[0][0] = c_3*(z_3*z_3);
-    M1[0][1] = M1[1][0] = z_3*z_12;
-    M1[1][1] = c_4;
-    M1[0][2] = M1[2][0] = 0.0;
-    M1[1][2] = M1[2][1] = c_1*z_14;
-    M1[2][2] = c_3;
-    A1[0][0] = z_3*cos_theta1;
-    A1[0][1] = l2*cos_theta2;
-    A1[0][2] = sin_theta1;
-    b[0] = 0.0;
+    double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, b, shared);
 
     /* theta1, theta2, theta3 */
     double eta1[N1] = { y[4], y[5], y[6] };
@@ -669,6 +739,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -676,21 +747,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            v[2] = v1[2];
             double v2[N2];
             memcpy(v2, eta2, sizeof v2);
             em_from_axes(N2, c + 9, c + 10, v2);
-    const double c_0 = c[13];
-    const double theta1_dot = v1[0];
-    const double theta2_dot = v1[1];
-    const double theta3_dot = v1[2];
-    const double z_20 = theta1_dot - theta2_dot;
-    Mdot1[0][0] = c_0*(theta3_dot*z_3);
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_11 - z_14*(z_3*z_20));
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = 0.0;
-    Mdot1[1][2] = Mdot1[2][1] = z_20*z_12;
-    Mdot1[2][2] = 0.0;
+            v[3] = v2[0];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

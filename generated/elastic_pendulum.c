@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:2cd1c4f5594b978ae24b2b9b1a0abc9af6bd9634d36859f1ac9fe8a094cbd05d */
+/* body sha256:e90abc2f63a6341ac1e7bf34083cc05a9ba33e0a032f9a115c494b78e60bb055 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -55,19 +55,26 @@ enum {
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double g = parameters[2];
+    const double z_0 = m*g;
+    M2[0][0] = m;
+    prepared[8] = 2.0*m;
+    prepared[9] = z_0;
+    prepared[10] = 2.0*z_0;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
-    const double m = c[0];
-    const double g = c[2];
-    const double z_2 = m*g;
-    M2[0][0] = m;
-    c[8] = 2.0*m;
-    c[9] = z_2;
-    c[10] = 2.0*z_2;
+    prepared_constants(parameters, M2, c);
     /* block 2 (r): C, s, L, 1 / diag L */
     static const int coordinate2[N2] = { 1 };
     const int singular2 = em_prepare_block(N2, M2[0], c + 4, c + 5, c + 6, c + 7);
@@ -76,9 +83,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double m = c[0];
     const double r = x[1];
     M[0] = m*(r*r);
@@ -87,32 +94,34 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[8];
     const double r = x[1];
     dM[4] = r*c_0;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double m = c[0];
     const double k = c[1];
     const double L = c[3];
@@ -129,9 +138,9 @@ static void motion_bias(double t, const double *restrict x, const double *restri
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m = c[0];
     const double k = c[1];
     const double L = c[3];
@@ -140,27 +149,56 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double r_dot = v[1];
     const double theta = x[0];
     const double r = x[1];
-    const double z_6 = r - L;
+    const double z_0 = r - L;
     const double cos_theta = em_cos(theta);
     e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = 0.5*(k*(z_6*z_6) - c_2*(r*cos_theta));
+    e[3] = 0.5*(k*(z_0*z_0) - c_2*(r*cos_theta));
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* M of single coordinates */
+EM_INLINE void eigenfactor_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
+{
+    const double m = c[0];
+    const double r = x[1];
+    M1[0][0] = m*(r*r);
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double f2[N2])
+{
+    const double m = c[0];
+    const double k = c[1];
+    const double L = c[3];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double theta_dot = v[0];
+    const double r_dot = v[1];
+    const double theta = x[0];
+    const double r = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    Mdot1[0][0] = c_0*(r_dot*r);
+    f1[0] = -r*c_1*sin_theta;
+    f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -168,16 +206,14 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
-    const double m = c[0];
-    const double r = y[1];
-    const double M1 = m*(r*r);
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    double M1[N1][N1];
+    eigenfactor_masses(y, c, M1);
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
-    if (!(M1 > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1);
-    const double s1[1] = { sqrt(M1) };
+    if (!(M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1[0][0]);
+    const double s1[1] = { sqrt(M1[0][0]) };
     double r1[N1], w1[N1];
     for (int i = 0; i < N1; ++i) {
         r1[i] = 1.0/s1[i];
@@ -197,24 +233,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[1] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double f2[N2];
-    const double k = c[1];
-    const double L = c[3];
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double theta_dot = v1[0];
-    const double r_dot = v2[0];
-    const double theta = y[0];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    const double Mdot1 = c_0*(r_dot*r);
-    f1[0] = -r*c_1*sin_theta;
-    f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
+    double Mdot1[N1][N1], f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
 
     /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
-    const double s1_dot = 0.5*Mdot1*r1[0];
+    const double s1_dot = 0.5*Mdot1[0][0]*r1[0];
     const double a1[1] = { r1[0]*(f1[0] - s1_dot*eta1[0]) };
 
     /* r: constant factors, a = S^-1 C f (41) */
@@ -231,6 +254,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 #include "em_mechanics.h"
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
+{
+    const double m = c[0];
+    const double r = x[1];
+    M1[0][0] = m*(r*r);
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -238,11 +269,10 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    const double m = c[0];
-    const double r = y[1];
-    const double M1 = m*(r*r);
-    if (!(M1 > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1);
-    memory[1] = 1.0/sqrt(M1);
+    double M1[N1][N1];
+    settled_masses(y, c, M1);
+    if (!(M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1[0][0]);
+    memory[1] = 1.0/sqrt(M1[0][0]);
     return changed;
 }
 

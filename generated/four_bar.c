@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:9eba08a3288c3677408bf523e2c7e49e520b83122f55ff79d4b6b43d80f6ca29 */
+/* body sha256:42645ac5019ee2fc6a4125469d3b8e641f4070e404dad8d482b0d2abb2d3bb9e */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -58,46 +58,53 @@ enum {
 static const int block[N] = { 0, 0, 1 };
 static const double scales[N] = { 1.0, 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double a_ = parameters[0];
+    const double b = parameters[1];
+    const double c_ = parameters[2];
+    const double d = parameters[3];
+    const double density = parameters[4];
+    const double g = parameters[5];
+    const double z_0 = c_*c_;
+    const double z_1 = density*c_*z_0;
+    const double z_2 = b*b;
+    const double z_3 = density*a_;
+    const double z_4 = density*g;
+    const double z_5 = a_*a_;
+    const double z_6 = density*b;
+    const double z_7 = z_5*z_3 + 3.0*z_5*z_6;
+    const double z_8 = z_2*z_6;
+    M2[0][0] = (1.0/3.0)*z_1;
+    prepared[10] = z_2*z_3;
+    prepared[11] = z_4*z_5 + 2.0*a_*b*z_4;
+    prepared[12] = z_4*z_2;
+    prepared[13] = 0.5*(z_4*z_0);
+    prepared[14] = (1.0/3.0)*z_7;
+    prepared[15] = (1.0/3.0)*z_8;
+    prepared[16] = (1.0/3.0)*z_1;
+    prepared[17] = fabs(a_);
+    prepared[18] = fabs(b);
+    prepared[19] = fabs(c_);
+    prepared[20] = fabs(d);
+    prepared[21] = 2.0*z_7;
+    prepared[22] = 2.0*z_8;
+    prepared[23] = 2.0*z_1;
+    prepared[24] = 2.0*a_;
+    prepared[25] = z_5;
+    prepared[26] = z_0;
+    prepared[27] = 0.5*z_4;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
-    const double a_ = c[0];
-    const double b_ = c[1];
-    const double c_ = c[2];
-    const double d = c[3];
-    const double density = c[4];
-    const double g = c[5];
-    const double z_2 = c_*c_;
-    const double z_3 = density*c_*z_2;
-    const double z_5 = b_*b_;
-    const double z_7 = density*a_;
-    const double z_9 = density*g;
-    const double z_10 = a_*a_;
-    const double z_11 = density*b_;
-    const double z_12 = z_10*z_7 + 3.0*z_10*z_11;
-    const double z_13 = z_5*z_11;
-    M2[0][0] = (1.0/3.0)*z_3;
-    c[10] = z_5*z_7;
-    c[11] = z_9*z_10 + 2.0*a_*b_*z_9;
-    c[12] = z_9*z_5;
-    c[13] = 0.5*(z_9*z_2);
-    c[14] = (1.0/3.0)*z_12;
-    c[15] = (1.0/3.0)*z_13;
-    c[16] = (1.0/3.0)*z_3;
-    c[17] = fabs(a_);
-    c[18] = fabs(b_);
-    c[19] = fabs(c_);
-    c[20] = fabs(d);
-    c[21] = 2.0*z_12;
-    c[22] = 2.0*z_13;
-    c[23] = 2.0*z_3;
-    c[24] = 2.0*a_;
-    c[25] = z_10;
-    c[26] = z_2;
-    c[27] = 0.5*z_9;
+    prepared_constants(parameters, M2, c);
     /* block 2 (q3): C, s, L, 1 / diag L */
     static const int coordinate2[N2] = { 2 };
     const int singular2 = em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9);
@@ -106,21 +113,21 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double c_0 = c[10];
     const double c_4 = c[14];
     const double c_5 = c[15];
     const double c_6 = c[16];
-    const double q1_ = x[0];
-    const double q2_ = x[1];
-    const double cos_q1_ = em_cos(q1_);
-    const double cos_q2_ = em_cos(q2_);
-    const double sin_q1_ = em_sin(q1_);
-    const double sin_q2_ = em_sin(q2_);
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double cos_q1 = em_cos(q1);
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
     M[0] = c_4;
-    M[3] = M[1] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
+    M[3] = M[1] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
     M[4] = c_5;
     M[6] = M[2] = 0.0;
     M[7] = M[5] = 0.0;
@@ -128,84 +135,84 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[10];
-    const double q1_ = x[0];
-    const double q2_ = x[1];
-    const double cos_q2_ = em_cos(q2_);
-    const double sin_q1_ = em_sin(q1_);
-    const double cos_q1_ = em_cos(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    const double z_7 = c_0*(cos_q2_*sin_q1_ - cos_q1_*sin_q2_);
-    dM[3] = dM[1] = (-0.5)*z_7;
-    dM[12] = dM[10] = 0.5*z_7;
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = c_0*(cos_q2*sin_q1 - cos_q1*sin_q2);
+    dM[3] = dM[1] = (-0.5)*z_4;
+    dM[12] = dM[10] = 0.5*z_4;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                     double *restrict A, double *restrict b)
 {
-(void)t;
     const double a_ = c[0];
     const double b_ = c[1];
     const double c_ = c[2];
-    const double q1_ = x[0];
-    const double q2_ = x[1];
-    const double q3_ = x[2];
-    const double sin_q1_ = em_sin(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    const double sin_q3_ = em_sin(q3_);
-    const double cos_q1_ = em_cos(q1_);
-    const double cos_q2_ = em_cos(q2_);
-    const double cos_q3_ = em_cos(q3_);
-    A[0] = -a_*sin_q1_;
-    A[1] = -b_*sin_q2_;
-    A[2] = c_*sin_q3_;
-    A[3] = a_*cos_q1_;
-    A[4] = b_*cos_q2_;
-    A[5] = -c_*cos_q3_;
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double q3 = x[2];
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    const double sin_q3 = em_sin(q3);
+    const double cos_q1 = em_cos(q1);
+    const double cos_q2 = em_cos(q2);
+    const double cos_q3 = em_cos(q3);
+    A[0] = -a_*sin_q1;
+    A[1] = -b_*sin_q2;
+    A[2] = c_*sin_q3;
+    A[3] = a_*cos_q1;
+    A[4] = b_*cos_q2;
+    A[5] = -c_*cos_q3;
     b[0] = 0.0;
     b[1] = 0.0;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                     double *restrict phi, double *restrict terms)
 {
-(void)t;
     const double a_ = c[0];
-    const double b_ = c[1];
+    const double b = c[1];
     const double c_ = c[2];
     const double d = c[3];
     const double c_7 = c[17];
     const double c_8 = c[18];
     const double c_9 = c[19];
     const double c_10 = c[20];
-    const double q1_ = x[0];
-    const double q2_ = x[1];
-    const double q3_ = x[2];
-    const double cos_q1_ = em_cos(q1_);
-    const double cos_q2_ = em_cos(q2_);
-    const double cos_q3_ = em_cos(q3_);
-    const double sin_q1_ = em_sin(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    const double sin_q3_ = em_sin(q3_);
-    phi[0] = a_*cos_q1_ + b_*cos_q2_ - c_*cos_q3_ - d;
-    phi[1] = a_*sin_q1_ + b_*sin_q2_ - c_*sin_q3_;
-    terms[0] = c_7*(fabs(cos_q1_) + fabs(q1_*sin_q1_)) + c_8*(fabs(cos_q2_) + fabs(q2_*sin_q2_)) +
-        c_9*(fabs(cos_q3_) + fabs(q3_*sin_q3_)) + c_10;
-    terms[1] = c_7*(fabs(sin_q1_) + fabs(q1_*cos_q1_)) + c_8*(fabs(sin_q2_) + fabs(q2_*cos_q2_)) +
-        c_9*(fabs(sin_q3_) + fabs(q3_*cos_q3_));
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double q3 = x[2];
+    const double cos_q1 = em_cos(q1);
+    const double cos_q2 = em_cos(q2);
+    const double cos_q3 = em_cos(q3);
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    const double sin_q3 = em_sin(q3);
+    phi[0] = a_*cos_q1 + b*cos_q2 - c_*cos_q3 - d;
+    phi[1] = a_*sin_q1 + b*sin_q2 - c_*sin_q3;
+    terms[0] = c_7*(fabs(cos_q1) + fabs(q1*sin_q1)) + c_8*(fabs(cos_q2) + fabs(q2*sin_q2)) + c_9*(fabs(cos_q3) +
+        fabs(q3*sin_q3)) + c_10;
+    terms[1] = c_7*(fabs(sin_q1) + fabs(q1*cos_q1)) + c_8*(fabs(sin_q2) + fabs(q2*cos_q2)) + c_9*(fabs(sin_q3) +
+        fabs(q3*cos_q3));
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)t, (void)u;
     const double a_ = c[0];
-    const double b_ = c[1];
+    const double b = c[1];
     const double c_ = c[2];
     const double c_0 = c[10];
     const double c_1 = c[11];
@@ -214,34 +221,34 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double q1_dot = v[0];
     const double q2_dot = v[1];
     const double q3_dot = v[2];
-    const double q1_ = x[0];
-    const double q2_ = x[1];
-    const double q3_ = x[2];
-    const double cos_q2_ = em_cos(q2_);
-    const double sin_q1_ = em_sin(q1_);
-    const double z_7 = cos_q2_*sin_q1_;
-    const double cos_q1_ = em_cos(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    const double z_10 = cos_q1_*sin_q2_;
-    const double z_11 = q1_dot*q2_dot*(c_0*(z_7 - z_10));
-    const double z_13 = c_0*(q1_dot*z_7 + q2_dot*z_10) - c_0*(q1_dot*z_10 + q2_dot*z_7);
-    const double cos_q3_ = em_cos(q3_);
-    const double z_19 = a_*(q1_dot*q1_dot);
-    const double z_21 = b_*(q2_dot*q2_dot);
-    const double z_24 = c_*(q3_dot*q3_dot);
-    const double sin_q3_ = em_sin(q3_);
-    bias[0] = (-0.5)*((z_11 + cos_q1_*c_1) - q2_dot*z_13);
-    bias[1] = 0.5*((z_11 - cos_q2_*c_2) + q1_dot*z_13);
-    bias[2] = -cos_q3_*c_3;
-    gamma[0] = -(cos_q1_*z_19 + cos_q2_*z_21 - cos_q3_*z_24);
-    gamma[1] = -(sin_q1_*z_19 + sin_q2_*z_21 - sin_q3_*z_24);
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double q3 = x[2];
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double z_2 = cos_q2*sin_q1;
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_5 = cos_q1*sin_q2;
+    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
+    const double z_7 = c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2);
+    const double cos_q3 = em_cos(q3);
+    const double z_9 = a_*(q1_dot*q1_dot);
+    const double z_10 = b*(q2_dot*q2_dot);
+    const double z_11 = c_*(q3_dot*q3_dot);
+    const double sin_q3 = em_sin(q3);
+    bias[0] = (-0.5)*((z_6 + cos_q1*c_1) - q2_dot*z_7);
+    bias[1] = 0.5*((z_6 - cos_q2*c_2) + q1_dot*z_7);
+    bias[2] = -cos_q3*c_3;
+    gamma[0] = -(cos_q1*z_9 + cos_q2*z_10 - cos_q3*z_11);
+    gamma[1] = -(sin_q1*z_9 + sin_q2*z_10 - sin_q3*z_11);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
-    const double b_ = c[1];
+    const double b = c[1];
     const double c_0 = c[10];
     const double c_11 = c[21];
     const double c_12 = c[22];
@@ -253,35 +260,88 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double q1_dot = v[0];
     const double q2_dot = v[1];
     const double q3_dot = v[2];
-    const double q1_ = x[0];
-    const double q2_ = x[1];
-    const double q3_ = x[2];
-    const double cos_q1_ = em_cos(q1_);
-    const double cos_q2_ = em_cos(q2_);
-    const double sin_q1_ = em_sin(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    const double z_9 = c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_);
-    const double sin_q3_ = em_sin(q3_);
-    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_9 + q1_dot*c_11) + q2_dot*(3.0*q1_dot*z_9 + q2_dot*c_12) +
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double q3 = x[2];
+    const double cos_q1 = em_cos(q1);
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = c_0*(cos_q1*cos_q2 + sin_q1*sin_q2);
+    const double sin_q3 = em_sin(q3);
+    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_4 + q1_dot*c_11) + q2_dot*(3.0*q1_dot*z_4 + q2_dot*c_12) +
         c_13*(q3_dot*q3_dot));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = (b_*(b_*sin_q2_ + sin_q1_*c_14) + c_15*sin_q1_ + sin_q3_*c_16)*c_17;
+    e[3] = (b*(b*sin_q2 + sin_q1*c_14) + c_15*sin_q1 + sin_q3*c_16)*c_17;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double f2[N2], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
+                                  double gamma[N_ROWS])
+{
+    const double a_ = c[0];
+    const double b = c[1];
+    const double c_ = c[2];
+    const double c_0 = c[10];
+    const double c_1 = c[11];
+    const double c_2 = c[12];
+    const double c_3 = c[13];
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double q3_dot = v[2];
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double q3 = x[2];
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double z_2 = cos_q2*sin_q1;
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_5 = cos_q1*sin_q2;
+    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
+    const double cos_q3 = em_cos(q3);
+    const double z_8 = a_*sin_q1;
+    const double z_9 = b*sin_q2;
+    const double z_10 = a_*cos_q1;
+    const double z_11 = b*cos_q2;
+    const double sin_q3 = em_sin(q3);
+    const double z_13 = c_*sin_q3;
+    const double z_14 = c_*cos_q3;
+    const double z_15 = q1_dot*q1_dot;
+    const double z_16 = q2_dot*q2_dot;
+    const double z_17 = q3_dot*q3_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2));
+    Mdot1[1][1] = 0.0;
+    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
+    f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    f2[0] = -cos_q3*c_3;
+    A1[0][0] = -z_8;
+    A1[0][1] = -z_9;
+    A1[1][0] = z_10;
+    A1[1][1] = z_11;
+    A2[0][0] = z_13;
+    A2[1][0] = -z_14;
+    gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
+    gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -289,8 +349,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* q1, q2: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4] };
@@ -318,58 +377,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[2] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double gamma[N_ROWS];
-    const double a_ = c[0];
-    const double b_ = c[1];
-    const double c_ = c[2];
-    const double c_0 = c[10];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double c_3 = c[13];
-    const double q1_dot = v1[0];
-    const double q2_dot = v1[1];
-    const double q3_dot = v2[0];
-    const double q1_ = y[0];
-    const double q2_ = y[1];
-    const double q3_ = y[2];
-    const double cos_q2_ = em_cos(q2_);
-    const double sin_q1_ = em_sin(q1_);
-    const double z_6 = cos_q2_*sin_q1_;
-    const double cos_q1_ = em_cos(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    const double z_10 = cos_q1_*sin_q2_;
-    const double z_11 = q1_dot*q2_dot*(c_0*(z_6 - z_10));
-    const double cos_q3_ = em_cos(q3_);
-    const double z_18 = a_*sin_q1_;
-    const double z_20 = b_*sin_q2_;
-    const double z_21 = a_*cos_q1_;
-    const double z_22 = b_*cos_q2_;
-    const double sin_q3_ = em_sin(q3_);
-    const double z_25 = c_*sin_q3_;
-    const double z_26 = c_*cos_q3_;
-    const double z_27 = q1_dot*q1_dot;
-    const double z_28 = q2_dot*q2_dot;
-    const double z_30 = q3_dot*q3_dot;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_6 + q2_dot*z_10) - c_0*(q1_dot*z_10 + q2_dot*z_6));
-    Mdot1[1][1] = 0.0;
-    f1[0] = (-0.5)*(z_11 + cos_q1_*c_1);
-    f1[1] = 0.5*(z_11 - cos_q2_*c_2);
-    f2[0] = -cos_q3_*c_3;
-    A1[0][0] = -z_18;
-    A1[0][1] = -z_20;
-    A1[1][0] = z_21;
-    A1[1][1] = z_22;
-    A2[0][0] = z_25;
-    A2[1][0] = -z_26;
-    gamma[0] = -(z_21*z_27 + z_22*z_28 - z_26*z_30);
-    gamma[1] = -(z_18*z_27 + z_20*z_28 - z_25*z_30);
+    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, A2, gamma);
 
     /* q1, q2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -465,26 +474,86 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[4])
+{
+    const double c_0 = c[10];
+    const double c_4 = c[14];
+    const double c_5 = c[15];
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double cos_q1 = em_cos(q1);
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    M1[0][0] = c_4;
+    M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    M1[1][1] = c_5;
+    shared[0] = cos_q2;
+    shared[1] = sin_q1;
+    shared[2] = cos_q1;
+    shared[3] = sin_q2;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
+                                 const double shared[4], double Mdot1[N1][N1], double f1[N1], double f2[N2],
+                                 double A1[N_ROWS][N1], double A2[N_ROWS][N2], double gamma[N_ROWS])
+{
+    const double a_ = c[0];
+    const double b = c[1];
+    const double c_ = c[2];
+    const double c_0 = c[10];
+    const double c_1 = c[11];
+    const double c_2 = c[12];
+    const double c_3 = c[13];
+    const double cos_q2 = shared[0];
+    const double sin_q1 = shared[1];
+    const double cos_q1 = shared[2];
+    const double sin_q2 = shared[3];
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double q3_dot = v[2];
+    const double q3 = x[2];
+    const double z_4 = cos_q2*sin_q1;
+    const double z_5 = cos_q1*sin_q2;
+    const double z_6 = q1_dot*q2_dot*(c_0*(z_4 - z_5));
+    const double cos_q3 = em_cos(q3);
+    const double z_8 = a_*sin_q1;
+    const double z_9 = b*sin_q2;
+    const double z_10 = a_*cos_q1;
+    const double z_11 = b*cos_q2;
+    const double sin_q3 = em_sin(q3);
+    const double z_13 = c_*sin_q3;
+    const double z_14 = c_*cos_q3;
+    const double z_15 = q1_dot*q1_dot;
+    const double z_16 = q2_dot*q2_dot;
+    const double z_17 = q3_dot*q3_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_4 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_4));
+    Mdot1[1][1] = 0.0;
+    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
+    f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    f2[0] = -cos_q3*c_3;
+    A1[0][0] = -z_8;
+    A1[0][1] = -z_9;
+    A1[1][0] = z_10;
+    A1[1][1] = z_11;
+    A2[0][0] = z_13;
+    A2[1][0] = -z_14;
+    gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
+    gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
+}
+
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
  * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
-    const double c_0 = c[10];
-    const double c_4 = c[14];
-    const double c_5 = c[15];
-    const double q1_ = y[0];
-    const double q2_ = y[1];
-    const double cos_q1_ = em_cos(q1_);
-    const double cos_q2_ = em_cos(q2_);
-    const double sin_q1_ = em_sin(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    M1[0][0] = c_4;
-    M1[1][0] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
-    M1[1][1] = c_5;
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[4];
+    triangular_masses(y, c, M1, shared);
 
     /* q1, q2: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -511,51 +580,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double *const v2 = w2;
     dy[2] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double gamma[N_ROWS];
-    const double a_ = c[0];
-    const double b_ = c[1];
-    const double c_ = c[2];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double c_3 = c[13];
-    const double q1_dot = v1[0];
-    const double q2_dot = v1[1];
-    const double q3_dot = v2[0];
-    const double q3_ = y[2];
-    const double z_10 = cos_q2_*sin_q1_;
-    const double z_12 = cos_q1_*sin_q2_;
-    const double z_13 = q1_dot*q2_dot*(c_0*(z_10 - z_12));
-    const double cos_q3_ = em_cos(q3_);
-    const double z_20 = a_*sin_q1_;
-    const double z_22 = b_*sin_q2_;
-    const double z_23 = a_*cos_q1_;
-    const double z_24 = b_*cos_q2_;
-    const double sin_q3_ = em_sin(q3_);
-    const double z_27 = c_*sin_q3_;
-    const double z_28 = c_*cos_q3_;
-    const double z_29 = q1_dot*q1_dot;
-    const double z_30 = q2_dot*q2_dot;
-    const double z_32 = q3_dot*q3_dot;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_10 + q2_dot*z_12) - c_0*(q1_dot*z_12 + q2_dot*z_10));
-    Mdot1[1][1] = 0.0;
-    f1[0] = (-0.5)*(z_13 + cos_q1_*c_1);
-    f1[1] = 0.5*(z_13 - cos_q2_*c_2);
-    f2[0] = -cos_q3_*c_3;
-    A1[0][0] = -z_20;
-    A1[0][1] = -z_22;
-    A1[1][0] = z_23;
-    A1[1][1] = z_24;
-    A2[0][0] = z_27;
-    A2[1][0] = -z_28;
-    gamma[0] = -(z_23*z_29 + z_24*z_30 - z_28*z_32);
-    gamma[1] = -(z_20*z_29 + z_22*z_30 - z_27*z_32);
+    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    triangular_motion(y, dy, c, shared, Mdot1, f1, f2, A1, A2, gamma);
 
     /* q1, q2: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -639,6 +665,61 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS],
+                              double shared[4])
+{
+    const double a_ = c[0];
+    const double b_ = c[1];
+    const double c_ = c[2];
+    const double c_0 = c[10];
+    const double c_4 = c[14];
+    const double c_5 = c[15];
+    const double q1 = x[0];
+    const double q2 = x[1];
+    const double q3 = x[2];
+    const double cos_q1 = em_cos(q1);
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    const double sin_q3 = em_sin(q3);
+    const double cos_q3 = em_cos(q3);
+    M1[0][0] = c_4;
+    M1[0][1] = M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    M1[1][1] = c_5;
+    A1[0][0] = -a_*sin_q1;
+    A1[0][1] = -b_*sin_q2;
+    A1[1][0] = a_*cos_q1;
+    A1[1][1] = b_*cos_q2;
+    A2[0][0] = c_*sin_q3;
+    A2[1][0] = -c_*cos_q3;
+    b[0] = 0.0;
+    b[1] = 0.0;
+    shared[0] = cos_q2;
+    shared[1] = sin_q1;
+    shared[2] = cos_q1;
+    shared[3] = sin_q2;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[10];
+    const double cos_q2 = shared[0];
+    const double sin_q1 = shared[1];
+    const double cos_q1 = shared[2];
+    const double sin_q2 = shared[3];
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double z_6 = cos_q2*sin_q1;
+    const double z_7 = cos_q1*sin_q2;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_6 + q2_dot*z_7) - c_0*(q1_dot*z_7 + q2_dot*z_6));
+    Mdot1[1][1] = 0.0;
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -647,36 +728,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
-    double M1[N1][N1];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double b[N_ROWS];
-    const double a_ = c[0];
-    const double b_ = c[1];
-    const double c_ = c[2];
-    const double c_0 = c[10];
-    const double c_4 = c[14];
-    const double c_5 = c[15];
-    const double q1_ = y[0];
-    const double q2_ = y[1];
-    const double q3_ = y[2];
-    const double cos_q1_ = em_cos(q1_);
-    const double cos_q2_ = em_cos(q2_);
-    const double sin_q1_ = em_sin(q1_);
-    const double sin_q2_ = em_sin(q2_);
-    const double sin_q3_ = em_sin(q3_);
-    const double cos_q3_ = em_cos(q3_);
-    M1[0][0] = c_4;
-    M1[0][1] = M1[1][0] = 0.5*(c_0*(cos_q1_*cos_q2_ + sin_q1_*sin_q2_));
-    M1[1][1] = c_5;
-    A1[0][0] = -a_*sin_q1_;
-    A1[0][1] = -b_*sin_q2_;
-    A1[1][0] = a_*cos_q1_;
-    A1[1][1] = b_*cos_q2_;
-    A2[0][0] = c_*sin_q3_;
-    A2[1][0] = -c_*cos_q3_;
-    b[0] = 0.0;
-    b[1] = 0.0;
+    double M1[N1][N1], A1[N_ROWS][N1], A2[N_ROWS][N2], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, A2, b, shared);
 
     /* q1, q2 */
     double eta1[N1] = { y[3], y[4] };
@@ -699,6 +752,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -706,17 +760,15 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
             double v2[N2];
             memcpy(v2, eta2, sizeof v2);
             em_from_axes(N2, c + 6, c + 7, v2);
-    const double q1_dot = v1[0];
-    const double q2_dot = v1[1];
-    const double z_16 = cos_q2_*sin_q1_;
-    const double z_18 = cos_q1_*sin_q2_;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_16 + q2_dot*z_18) - c_0*(q1_dot*z_18 + q2_dot*z_16));
-    Mdot1[1][1] = 0.0;
+            v[2] = v2[0];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

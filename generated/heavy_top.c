@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:dee24c9fac992014ccb7cd15962d80a3388276d8ad8d60bc7d1917e5e5a79c5f */
+/* body sha256:5d816923c7b5edd0af6558ed986e2e96723ee6a152affdb7c78f6be63e139542 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -57,22 +57,29 @@ enum {
 static const int block[N] = { 0, 1, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double l = parameters[1];
+    const double g = parameters[2];
+    const double J = parameters[3];
+    const double J3 = parameters[4];
+    const double z_0 = J - J3;
+    M2[0][0] = J;
+    prepared[9] = 2.0*z_0;
+    prepared[10] = z_0;
+    prepared[11] = g*l*m;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
-    const double m = c[0];
-    const double l = c[1];
-    const double g = c[2];
-    const double J_ = c[3];
-    const double J3 = c[4];
-    const double z_2 = J_ - J3;
-    M2[0][0] = J_;
-    c[9] = 2.0*z_2;
-    c[10] = z_2;
-    c[11] = g*l*m;
+    prepared_constants(parameters, M2, c);
     /* block 2 (theta): C, s, L, 1 / diag L */
     static const int coordinate2[N2] = { 1 };
     const int singular2 = em_prepare_block(N2, M2[0], c + 5, c + 6, c + 7, c + 8);
@@ -81,27 +88,27 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
-    const double J_ = c[3];
+    const double J = c[3];
     const double J3 = c[4];
     const double theta = x[1];
     const double sin_theta = em_sin(theta);
     const double cos_theta = em_cos(theta);
-    M[0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M[0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M[3] = M[1] = 0.0;
-    M[4] = J_;
+    M[4] = J;
     M[6] = M[2] = J3*cos_theta;
     M[7] = M[5] = 0.0;
     M[8] = J3;
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double J3 = c[4];
     const double c_0 = c[9];
     const double theta = x[1];
@@ -112,22 +119,24 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double J3 = c[4];
     const double c_0 = c[9];
     const double c_1 = c[10];
@@ -137,20 +146,20 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double psi_dot = v[2];
     const double theta = x[1];
     const double sin_theta = em_sin(theta);
-    const double z_5 = psi_dot*J3;
+    const double z_1 = psi_dot*J3;
     const double cos_theta = em_cos(theta);
-    const double z_9 = phi_dot*sin_theta;
-    const double z_10 = theta_dot*z_9;
-    bias[0] = -(cos_theta*c_0*z_10 - theta_dot*sin_theta*z_5);
-    bias[1] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - z_9*z_5) + sin_theta*c_2;
-    bias[2] = J3*z_10;
+    const double z_3 = phi_dot*sin_theta;
+    const double z_4 = theta_dot*z_3;
+    bias[0] = -(cos_theta*c_0*z_4 - theta_dot*sin_theta*z_1);
+    bias[1] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - z_3*z_1) + sin_theta*c_2;
+    bias[2] = J3*z_4;
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
-    const double J_ = c[3];
+    const double J = c[3];
     const double J3 = c[4];
     const double c_2 = c[11];
     const double phi_dot = v[0];
@@ -159,26 +168,50 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta = x[1];
     const double sin_theta = em_sin(theta);
     const double cos_theta = em_cos(theta);
-    e[0] = 0.5*(phi_dot*(phi_dot*(J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
-        J_*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
+    e[0] = 0.5*(phi_dot*(phi_dot*(J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
+        J*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
     e[1] = 0.0;
     e[2] = 0.0;
     e[3] = cos_theta*c_2;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double f2[N2])
+{
+    const double J3 = c[4];
+    const double c_0 = c[9];
+    const double c_1 = c[10];
+    const double c_2 = c[11];
+    const double phi_dot = v[0];
+    const double theta_dot = v[1];
+    const double psi_dot = v[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double z_2 = theta_dot*sin_theta;
+    Mdot1[0][0] = cos_theta*c_0*z_2;
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
+    Mdot1[1][1] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -186,8 +219,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* phi, psi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[5] };
@@ -215,27 +247,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[1] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    const double J3 = c[4];
-    const double c_0 = c[9];
-    const double c_1 = c[10];
-    const double c_2 = c[11];
-    const double phi_dot = v1[0];
-    const double psi_dot = v1[1];
-    const double theta_dot = v2[0];
-    const double theta = y[1];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_5 = theta_dot*sin_theta;
-    Mdot1[0][0] = cos_theta*c_0*z_5;
-    Mdot1[0][1] = Mdot1[1][0] = -J3*z_5;
-    Mdot1[1][1] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+    double Mdot1[N1][N1], f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
 
     /* phi, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -283,22 +296,52 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[2])
+{
+    const double J = c[3];
+    const double J3 = c[4];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[1][0] = J3*cos_theta;
+    M1[1][1] = J3;
+    shared[0] = cos_theta;
+    shared[1] = sin_theta;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[2],
+                                 double Mdot1[N1][N1], double f1[N1], double f2[N2])
+{
+    const double J3 = c[4];
+    const double c_0 = c[9];
+    const double c_1 = c[10];
+    const double c_2 = c[11];
+    const double cos_theta = shared[0];
+    const double sin_theta = shared[1];
+    const double phi_dot = v[0];
+    const double theta_dot = v[1];
+    const double psi_dot = v[2];
+    const double z_2 = theta_dot*sin_theta;
+    Mdot1[0][0] = cos_theta*c_0*z_2;
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
+    Mdot1[1][1] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+}
+
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
  * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
-    const double J_ = c[3];
-    const double J3 = c[4];
-    const double theta = y[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    M1[0][0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
-    M1[1][0] = J3*cos_theta;
-    M1[1][1] = J3;
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[2];
+    triangular_masses(y, c, M1, shared);
 
     /* phi, psi: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -325,23 +368,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double *const v2 = w2;
     dy[1] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    const double c_0 = c[9];
-    const double c_1 = c[10];
-    const double c_2 = c[11];
-    const double phi_dot = v1[0];
-    const double psi_dot = v1[1];
-    const double theta_dot = v2[0];
-    const double z_7 = theta_dot*sin_theta;
-    Mdot1[0][0] = cos_theta*c_0*z_7;
-    Mdot1[0][1] = Mdot1[1][0] = -J3*z_7;
-    Mdot1[1][1] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+    double Mdot1[N1][N1], f1[N1], f2[N2];
+    triangular_motion(dy, c, shared, Mdot1, f1, f2);
 
     /* phi, psi: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -379,6 +407,37 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double shared[2])
+{
+    const double J = c[3];
+    const double J3 = c[4];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[0][1] = M1[1][0] = J3*cos_theta;
+    M1[1][1] = J3;
+    shared[0] = cos_theta;
+    shared[1] = sin_theta;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[2],
+                             double Mdot1[N1][N1])
+{
+    const double J3 = c[4];
+    const double c_0 = c[9];
+    const double cos_theta = shared[0];
+    const double sin_theta = shared[1];
+    const double theta_dot = v[1];
+    const double z_2 = theta_dot*sin_theta;
+    Mdot1[0][0] = c_0*(cos_theta*z_2);
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
+    Mdot1[1][1] = 0.0;
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -386,15 +445,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
-    const double J_ = c[3];
-    const double J3 = c[4];
-    const double theta = y[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    M1[0][0] = J_*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
-    M1[0][1] = M1[1][0] = J3*cos_theta;
-    M1[1][1] = J3;
+    double M1[N1][N1], shared[2];
+    settled_masses(y, c, M1, shared);
 
     /* phi, psi */
     double eta1[N1] = { y[3], y[5] };
@@ -417,6 +469,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -424,16 +477,15 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[2] = v1[1];
             double v2[N2];
             memcpy(v2, eta2, sizeof v2);
             em_from_axes(N2, c + 5, c + 6, v2);
-    const double c_0 = c[9];
-    const double theta_dot = v2[0];
-    const double z_7 = theta_dot*sin_theta;
-    Mdot1[0][0] = c_0*(cos_theta*z_7);
-    Mdot1[0][1] = Mdot1[1][0] = -J3*z_7;
-    Mdot1[1][1] = 0.0;
+            v[1] = v2[0];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

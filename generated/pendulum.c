@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:c501e1c3596654c0e87ffe35057051e1bb7eeda817c4b444d87e3232357606bd */
+/* body sha256:7307138deb3e13ea48016371aea81a04b657d95560346865157310cc4aa1a4ef */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -21,7 +21,6 @@
  *
  * Operations of the straight-line part:
  *   eigenfactor: 1 multiplications, 1 function calls
- *   projection: none
  */
 #include "pendulum.h"
 
@@ -51,20 +50,27 @@ enum {
 static const int block[N] = { 0 };
 static const double scales[N] = { 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double l = parameters[1];
+    const double g = parameters[2];
+    const double z_0 = m*(l*l);
+    M1[0][0] = z_0;
+    prepared[7] = m*l*g;
+    prepared[8] = z_0;
+    prepared[9] = 0.5*z_0;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
-    const double m = c[0];
-    const double l = c[1];
-    const double g = c[2];
-    const double z_2 = m*(l*l);
-    M1[0][0] = z_2;
-    c[7] = m*l*g;
-    c[8] = z_2;
-    c[9] = 0.5*z_2;
+    prepared_constants(parameters, M1, c);
     /* block 1 (theta): C, s, L, 1 / diag L */
     static const int coordinate1[N1] = { 0 };
     const int singular1 = em_prepare_block(N1, M1[0], c + 3, c + 4, c + 5, c + 6);
@@ -73,37 +79,40 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t, (void)x;
     const double c_1 = c[8];
     M[0] = c_1;
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                 EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t, (void)x, (void)c;
+    dM[0] = 0.0;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)v, (void)u, (void)gamma;
     const double c_0 = c[7];
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
@@ -111,9 +120,9 @@ static void motion_bias(double t, const double *restrict x, const double *restri
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double c_0 = c[7];
     const double c_2 = c[9];
     const double theta_dot = v[0];
@@ -126,18 +135,27 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict c, double f1[N1])
+{
+    const double c_0 = c[7];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    f1[0] = -c_0*sin_theta;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -145,8 +163,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[1] };
@@ -159,12 +176,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v1 = w1;
     dy[0] = v1[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
     double f1[N1];
-    const double c_0 = c[7];
-    const double theta = y[0];
-    const double sin_theta = em_sin(theta);
-    f1[0] = -c_0*sin_theta;
+    eigenfactor_motion(y, c, f1);
 
     /* theta: constant factors, a = S^-1 C f (41) */
     double a1[N1];

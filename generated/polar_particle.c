@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:a013567b260b803466f9b62263e896025bf6248d4c03c03828c71467252f8b47 */
+/* body sha256:0733dd6ad9918f8915f62e1adc0d2c7f411c5ba95d94c23b26acdfde17814a15 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -55,17 +55,24 @@ enum {
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double mu = parameters[1];
+    M1[0][0] = m;
+    prepared[6] = 2.0*m;
+    prepared[7] = m*mu;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
-    const double m = c[0];
-    const double mu = c[1];
-    M1[0][0] = m;
-    c[6] = 2.0*m;
-    c[7] = m*mu;
+    prepared_constants(parameters, M1, c);
     /* block 1 (r): C, s, L, 1 / diag L */
     static const int coordinate1[N1] = { 0 };
     const int singular1 = em_prepare_block(N1, M1[0], c + 2, c + 3, c + 4, c + 5);
@@ -74,9 +81,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double m = c[0];
     const double r = x[0];
     M[0] = m;
@@ -85,32 +92,34 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[6];
     const double r = x[0];
     dM[3] = r*c_0;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double m = c[0];
     const double c_0 = c[6];
     const double c_1 = c[7];
@@ -122,9 +131,9 @@ static void motion_bias(double t, const double *restrict x, const double *restri
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m = c[0];
     const double c_1 = c[7];
     const double r_dot = v[0];
@@ -137,18 +146,46 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* M of single coordinates */
+EM_INLINE void eigenfactor_masses(const double *restrict x, const double *restrict c, double M2[N2][N2],
+                                  double shared[1])
+{
+    const double m = c[0];
+    const double r = x[0];
+    const double z_0 = r*r;
+    M2[0][0] = m*z_0;
+    shared[0] = z_0;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, const double shared[1], double Mdot2[N2][N2],
+                                  double f1[N1], double f2[N2])
+{
+    const double m = c[0];
+    const double c_0 = c[6];
+    const double c_1 = c[7];
+    const double z_0 = shared[0];
+    const double r_dot = v[0];
+    const double theta_dot = v[1];
+    const double r = x[0];
+    Mdot2[0][0] = c_0*(r_dot*r);
+    f1[0] = m*r*(theta_dot*theta_dot) - c_1/z_0;
+    f2[0] = 0.0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -156,12 +193,9 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
-    const double m = c[0];
-    const double r = y[0];
-    const double z_2 = r*r;
-    const double M2 = m*z_2;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    double M2[N2][N2], shared[1];
+    eigenfactor_masses(y, c, M2, shared);
 
     /* r: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
@@ -176,8 +210,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[3] };
-    if (!(M2 > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2);
-    const double s2[1] = { sqrt(M2) };
+    if (!(M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2[0][0]);
+    const double s2[1] = { sqrt(M2[0][0]) };
     double r2[N2], w2[N2];
     for (int i = 0; i < N2; ++i) {
         r2[i] = 1.0/s2[i];
@@ -186,16 +220,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[1] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double f2[N2];
-    const double c_0 = c[6];
-    const double c_1 = c[7];
-    const double r_dot = v1[0];
-    const double theta_dot = v2[0];
-    const double Mdot2 = c_0*(r_dot*r);
-    f1[0] = m*r*(theta_dot*theta_dot) - c_1/z_2;
-    f2[0] = 0.0;
+    double Mdot2[N2][N2], f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, shared, Mdot2, f1, f2);
 
     /* r: constant factors, a = S^-1 C f (41) */
     double a1[N1];
@@ -204,7 +230,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     }
 
     /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
-    const double s2_dot = 0.5*Mdot2*r2[0];
+    const double s2_dot = 0.5*Mdot2[0][0]*r2[0];
     const double a2[1] = { r2[0]*(f2[0] - s2_dot*eta2[0]) };
 
     /* etadot = a - B^T lambda (45) */
@@ -215,6 +241,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 #include "em_mechanics.h"
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M2[N2][N2])
+{
+    const double m = c[0];
+    const double r = x[0];
+    M2[0][0] = m*(r*r);
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -222,11 +256,10 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    const double m = c[0];
-    const double r = y[0];
-    const double M2 = m*(r*r);
-    if (!(M2 > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2);
-    memory[1] = 1.0/sqrt(M2);
+    double M2[N2][N2];
+    settled_masses(y, c, M2);
+    if (!(M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2[0][0]);
+    memory[1] = 1.0/sqrt(M2[0][0]);
     return changed;
 }
 

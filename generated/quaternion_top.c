@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:d54370ef0085be455ededad9849e281c678d7e660fdc0c5e86ca971388066f69 */
+/* body sha256:0ac2219744f95cd7416d72cc6c724e42a6d8d30c43a600e7830be08eea389a36 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -55,47 +55,53 @@ enum {
 static const int block[N] = { 0, 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double l = parameters[1];
+    const double g = parameters[2];
+    const double J = parameters[3];
+    const double J3 = parameters[4];
+    const double z_0 = 1.0/(0.390625*1.0/(1.8587375025371702*J + 2.4974634188618468*J3) +
+        0.765625*1.0/(2.8880884188618468*J + 1.0931125025371702*J3) + 10.546220166818202*1.0/J +
+        1.0931125025371702*1.0/(2.8880884188618468*J + 0.765625*J3) + 2.4974634188618468*1.0/(1.8587375025371702*J
+        + 0.390625*J3));
+    const double z_1 = J - J3;
+    const double z_2 = J - z_0;
+    const double z_3 = J3 - z_0;
+    prepared[5] = z_0;
+    prepared[6] = z_1;
+    prepared[7] = z_2;
+    prepared[8] = z_3;
+    prepared[9] = g*l*m;
+    prepared[10] = 2.0*J3;
+    prepared[11] = 2.0*J;
+    prepared[12] = 2.0*z_0;
+    prepared[13] = 4.0*J3;
+    prepared[14] = 4.0*J;
+    prepared[15] = 8.0*J;
+    prepared[16] = 4.0*z_1;
+    prepared[17] = 8.0*J3;
+    prepared[18] = 4.0*z_3;
+    prepared[19] = 8.0*z_0;
+    prepared[20] = 4.0*z_2;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double m = c[0];
-    const double l = c[1];
-    const double g = c[2];
-    const double J_ = c[3];
-    const double J3 = c[4];
-    const double z_2 = 1.0/(0.390625*1.0/(1.8587375025371702*J_ + 2.4974634188618468*J3) +
-        0.765625*1.0/(2.8880884188618468*J_ + 1.0931125025371702*J3) + 10.546220166818202*1.0/J_ +
-        1.0931125025371702*1.0/(2.8880884188618468*J_ + 0.765625*J3) +
-        2.4974634188618468*1.0/(1.8587375025371702*J_ + 0.390625*J3));
-    const double z_3 = J_ - J3;
-    const double z_4 = J_ - z_2;
-    const double z_5 = J3 - z_2;
-    c[5] = z_2;
-    c[6] = z_3;
-    c[7] = z_4;
-    c[8] = z_5;
-    c[9] = g*l*m;
-    c[10] = 2.0*J3;
-    c[11] = 2.0*J_;
-    c[12] = 2.0*z_2;
-    c[13] = 4.0*J3;
-    c[14] = 4.0*J_;
-    c[15] = 8.0*J_;
-    c[16] = 4.0*z_3;
-    c[17] = 8.0*J3;
-    c[18] = 4.0*z_5;
-    c[19] = 8.0*z_2;
-    c[20] = 4.0*z_4;
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
-    const double J_ = c[3];
+    const double J = c[3];
     const double J3 = c[4];
     const double c_1 = c[6];
     const double c_8 = c[13];
@@ -103,33 +109,33 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
-    const double z_2 = q_3*q_3;
-    const double z_5 = q_1*q_1;
-    const double z_7 = q_2*q_2;
-    const double z_8 = J_*z_5 + J_*z_7;
-    const double z_10 = J_*q_1;
-    const double z_12 = q_2*c_1;
-    const double z_13 = q_0*q_0;
-    const double z_14 = J_*z_13 + J_*z_2;
-    const double z_15 = J_*q_2;
-    const double z_16 = q_1*c_1;
-    M[0] = 4.0*(J3*z_2 + z_8);
-    M[4] = M[1] = (-4.0)*(q_0*z_10 - q_3*z_12);
-    M[5] = 4.0*(J3*z_7 + z_14);
-    M[8] = M[2] = (-4.0)*(q_0*z_15 + q_3*z_16);
+    const double z_0 = q_3*q_3;
+    const double z_1 = q_1*q_1;
+    const double z_2 = q_2*q_2;
+    const double z_3 = J*z_1 + J*z_2;
+    const double z_4 = J*q_1;
+    const double z_5 = q_2*c_1;
+    const double z_6 = q_0*q_0;
+    const double z_7 = J*z_6 + J*z_0;
+    const double z_8 = J*q_2;
+    const double z_9 = q_1*c_1;
+    M[0] = 4.0*(J3*z_0 + z_3);
+    M[4] = M[1] = (-4.0)*(q_0*z_4 - q_3*z_5);
+    M[5] = 4.0*(J3*z_2 + z_7);
+    M[8] = M[2] = (-4.0)*(q_0*z_8 + q_3*z_9);
     M[9] = M[6] = -c_8*(q_1*q_2);
-    M[10] = 4.0*(J3*z_5 + z_14);
+    M[10] = 4.0*(J3*z_1 + z_7);
     M[12] = M[3] = -c_8*(q_3*q_0);
-    M[13] = M[7] = (-4.0)*(q_0*z_12 + q_3*z_10);
-    M[14] = M[11] = (-4.0)*(q_3*z_15 - q_0*z_16);
-    M[15] = 4.0*(J3*z_13 + z_8);
+    M[13] = M[7] = (-4.0)*(q_0*z_5 + q_3*z_4);
+    M[14] = M[11] = (-4.0)*(q_3*z_8 - q_0*z_9);
+    M[15] = 4.0*(J3*z_6 + z_3);
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_8 = c[13];
     const double c_9 = c[14];
     const double c_10 = c[15];
@@ -139,38 +145,38 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
-    const double z_8 = q_2*c_11;
-    const double z_9 = q_1*c_11;
-    const double z_11 = q_3*c_11;
-    const double z_12 = q_0*c_11;
+    const double z_0 = q_2*c_11;
+    const double z_1 = q_1*c_11;
+    const double z_2 = q_3*c_11;
+    const double z_3 = q_0*c_11;
     dM[4] = dM[1] = -q_1*c_9;
     dM[5] = q_0*c_10;
     dM[8] = dM[2] = -q_2*c_9;
     dM[10] = q_0*c_10;
     dM[12] = dM[3] = -q_3*c_8;
-    dM[13] = dM[7] = -z_8;
-    dM[14] = dM[11] = z_9;
+    dM[13] = dM[7] = -z_0;
+    dM[14] = dM[11] = z_1;
     dM[15] = q_0*c_12;
     dM[16] = q_1*c_10;
     dM[20] = dM[17] = -q_0*c_9;
-    dM[24] = dM[18] = -z_11;
+    dM[24] = dM[18] = -z_2;
     dM[25] = dM[22] = -q_2*c_8;
     dM[26] = q_1*c_12;
     dM[29] = dM[23] = -q_3*c_9;
-    dM[30] = dM[27] = z_12;
+    dM[30] = dM[27] = z_3;
     dM[31] = q_1*c_10;
     dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_11;
+    dM[36] = dM[33] = z_2;
     dM[37] = q_2*c_12;
     dM[40] = dM[34] = -q_0*c_9;
     dM[41] = dM[38] = -q_1*c_8;
-    dM[45] = dM[39] = -z_12;
+    dM[45] = dM[39] = -z_3;
     dM[46] = dM[43] = -q_3*c_9;
     dM[47] = q_2*c_10;
     dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_8;
+    dM[52] = dM[49] = z_0;
     dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_9;
+    dM[56] = dM[50] = -z_1;
     dM[58] = q_3*c_10;
     dM[60] = dM[51] = -q_0*c_8;
     dM[61] = dM[55] = -q_1*c_9;
@@ -178,10 +184,10 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
 }
 
 /* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
-static void factored_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void factored_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                            double *restrict M)
 {
-(void)t;
-    const double J_ = c[3];
+    const double J = c[3];
     const double J3 = c[4];
     const double c_0 = c[5];
     const double c_1 = c[6];
@@ -191,34 +197,34 @@ static void factored_matrix(double t, const double *restrict x, const double *re
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
-    const double z_2 = q_3*q_3;
-    const double z_5 = q_0*q_0;
-    const double z_8 = q_1*q_1;
-    const double z_10 = q_2*q_2;
-    const double z_11 = J_*z_8 + J_*z_10;
-    const double z_13 = q_2*q_3;
-    const double z_15 = q_1*q_0;
-    const double z_16 = J_*z_5 + J_*z_2;
-    const double z_17 = q_1*q_3;
-    const double z_18 = q_2*q_0;
-    M[0] = 4.0*(J3*z_2 + c_0*z_5 + z_11);
-    M[4] = M[1] = 4.0*(c_1*z_13 - c_2*z_15);
-    M[5] = 4.0*(J3*z_10 + c_0*z_8 + z_16);
-    M[8] = M[2] = (-4.0)*(c_1*z_17 + c_2*z_18);
+    const double z_0 = q_3*q_3;
+    const double z_1 = q_0*q_0;
+    const double z_2 = q_1*q_1;
+    const double z_3 = q_2*q_2;
+    const double z_4 = J*z_2 + J*z_3;
+    const double z_5 = q_2*q_3;
+    const double z_6 = q_1*q_0;
+    const double z_7 = J*z_1 + J*z_0;
+    const double z_8 = q_1*q_3;
+    const double z_9 = q_2*q_0;
+    M[0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
+    M[4] = M[1] = 4.0*(c_1*z_5 - c_2*z_6);
+    M[5] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
+    M[8] = M[2] = (-4.0)*(c_1*z_8 + c_2*z_9);
     M[9] = M[6] = -c_13*(q_1*q_2);
-    M[10] = 4.0*(J3*z_8 + c_0*z_10 + z_16);
+    M[10] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
     M[12] = M[3] = -c_13*(q_3*q_0);
-    M[13] = M[7] = (-4.0)*(c_1*z_18 + c_2*z_17);
-    M[14] = M[11] = 4.0*(c_1*z_15 - c_2*z_13);
-    M[15] = 4.0*(J3*z_5 + c_0*z_2 + z_11);
+    M[13] = M[7] = (-4.0)*(c_1*z_9 + c_2*z_8);
+    M[14] = M[11] = 4.0*(c_1*z_6 - c_2*z_5);
+    M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
 }
 #define EM_FACTORED factored_matrix
 
 /* dM (n, n, n), of that */
-static void factored_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                              double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_10 = c[15];
     const double c_11 = c[16];
     const double c_12 = c[17];
@@ -229,41 +235,41 @@ static void factored_gradient(double t, const double *restrict x, const double *
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
-    const double z_9 = q_2*c_11;
-    const double z_10 = q_1*c_11;
-    const double z_12 = q_3*c_11;
-    const double z_13 = q_0*c_11;
+    const double z_0 = q_2*c_11;
+    const double z_1 = q_1*c_11;
+    const double z_2 = q_3*c_11;
+    const double z_3 = q_0*c_11;
     dM[0] = q_0*c_14;
     dM[4] = dM[1] = -q_1*c_15;
     dM[5] = q_0*c_10;
     dM[8] = dM[2] = -q_2*c_15;
     dM[10] = q_0*c_10;
     dM[12] = dM[3] = -q_3*c_13;
-    dM[13] = dM[7] = -z_9;
-    dM[14] = dM[11] = z_10;
+    dM[13] = dM[7] = -z_0;
+    dM[14] = dM[11] = z_1;
     dM[15] = q_0*c_12;
     dM[16] = q_1*c_10;
     dM[20] = dM[17] = -q_0*c_15;
     dM[21] = q_1*c_14;
-    dM[24] = dM[18] = -z_12;
+    dM[24] = dM[18] = -z_2;
     dM[25] = dM[22] = -q_2*c_13;
     dM[26] = q_1*c_12;
     dM[29] = dM[23] = -q_3*c_15;
-    dM[30] = dM[27] = z_13;
+    dM[30] = dM[27] = z_3;
     dM[31] = q_1*c_10;
     dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_12;
+    dM[36] = dM[33] = z_2;
     dM[37] = q_2*c_12;
     dM[40] = dM[34] = -q_0*c_15;
     dM[41] = dM[38] = -q_1*c_13;
     dM[42] = q_2*c_14;
-    dM[45] = dM[39] = -z_13;
+    dM[45] = dM[39] = -z_3;
     dM[46] = dM[43] = -q_3*c_15;
     dM[47] = q_2*c_10;
     dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_9;
+    dM[52] = dM[49] = z_0;
     dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_10;
+    dM[56] = dM[50] = -z_1;
     dM[58] = q_3*c_10;
     dM[60] = dM[51] = -q_0*c_13;
     dM[61] = dM[55] = -q_1*c_15;
@@ -272,9 +278,9 @@ static void factored_gradient(double t, const double *restrict x, const double *
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                     double *restrict A, double *restrict b)
 {
-(void)t, (void)c;
     const double q_0 = x[0];
     const double q_1 = x[1];
     const double q_2 = x[2];
@@ -287,24 +293,24 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                     double *restrict phi, double *restrict terms)
 {
-(void)t, (void)c;
     const double q_0 = x[0];
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
-    const double z_4 = (q_1*q_1 + q_2*q_2) + (q_3*q_3 + q_0*q_0);
-    phi[0] = -(1.0 - z_4);
-    terms[0] = 1.0 + 2.0*z_4;
+    const double z_0 = (q_1*q_1 + q_2*q_2) + (q_3*q_3 + q_0*q_0);
+    phi[0] = -(1.0 - z_0);
+    terms[0] = 1.0 + 2.0*z_0;
 }
 
 /* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)t, (void)u;
-    const double J_ = c[3];
+    const double J = c[3];
     const double J3 = c[4];
     const double c_4 = c[9];
     const double c_5 = c[10];
@@ -318,33 +324,33 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
-    const double z_9 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
-    const double z_11 = z_9*c_5;
-    const double z_12 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
-    const double z_14 = z_12*c_6;
-    const double z_15 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
-    const double z_16 = z_15*c_6;
-    const double z_18 = J3*z_9;
-    const double z_20 = J_*z_12;
-    const double z_21 = J_*z_15;
-    const double z_22 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
-    const double z_24 = z_22*c_7;
-    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_11 + q_2_dot*z_14 + q_1_dot*z_16) + 2.0*(q_3_dot*z_18 + q_2_dot*z_20 +
-        q_1_dot*z_21)) + q_0*z_24);
-    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_11 + q_0_dot*z_16 - q_3_dot*z_14) + 2.0*(q_2_dot*z_18 + q_0_dot*z_21 -
-        q_3_dot*z_20)) - q_1*z_24);
-    bias[2] = (-2.0)*(((q_1_dot*z_11 - q_2*c_4 - q_0_dot*z_14 - q_3_dot*z_16) + 2.0*(q_1_dot*z_18 - q_0_dot*z_20 -
-        q_3_dot*z_21)) + q_2*z_24);
-    bias[3] = 2.0*(((q_0_dot*z_11 + q_1_dot*z_14 - q_3*c_4 - q_2_dot*z_16) + 2.0*(q_0_dot*z_18 + q_1_dot*z_20 -
-        q_2_dot*z_21)) - q_3*z_24);
-    gamma[0] = 2.0*z_22;
+    const double z_0 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
+    const double z_1 = z_0*c_5;
+    const double z_2 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
+    const double z_3 = z_2*c_6;
+    const double z_4 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
+    const double z_5 = z_4*c_6;
+    const double z_6 = J3*z_0;
+    const double z_7 = J*z_2;
+    const double z_8 = J*z_4;
+    const double z_9 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
+    const double z_10 = z_9*c_7;
+    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_1 + q_2_dot*z_3 + q_1_dot*z_5) + 2.0*(q_3_dot*z_6 + q_2_dot*z_7 +
+        q_1_dot*z_8)) + q_0*z_10);
+    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_1 + q_0_dot*z_5 - q_3_dot*z_3) + 2.0*(q_2_dot*z_6 + q_0_dot*z_8 -
+        q_3_dot*z_7)) - q_1*z_10);
+    bias[2] = (-2.0)*(((q_1_dot*z_1 - q_2*c_4 - q_0_dot*z_3 - q_3_dot*z_5) + 2.0*(q_1_dot*z_6 - q_0_dot*z_7 -
+        q_3_dot*z_8)) + q_2*z_10);
+    bias[3] = 2.0*(((q_0_dot*z_1 + q_1_dot*z_3 - q_3*c_4 - q_2_dot*z_5) + 2.0*(q_0_dot*z_6 + q_1_dot*z_7 -
+        q_2_dot*z_8)) - q_3*z_10);
+    gamma[0] = 2.0*z_9;
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
-    const double J_ = c[3];
+    const double J = c[3];
     const double J3 = c[4];
     const double c_1 = c[6];
     const double c_4 = c[9];
@@ -356,44 +362,114 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
-    const double z_3 = q_3*q_3;
-    const double z_6 = q_1*q_1;
-    const double z_8 = q_2*q_2;
-    const double z_9 = J_*z_6 + J_*z_8;
-    const double z_12 = J_*q_1;
-    const double z_14 = q_2*c_1;
-    const double z_15 = q_0*z_12 - q_3*z_14;
-    const double z_17 = J_*q_2;
-    const double z_18 = q_1*c_1;
-    const double z_19 = q_0*z_17 + q_3*z_18;
-    const double z_21 = q_0*(J3*q_3);
-    const double z_22 = q_0*q_0;
-    const double z_23 = J_*z_22 + J_*z_3;
-    const double z_24 = J3*(q_1*q_2);
-    const double z_25 = q_0*z_14 + q_3*z_12;
-    const double z_26 = q_3*z_17 - q_0*z_18;
-    e[0] = 2.0*(q_0_dot*(q_0_dot*(J3*z_3 + z_9) - q_1_dot*z_15 - q_2_dot*z_19 - q_3_dot*z_21) -
-        q_1_dot*(q_0_dot*z_15 + q_2_dot*z_24 + q_3_dot*z_25 - q_1_dot*(J3*z_8 + z_23)) - q_2_dot*(q_0_dot*z_19 +
-        q_1_dot*z_24 + q_3_dot*z_26 - q_2_dot*(J3*z_6 + z_23)) - q_3_dot*(q_0_dot*z_21 + q_1_dot*z_25 +
-        q_2_dot*z_26 - q_3_dot*(J3*z_22 + z_9)));
+    const double z_0 = q_3*q_3;
+    const double z_1 = q_1*q_1;
+    const double z_2 = q_2*q_2;
+    const double z_3 = J*z_1 + J*z_2;
+    const double z_4 = J*q_1;
+    const double z_5 = q_2*c_1;
+    const double z_6 = q_0*z_4 - q_3*z_5;
+    const double z_7 = J*q_2;
+    const double z_8 = q_1*c_1;
+    const double z_9 = q_0*z_7 + q_3*z_8;
+    const double z_10 = q_0*(J3*q_3);
+    const double z_11 = q_0*q_0;
+    const double z_12 = J*z_11 + J*z_0;
+    const double z_13 = J3*(q_1*q_2);
+    const double z_14 = q_0*z_5 + q_3*z_4;
+    const double z_15 = q_3*z_7 - q_0*z_8;
+    e[0] = 2.0*(q_0_dot*(q_0_dot*(J3*z_0 + z_3) - q_1_dot*z_6 - q_2_dot*z_9 - q_3_dot*z_10) - q_1_dot*(q_0_dot*z_6
+        + q_2_dot*z_13 + q_3_dot*z_14 - q_1_dot*(J3*z_2 + z_12)) - q_2_dot*(q_0_dot*z_9 + q_1_dot*z_13 +
+        q_3_dot*z_15 - q_2_dot*(J3*z_1 + z_12)) - q_3_dot*(q_0_dot*z_10 + q_1_dot*z_14 + q_2_dot*z_15 -
+        q_3_dot*(J3*z_11 + z_3)));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = -(z_6 + z_8 - z_3 - z_22)*c_4;
+    e[3] = -(z_1 + z_2 - z_0 - z_11)*c_4;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double A1[N_ROWS][N1], double gamma[N_ROWS])
+{
+    const double J = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_3 = c[8];
+    const double c_4 = c[9];
+    const double c_5 = c[10];
+    const double c_6 = c[11];
+    const double c_7 = c[12];
+    const double q_0_dot = v[0];
+    const double q_1_dot = v[1];
+    const double q_2_dot = v[2];
+    const double q_3_dot = v[3];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_0 = q_3_dot*q_3;
+    const double z_1 = q_0_dot*q_0;
+    const double z_2 = q_1_dot*q_1;
+    const double z_3 = q_2_dot*q_2;
+    const double z_4 = J*z_2 + J*z_3;
+    const double z_5 = q_3_dot*q_2;
+    const double z_6 = q_2_dot*q_3;
+    const double z_7 = z_5 + z_6;
+    const double z_8 = q_0_dot*q_1;
+    const double z_9 = q_1_dot*q_0;
+    const double z_10 = z_8 + z_9;
+    const double z_11 = J*z_1 + J*z_0;
+    const double z_12 = q_1_dot*q_3;
+    const double z_13 = q_3_dot*q_1;
+    const double z_14 = z_12 + z_13;
+    const double z_15 = q_0_dot*q_2;
+    const double z_16 = q_2_dot*q_0;
+    const double z_17 = z_15 + z_16;
+    const double z_18 = q_2_dot*q_1;
+    const double z_19 = q_1_dot*q_2;
+    const double z_20 = q_0_dot*q_3;
+    const double z_21 = q_3_dot*q_0;
+    const double z_22 = (z_20 + z_18 - z_21 - z_19)*c_5;
+    const double z_23 = (z_15 + z_12 - z_16 - z_13)*c_6;
+    const double z_24 = (z_8 + z_5 - z_9 - z_6)*c_6;
+    const double z_25 = (z_0 + z_2 + z_3 + z_1)*c_7;
+    Mdot1[0][0] = 8.0*(J3*z_0 + c_0*z_1 + z_4);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_7 - c_2*z_10);
+    Mdot1[1][1] = 8.0*(J3*z_3 + c_0*z_2 + z_11);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_14 + c_2*z_17);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_18 + z_19));
+    Mdot1[2][2] = 8.0*(J3*z_2 + c_0*z_3 + z_11);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_20 + z_21));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_17 + c_2*z_14);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_10 - c_2*z_7);
+    Mdot1[3][3] = 8.0*(J3*z_1 + c_0*z_0 + z_4);
+    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_22 + q_2_dot*z_23 + q_1_dot*z_24) - q_0_dot*z_25);
+    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_22 + q_0_dot*z_24 - q_3_dot*z_23) + q_1_dot*z_25);
+    f1[2] = (-2.0)*((q_1_dot*z_22 - q_2*c_4 - q_0_dot*z_23 - q_3_dot*z_24) - q_2_dot*z_25);
+    f1[3] = 2.0*((q_0_dot*z_22 + q_1_dot*z_23 - q_3*c_4 - q_2_dot*z_24) + q_3_dot*z_25);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -401,8 +477,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[4], y[5], y[6], y[7] };
@@ -421,74 +496,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[2] = v1[2];
     dy[3] = v1[3];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double J_ = c[3];
-    const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_3 = c[8];
-    const double c_4 = c[9];
-    const double c_5 = c[10];
-    const double c_6 = c[11];
-    const double c_7 = c[12];
-    const double q_0_dot = v1[0];
-    const double q_1_dot = v1[1];
-    const double q_2_dot = v1[2];
-    const double q_3_dot = v1[3];
-    const double q_0 = y[0];
-    const double q_1 = y[1];
-    const double q_2 = y[2];
-    const double q_3 = y[3];
-    const double z_3 = q_3_dot*q_3;
-    const double z_7 = q_0_dot*q_0;
-    const double z_11 = q_1_dot*q_1;
-    const double z_14 = q_2_dot*q_2;
-    const double z_15 = J_*z_11 + J_*z_14;
-    const double z_17 = q_3_dot*q_2;
-    const double z_18 = q_2_dot*q_3;
-    const double z_19 = z_17 + z_18;
-    const double z_21 = q_0_dot*q_1;
-    const double z_22 = q_1_dot*q_0;
-    const double z_23 = z_21 + z_22;
-    const double z_24 = J_*z_7 + J_*z_3;
-    const double z_25 = q_1_dot*q_3;
-    const double z_26 = q_3_dot*q_1;
-    const double z_27 = z_25 + z_26;
-    const double z_28 = q_0_dot*q_2;
-    const double z_29 = q_2_dot*q_0;
-    const double z_30 = z_28 + z_29;
-    const double z_32 = q_2_dot*q_1;
-    const double z_33 = q_1_dot*q_2;
-    const double z_34 = q_0_dot*q_3;
-    const double z_35 = q_3_dot*q_0;
-    const double z_38 = (z_34 + z_32 - z_35 - z_33)*c_5;
-    const double z_40 = (z_28 + z_25 - z_29 - z_26)*c_6;
-    const double z_41 = (z_21 + z_17 - z_22 - z_18)*c_6;
-    const double z_43 = (z_3 + z_11 + z_14 + z_7)*c_7;
-    Mdot1[0][0] = 8.0*(J3*z_3 + c_0*z_7 + z_15);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_19 - c_2*z_23);
-    Mdot1[1][1] = 8.0*(J3*z_14 + c_0*z_11 + z_24);
-    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_27 + c_2*z_30);
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_32 + z_33));
-    Mdot1[2][2] = 8.0*(J3*z_11 + c_0*z_14 + z_24);
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_34 + z_35));
-    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_30 + c_2*z_27);
-    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_23 - c_2*z_19);
-    Mdot1[3][3] = 8.0*(J3*z_7 + c_0*z_3 + z_15);
-    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_38 + q_2_dot*z_40 + q_1_dot*z_41) - q_0_dot*z_43);
-    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_38 + q_0_dot*z_41 - q_3_dot*z_40) + q_1_dot*z_43);
-    f1[2] = (-2.0)*((q_1_dot*z_38 - q_2*c_4 - q_0_dot*z_40 - q_3_dot*z_41) - q_2_dot*z_43);
-    f1[3] = 2.0*((q_0_dot*z_38 + q_1_dot*z_40 - q_3*c_4 - q_2_dot*z_41) + q_3_dot*z_43);
-    A1[0][0] = 2.0*q_0;
-    A1[0][1] = 2.0*q_1;
-    A1[0][2] = 2.0*q_2;
-    A1[0][3] = 2.0*q_3;
-    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
 
     /* q_0, q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -563,44 +572,119 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
-    const double J_ = c[3];
+    const double J = c[3];
     const double J3 = c[4];
     const double c_0 = c[5];
     const double c_1 = c[6];
     const double c_2 = c[7];
     const double c_13 = c[18];
-    const double q_0 = y[0];
-    const double q_1 = y[1];
-    const double q_2 = y[2];
-    const double q_3 = y[3];
-    const double z_2 = q_3*q_3;
-    const double z_5 = q_0*q_0;
-    const double z_8 = q_1*q_1;
-    const double z_10 = q_2*q_2;
-    const double z_11 = J_*z_8 + J_*z_10;
-    const double z_13 = q_2*c_1;
-    const double z_15 = q_1*c_2;
-    const double z_16 = J_*z_5 + J_*z_2;
-    const double z_17 = q_1*c_1;
-    const double z_18 = q_2*c_2;
-    M1[0][0] = 4.0*(J3*z_2 + c_0*z_5 + z_11);
-    M1[1][0] = 4.0*(q_3*z_13 - q_0*z_15);
-    M1[1][1] = 4.0*(J3*z_10 + c_0*z_8 + z_16);
-    M1[2][0] = (-4.0)*(q_3*z_17 + q_0*z_18);
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_0 = q_3*q_3;
+    const double z_1 = q_0*q_0;
+    const double z_2 = q_1*q_1;
+    const double z_3 = q_2*q_2;
+    const double z_4 = J*z_2 + J*z_3;
+    const double z_5 = q_2*c_1;
+    const double z_6 = q_1*c_2;
+    const double z_7 = J*z_1 + J*z_0;
+    const double z_8 = q_1*c_1;
+    const double z_9 = q_2*c_2;
+    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
+    M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
+    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
+    M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
     M1[2][1] = -c_13*(q_1*q_2);
-    M1[2][2] = 4.0*(J3*z_8 + c_0*z_10 + z_16);
+    M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
     M1[3][0] = -c_13*(q_3*q_0);
-    M1[3][1] = (-4.0)*(q_0*z_13 + q_3*z_15);
-    M1[3][2] = 4.0*(q_0*z_17 - q_3*z_18);
-    M1[3][3] = 4.0*(J3*z_5 + c_0*z_2 + z_11);
+    M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
+    M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
+    M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
+                                 double Mdot1[N1][N1], double f1[N1], double A1[N_ROWS][N1],
+                                 double gamma[N_ROWS])
+{
+    const double J = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_3 = c[8];
+    const double c_4 = c[9];
+    const double c_5 = c[10];
+    const double c_6 = c[11];
+    const double c_7 = c[12];
+    const double q_0_dot = v[0];
+    const double q_1_dot = v[1];
+    const double q_2_dot = v[2];
+    const double q_3_dot = v[3];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_10 = q_3_dot*q_3;
+    const double z_11 = q_0_dot*q_0;
+    const double z_12 = q_1_dot*q_1;
+    const double z_13 = q_2_dot*q_2;
+    const double z_14 = J*z_12 + J*z_13;
+    const double z_15 = q_3_dot*q_2;
+    const double z_16 = q_2_dot*q_3;
+    const double z_17 = z_15 + z_16;
+    const double z_18 = q_0_dot*q_1;
+    const double z_19 = q_1_dot*q_0;
+    const double z_20 = z_18 + z_19;
+    const double z_21 = J*z_11 + J*z_10;
+    const double z_22 = q_1_dot*q_3;
+    const double z_23 = q_3_dot*q_1;
+    const double z_24 = z_22 + z_23;
+    const double z_25 = q_0_dot*q_2;
+    const double z_26 = q_2_dot*q_0;
+    const double z_27 = z_25 + z_26;
+    const double z_28 = q_2_dot*q_1;
+    const double z_29 = q_1_dot*q_2;
+    const double z_30 = q_0_dot*q_3;
+    const double z_31 = q_3_dot*q_0;
+    const double z_32 = (z_30 + z_28 - z_31 - z_29)*c_5;
+    const double z_33 = (z_25 + z_22 - z_26 - z_23)*c_6;
+    const double z_34 = (z_18 + z_15 - z_19 - z_16)*c_6;
+    const double z_35 = (z_10 + z_12 + z_13 + z_11)*c_7;
+    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_17 - c_2*z_20);
+    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_21);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_24 + c_2*z_27);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_28 + z_29));
+    Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_21);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_30 + z_31));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_27 + c_2*z_24);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_20 - c_2*z_17);
+    Mdot1[3][3] = 8.0*(J3*z_11 + c_0*z_10 + z_14);
+    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_32 + q_2_dot*z_33 + q_1_dot*z_34) - q_0_dot*z_35);
+    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_32 + q_0_dot*z_34 - q_3_dot*z_33) + q_1_dot*z_35);
+    f1[2] = (-2.0)*((q_1_dot*z_32 - q_2*c_4 - q_0_dot*z_33 - q_3_dot*z_34) - q_2_dot*z_35);
+    f1[3] = 2.0*((q_0_dot*z_32 + q_1_dot*z_33 - q_3*c_4 - q_2_dot*z_34) + q_3_dot*z_35);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1];
+    triangular_masses(y, c, M1);
 
     /* q_0, q_1, q_2, q_3: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -618,65 +702,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[2] = v1[2];
     dy[3] = v1[3];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double c_3 = c[8];
-    const double c_4 = c[9];
-    const double c_5 = c[10];
-    const double c_6 = c[11];
-    const double c_7 = c[12];
-    const double q_0_dot = v1[0];
-    const double q_1_dot = v1[1];
-    const double q_2_dot = v1[2];
-    const double q_3_dot = v1[3];
-    const double z_21 = q_3_dot*q_3;
-    const double z_23 = q_0_dot*q_0;
-    const double z_25 = q_1_dot*q_1;
-    const double z_27 = q_2_dot*q_2;
-    const double z_28 = J_*z_25 + J_*z_27;
-    const double z_29 = q_3_dot*q_2;
-    const double z_30 = q_2_dot*q_3;
-    const double z_31 = z_29 + z_30;
-    const double z_32 = q_0_dot*q_1;
-    const double z_33 = q_1_dot*q_0;
-    const double z_34 = z_32 + z_33;
-    const double z_35 = J_*z_23 + J_*z_21;
-    const double z_36 = q_1_dot*q_3;
-    const double z_37 = q_3_dot*q_1;
-    const double z_38 = z_36 + z_37;
-    const double z_39 = q_0_dot*q_2;
-    const double z_40 = q_2_dot*q_0;
-    const double z_41 = z_39 + z_40;
-    const double z_43 = q_2_dot*q_1;
-    const double z_44 = q_1_dot*q_2;
-    const double z_45 = q_0_dot*q_3;
-    const double z_46 = q_3_dot*q_0;
-    const double z_49 = (z_45 + z_43 - z_46 - z_44)*c_5;
-    const double z_51 = (z_39 + z_36 - z_40 - z_37)*c_6;
-    const double z_52 = (z_32 + z_29 - z_33 - z_30)*c_6;
-    const double z_54 = (z_21 + z_25 + z_27 + z_23)*c_7;
-    Mdot1[0][0] = 8.0*(J3*z_21 + c_0*z_23 + z_28);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_31 - c_2*z_34);
-    Mdot1[1][1] = 8.0*(J3*z_27 + c_0*z_25 + z_35);
-    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_38 + c_2*z_41);
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_43 + z_44));
-    Mdot1[2][2] = 8.0*(J3*z_25 + c_0*z_27 + z_35);
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_45 + z_46));
-    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_41 + c_2*z_38);
-    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_34 - c_2*z_31);
-    Mdot1[3][3] = 8.0*(J3*z_23 + c_0*z_21 + z_28);
-    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_49 + q_2_dot*z_51 + q_1_dot*z_52) - q_0_dot*z_54);
-    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_49 + q_0_dot*z_52 - q_3_dot*z_51) + q_1_dot*z_54);
-    f1[2] = (-2.0)*((q_1_dot*z_49 - q_2*c_4 - q_0_dot*z_51 - q_3_dot*z_52) - q_2_dot*z_54);
-    f1[3] = 2.0*((q_0_dot*z_49 + q_1_dot*z_51 - q_3*c_4 - q_2_dot*z_52) + q_3_dot*z_54);
-    A1[0][0] = 2.0*q_0;
-    A1[0][1] = 2.0*q_1;
-    A1[0][2] = 2.0*q_2;
-    A1[0][3] = 2.0*q_3;
-    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    triangular_motion(y, dy, c, Mdot1, f1, A1, gamma);
 
     /* q_0, q_1, q_2, q_3: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -739,6 +766,87 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double A1[N_ROWS][N1], double b[N_ROWS])
+{
+    const double J = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_13 = c[18];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_0 = q_3*q_3;
+    const double z_1 = q_0*q_0;
+    const double z_2 = q_1*q_1;
+    const double z_3 = q_2*q_2;
+    const double z_4 = J*z_2 + J*z_3;
+    const double z_5 = q_2*c_1;
+    const double z_6 = q_1*c_2;
+    const double z_7 = J*z_1 + J*z_0;
+    const double z_8 = q_1*c_1;
+    const double z_9 = q_2*c_2;
+    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
+    M1[0][1] = M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
+    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
+    M1[0][2] = M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
+    M1[1][2] = M1[2][1] = -c_13*(q_1*q_2);
+    M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
+    M1[0][3] = M1[3][0] = -c_13*(q_3*q_0);
+    M1[1][3] = M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
+    M1[2][3] = M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
+    M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    b[0] = 0.0;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict x, const double *restrict v, const double *restrict c,
+                             double Mdot1[N1][N1])
+{
+    const double J = c[3];
+    const double J3 = c[4];
+    const double c_0 = c[5];
+    const double c_1 = c[6];
+    const double c_2 = c[7];
+    const double c_3 = c[8];
+    const double q_0_dot = v[0];
+    const double q_1_dot = v[1];
+    const double q_2_dot = v[2];
+    const double q_3_dot = v[3];
+    const double q_0 = x[0];
+    const double q_1 = x[1];
+    const double q_2 = x[2];
+    const double q_3 = x[3];
+    const double z_10 = q_3_dot*q_3;
+    const double z_11 = q_0_dot*q_0;
+    const double z_12 = q_1_dot*q_1;
+    const double z_13 = q_2_dot*q_2;
+    const double z_14 = J*z_12 + J*z_13;
+    const double z_15 = q_3_dot*q_2 + q_2_dot*q_3;
+    const double z_16 = q_0_dot*q_1 + q_1_dot*q_0;
+    const double z_17 = J*z_11 + J*z_10;
+    const double z_18 = q_1_dot*q_3 + q_3_dot*q_1;
+    const double z_19 = q_0_dot*q_2 + q_2_dot*q_0;
+    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_15 - c_2*z_16);
+    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_17);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_18 + c_2*z_19);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(q_2_dot*q_1 + q_1_dot*q_2));
+    Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_17);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(q_0_dot*q_3 + q_3_dot*q_0));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_19 + c_2*z_18);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_16 - c_2*z_15);
+    Mdot1[3][3] = 8.0*(J3*z_11 + c_0*z_10 + z_14);
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -747,44 +855,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
-    double M1[N1][N1];
-    double A1[N_ROWS][N1];
-    double b[N_ROWS];
-    const double J_ = c[3];
-    const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_13 = c[18];
-    const double q_0 = y[0];
-    const double q_1 = y[1];
-    const double q_2 = y[2];
-    const double q_3 = y[3];
-    const double z_2 = q_3*q_3;
-    const double z_5 = q_0*q_0;
-    const double z_8 = q_1*q_1;
-    const double z_10 = q_2*q_2;
-    const double z_11 = J_*z_8 + J_*z_10;
-    const double z_13 = q_2*c_1;
-    const double z_15 = q_1*c_2;
-    const double z_16 = J_*z_5 + J_*z_2;
-    const double z_17 = q_1*c_1;
-    const double z_18 = q_2*c_2;
-    M1[0][0] = 4.0*(J3*z_2 + c_0*z_5 + z_11);
-    M1[0][1] = M1[1][0] = 4.0*(q_3*z_13 - q_0*z_15);
-    M1[1][1] = 4.0*(J3*z_10 + c_0*z_8 + z_16);
-    M1[0][2] = M1[2][0] = (-4.0)*(q_3*z_17 + q_0*z_18);
-    M1[1][2] = M1[2][1] = -c_13*(q_1*q_2);
-    M1[2][2] = 4.0*(J3*z_8 + c_0*z_10 + z_16);
-    M1[0][3] = M1[3][0] = -c_13*(q_3*q_0);
-    M1[1][3] = M1[3][1] = (-4.0)*(q_0*z_13 + q_3*z_15);
-    M1[2][3] = M1[3][2] = 4.0*(q_0*z_17 - q_3*z_18);
-    M1[3][3] = 4.0*(J3*z_5 + c_0*z_2 + z_11);
-    A1[0][0] = 2.0*q_0;
-    A1[0][1] = 2.0*q_1;
-    A1[0][2] = 2.0*q_2;
-    A1[0][3] = 2.0*q_3;
-    b[0] = 0.0;
+    double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS];
+    settled_masses(y, c, M1, A1, b);
 
     /* q_0, q_1, q_2, q_3 */
     double eta1[N1] = { y[4], y[5], y[6], y[7] };
@@ -804,6 +876,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -811,32 +884,13 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double c_3 = c[8];
-    const double q_0_dot = v1[0];
-    const double q_1_dot = v1[1];
-    const double q_2_dot = v1[2];
-    const double q_3_dot = v1[3];
-    const double z_21 = q_3_dot*q_3;
-    const double z_23 = q_0_dot*q_0;
-    const double z_25 = q_1_dot*q_1;
-    const double z_27 = q_2_dot*q_2;
-    const double z_28 = J_*z_25 + J_*z_27;
-    const double z_29 = q_3_dot*q_2 + q_2_dot*q_3;
-    const double z_30 = q_0_dot*q_1 + q_1_dot*q_0;
-    const double z_31 = J_*z_23 + J_*z_21;
-    const double z_32 = q_1_dot*q_3 + q_3_dot*q_1;
-    const double z_33 = q_0_dot*q_2 + q_2_dot*q_0;
-    Mdot1[0][0] = 8.0*(J3*z_21 + c_0*z_23 + z_28);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_29 - c_2*z_30);
-    Mdot1[1][1] = 8.0*(J3*z_27 + c_0*z_25 + z_31);
-    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_32 + c_2*z_33);
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(q_2_dot*q_1 + q_1_dot*q_2));
-    Mdot1[2][2] = 8.0*(J3*z_25 + c_0*z_27 + z_31);
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(q_0_dot*q_3 + q_3_dot*q_0));
-    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_33 + c_2*z_32);
-    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_30 - c_2*z_29);
-    Mdot1[3][3] = 8.0*(J3*z_23 + c_0*z_21 + z_28);
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            v[2] = v1[2];
+            v[3] = v1[3];
+            double Mdot1[N1][N1];
+            settled_rates(y, v, c, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

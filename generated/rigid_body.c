@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:23f70d7086c344eaca55dedc039a91d295a83d44482497f59eddd36d43278811 */
+/* body sha256:32fcb695ec61ffd81c3e1a89b9df488eec47821f19ccd43676e0ade6886fb445 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -54,90 +54,98 @@ enum {
 static const int block[N] = { 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double J1 = parameters[0];
+    const double J2 = parameters[1];
+    const double z_0 = J1 - J2;
+    prepared[3] = z_0;
+    prepared[4] = 2.0*z_0;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double z_2 = J1 - J2;
-    c[3] = z_2;
-    c[4] = 2.0*z_2;
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double J1 = c[0];
     const double J2 = c[1];
     const double J3 = c[2];
     const double c_0 = c[3];
     const double theta = x[1];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double cos_theta = em_cos(theta);
-    const double sin_phi_ = em_sin(phi_);
-    const double z_6 = sin_phi_*sin_phi_;
+    const double sin_phi = em_sin(phi);
+    const double z_2 = sin_phi*sin_phi;
     const double sin_theta = em_sin(theta);
-    const double z_8 = sin_theta*sin_theta;
-    const double cos_phi_ = em_cos(phi_);
-    const double z_11 = cos_phi_*cos_phi_;
-    M[0] = J3*(cos_theta*cos_theta) + J1*z_6*z_8 + J2*z_8*z_11;
-    M[3] = M[1] = sin_phi_*sin_theta*cos_phi_*c_0;
-    M[4] = J1*z_11 + J2*z_6;
+    const double z_4 = sin_theta*sin_theta;
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    M[0] = J3*(cos_theta*cos_theta) + J1*z_2*z_4 + J2*z_4*z_6;
+    M[3] = M[1] = sin_phi*sin_theta*cos_phi*c_0;
+    M[4] = J1*z_6 + J2*z_2;
     M[6] = M[2] = J3*cos_theta;
     M[7] = M[5] = 0.0;
     M[8] = J3;
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double J1 = c[0];
     const double J2 = c[1];
     const double J3 = c[2];
     const double c_0 = c[3];
     const double c_1 = c[4];
     const double theta = x[1];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double cos_theta = em_cos(theta);
     const double sin_theta = em_sin(theta);
-    const double z_4 = cos_theta*sin_theta;
-    const double sin_phi_ = em_sin(phi_);
-    const double z_8 = sin_phi_*sin_phi_;
-    const double cos_phi_ = em_cos(phi_);
-    const double z_11 = cos_phi_*cos_phi_;
-    const double z_13 = sin_phi_*cos_phi_;
-    const double z_15 = c_1*z_13;
-    dM[9] = (-2.0)*(J3*z_4 - J1*z_8*z_4 - J2*z_11*z_4);
-    dM[12] = dM[10] = cos_theta*(c_0*z_13);
+    const double z_2 = cos_theta*sin_theta;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*sin_phi;
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    const double z_7 = sin_phi*cos_phi;
+    const double z_8 = c_1*z_7;
+    dM[9] = (-2.0)*(J3*z_2 - J1*z_4*z_2 - J2*z_6*z_2);
+    dM[12] = dM[10] = cos_theta*(c_0*z_7);
     dM[15] = dM[11] = -J3*sin_theta;
-    dM[18] = sin_theta*sin_theta*z_15;
-    dM[21] = dM[19] = c_0*(sin_theta*z_11 - sin_theta*z_8);
-    dM[22] = -z_15;
+    dM[18] = sin_theta*sin_theta*z_8;
+    dM[21] = dM[19] = c_0*(sin_theta*z_6 - sin_theta*z_4);
+    dM[22] = -z_8;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double J1 = c[0];
     const double J2 = c[1];
     const double J3 = c[2];
@@ -147,35 +155,35 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta_dot = v[1];
     const double phi_dot = v[2];
     const double theta = x[1];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double cos_theta = em_cos(theta);
     const double sin_theta = em_sin(theta);
-    const double z_6 = theta_dot*sin_theta;
-    const double z_7 = cos_theta*z_6;
-    const double sin_phi_ = em_sin(phi_);
-    const double cos_phi_ = em_cos(phi_);
-    const double z_12 = sin_phi_*cos_phi_;
-    const double z_14 = z_12*(phi_dot*(sin_theta*sin_theta));
-    const double z_15 = sin_phi_*sin_phi_;
-    const double z_17 = cos_phi_*cos_phi_;
-    const double z_19 = phi_dot*z_6;
-    const double z_20 = psi_dot*sin_theta;
-    const double z_21 = J2*(theta_dot*sin_phi_ - cos_phi_*z_20);
-    const double z_22 = J1*(theta_dot*cos_phi_ + sin_phi_*z_20);
-    const double z_23 = psi_dot*cos_theta;
-    const double z_24 = theta_dot*z_12;
-    const double z_25 = phi_dot*z_20;
-    bias[0] = 2.0*psi_dot*(J3*z_7 - J1*(z_14 + z_15*z_7) - J2*(-(z_14 - z_17*z_7))) + J3*z_19 - c_0*(z_17*z_19 +
-        z_12*(cos_theta*(theta_dot*theta_dot)) - z_15*z_19);
-    bias[1] = -((cos_theta*(psi_dot*cos_phi_*z_21 - psi_dot*sin_phi_*z_22) + J3*(phi_dot + z_23)*z_20) +
-        (c_0*(z_23*z_24 + z_17*z_25 - z_15*z_25) - phi_dot*c_1*z_24));
-    bias[2] = (sin_phi_*(z_20*z_21 - theta_dot*z_22) + cos_phi_*(theta_dot*z_21 + z_20*z_22)) + psi_dot*J3*z_6;
+    const double z_2 = theta_dot*sin_theta;
+    const double z_3 = cos_theta*z_2;
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    const double z_6 = sin_phi*cos_phi;
+    const double z_7 = z_6*(phi_dot*(sin_theta*sin_theta));
+    const double z_8 = sin_phi*sin_phi;
+    const double z_9 = cos_phi*cos_phi;
+    const double z_10 = phi_dot*z_2;
+    const double z_11 = psi_dot*sin_theta;
+    const double z_12 = J2*(theta_dot*sin_phi - cos_phi*z_11);
+    const double z_13 = J1*(theta_dot*cos_phi + sin_phi*z_11);
+    const double z_14 = psi_dot*cos_theta;
+    const double z_15 = theta_dot*z_6;
+    const double z_16 = phi_dot*z_11;
+    bias[0] = 2.0*psi_dot*(J3*z_3 - J1*(z_7 + z_8*z_3) - J2*(-(z_7 - z_9*z_3))) + J3*z_10 - c_0*(z_9*z_10 +
+        z_6*(cos_theta*(theta_dot*theta_dot)) - z_8*z_10);
+    bias[1] = -((cos_theta*(psi_dot*cos_phi*z_12 - psi_dot*sin_phi*z_13) + J3*(phi_dot + z_14)*z_11) +
+        (c_0*(z_14*z_15 + z_9*z_16 - z_8*z_16) - phi_dot*c_1*z_15));
+    bias[2] = (sin_phi*(z_11*z_12 - theta_dot*z_13) + cos_phi*(theta_dot*z_12 + z_11*z_13)) + psi_dot*J3*z_2;
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double J1 = c[0];
     const double J2 = c[1];
     const double J3 = c[2];
@@ -184,17 +192,17 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double theta_dot = v[1];
     const double phi_dot = v[2];
     const double theta = x[1];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double cos_theta = em_cos(theta);
-    const double sin_phi_ = em_sin(phi_);
-    const double z_7 = sin_phi_*sin_phi_;
+    const double sin_phi = em_sin(phi);
+    const double z_2 = sin_phi*sin_phi;
     const double sin_theta = em_sin(theta);
-    const double z_9 = sin_theta*sin_theta;
-    const double cos_phi_ = em_cos(phi_);
-    const double z_12 = cos_phi_*cos_phi_;
-    const double z_15 = sin_phi_*sin_theta*(cos_phi_*c_0);
-    e[0] = 0.5*(psi_dot*(psi_dot*(J3*(cos_theta*cos_theta) + J1*z_7*z_9 + J2*z_9*z_12) + theta_dot*z_15 +
-        cos_theta*(phi_dot*J3)) + theta_dot*(psi_dot*z_15 + theta_dot*(J1*z_12 + J2*z_7)) + phi_dot*(J3*(phi_dot +
+    const double z_4 = sin_theta*sin_theta;
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    const double z_7 = sin_phi*sin_theta*(cos_phi*c_0);
+    e[0] = 0.5*(psi_dot*(psi_dot*(J3*(cos_theta*cos_theta) + J1*z_2*z_4 + J2*z_4*z_6) + theta_dot*z_7 +
+        cos_theta*(phi_dot*J3)) + theta_dot*(psi_dot*z_7 + theta_dot*(J1*z_6 + J2*z_2)) + phi_dot*(J3*(phi_dot +
         psi_dot*cos_theta)));
     e[1] = 0.0;
     e[2] = 0.0;
@@ -202,37 +210,77 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
 }
 
 /* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
-static void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict y)
+static void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                  EM_UNUSED const double *restrict c, double *restrict y)
 {
-(void)t, (void)c;
     const double psi_dot = v[0];
     const double theta_dot = v[1];
     const double phi_dot = v[2];
     const double theta = x[1];
-    const double phi_ = x[2];
-    const double cos_phi_ = em_cos(phi_);
-    const double sin_phi_ = em_sin(phi_);
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double sin_phi = em_sin(phi);
     const double sin_theta = em_sin(theta);
-    const double z_7 = psi_dot*sin_theta;
+    const double z_3 = psi_dot*sin_theta;
     const double cos_theta = em_cos(theta);
-    y[0] = theta_dot*cos_phi_ + sin_phi_*z_7;
-    y[1] = -(theta_dot*sin_phi_ - cos_phi_*z_7);
+    y[0] = theta_dot*cos_phi + sin_phi*z_3;
+    y[1] = -(theta_dot*sin_phi - cos_phi*z_3);
     y[2] = phi_dot + psi_dot*cos_theta;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
+{
+    const double J1 = c[0];
+    const double J2 = c[1];
+    const double J3 = c[2];
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double psi_dot = v[0];
+    const double theta_dot = v[1];
+    const double phi_dot = v[2];
+    const double theta = x[1];
+    const double phi = x[2];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double z_2 = theta_dot*cos_theta;
+    const double z_3 = sin_theta*z_2;
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    const double z_6 = sin_phi*cos_phi;
+    const double z_7 = phi_dot*z_6;
+    const double z_8 = sin_theta*sin_theta*z_7;
+    const double z_9 = sin_phi*sin_phi;
+    const double z_10 = cos_phi*cos_phi;
+    const double z_11 = phi_dot*sin_theta;
+    const double z_12 = psi_dot*sin_theta;
+    const double z_13 = J2*(theta_dot*sin_phi - cos_phi*z_12);
+    const double z_14 = J1*(theta_dot*cos_phi + sin_phi*z_12);
+    Mdot1[0][0] = (-2.0)*(J3*z_3 - J1*(z_8 + z_9*z_3) - J2*(-(z_8 - z_10*z_3)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_10*z_11 + z_2*z_6 - z_9*z_11);
+    Mdot1[1][1] = -c_1*z_7;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = -(cos_theta*(psi_dot*cos_phi*z_13 - psi_dot*sin_phi*z_14) + J3*(phi_dot + psi_dot*cos_theta)*z_12);
+    f1[2] = sin_phi*(z_12*z_13 - theta_dot*z_14) + cos_phi*(theta_dot*z_13 + z_12*z_14);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -240,8 +288,7 @@ static void quasi(double t, const double *restrict x, const double *restrict v, 
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* psi, theta, phi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4], y[5] };
@@ -259,43 +306,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[1] = v1[1];
     dy[2] = v1[2];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double psi_dot = v1[0];
-    const double theta_dot = v1[1];
-    const double phi_dot = v1[2];
-    const double theta = y[1];
-    const double phi_ = y[2];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    const double z_5 = theta_dot*cos_theta;
-    const double z_6 = sin_theta*z_5;
-    const double sin_phi_ = em_sin(phi_);
-    const double cos_phi_ = em_cos(phi_);
-    const double z_12 = sin_phi_*cos_phi_;
-    const double z_13 = phi_dot*z_12;
-    const double z_14 = sin_theta*sin_theta*z_13;
-    const double z_15 = sin_phi_*sin_phi_;
-    const double z_17 = cos_phi_*cos_phi_;
-    const double z_19 = phi_dot*sin_theta;
-    const double z_22 = psi_dot*sin_theta;
-    const double z_23 = J2*(theta_dot*sin_phi_ - cos_phi_*z_22);
-    const double z_24 = J1*(theta_dot*cos_phi_ + sin_phi_*z_22);
-    Mdot1[0][0] = (-2.0)*(J3*z_6 - J1*(z_14 + z_15*z_6) - J2*(-(z_14 - z_17*z_6)));
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_17*z_19 + z_5*z_12 - z_15*z_19);
-    Mdot1[1][1] = -c_1*z_13;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = -(cos_theta*(psi_dot*cos_phi_*z_23 - psi_dot*sin_phi_*z_24) + J3*(phi_dot + psi_dot*cos_theta)*z_22);
-    f1[2] = sin_phi_*(z_22*z_23 - theta_dot*z_24) + cos_phi_*(theta_dot*z_23 + z_22*z_24);
+    double Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* psi, theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -337,34 +349,87 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[8])
+{
+    const double J1 = c[0];
+    const double J2 = c[1];
+    const double J3 = c[2];
+    const double c_0 = c[3];
+    const double theta = x[1];
+    const double phi = x[2];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double z_2 = sin_theta*sin_theta;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*sin_phi;
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    const double z_7 = sin_phi*cos_phi;
+    M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
+    M1[1][0] = sin_theta*(c_0*z_7);
+    M1[1][1] = J1*z_6 + J2*z_4;
+    M1[2][0] = J3*cos_theta;
+    M1[2][1] = 0.0;
+    M1[2][2] = J3;
+    shared[0] = sin_theta;
+    shared[1] = cos_theta;
+    shared[2] = z_2;
+    shared[3] = z_7;
+    shared[4] = z_4;
+    shared[5] = z_6;
+    shared[6] = cos_phi;
+    shared[7] = sin_phi;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[8],
+                                 double Mdot1[N1][N1], double f1[N1])
+{
+    const double J1 = c[0];
+    const double J2 = c[1];
+    const double J3 = c[2];
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double sin_theta = shared[0];
+    const double cos_theta = shared[1];
+    const double z_2 = shared[2];
+    const double z_7 = shared[3];
+    const double z_4 = shared[4];
+    const double z_6 = shared[5];
+    const double cos_phi = shared[6];
+    const double sin_phi = shared[7];
+    const double psi_dot = v[0];
+    const double theta_dot = v[1];
+    const double phi_dot = v[2];
+    const double z_8 = theta_dot*cos_theta;
+    const double z_9 = sin_theta*z_8;
+    const double z_10 = phi_dot*z_7;
+    const double z_11 = z_2*z_10;
+    const double z_12 = phi_dot*sin_theta;
+    const double z_13 = psi_dot*sin_theta;
+    const double z_14 = J2*(theta_dot*sin_phi - cos_phi*z_13);
+    const double z_15 = J1*(theta_dot*cos_phi + sin_phi*z_13);
+    Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
+    Mdot1[1][1] = -c_1*z_10;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = -(cos_theta*(psi_dot*cos_phi*z_14 - psi_dot*sin_phi*z_15) + J3*(phi_dot + psi_dot*cos_theta)*z_13);
+    f1[2] = sin_phi*(z_13*z_14 - theta_dot*z_15) + cos_phi*(theta_dot*z_14 + z_13*z_15);
+}
+
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
  * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double theta = y[1];
-    const double phi_ = y[2];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_4 = sin_theta*sin_theta;
-    const double sin_phi_ = em_sin(phi_);
-    const double z_8 = sin_phi_*sin_phi_;
-    const double cos_phi_ = em_cos(phi_);
-    const double z_11 = cos_phi_*cos_phi_;
-    const double z_13 = sin_phi_*cos_phi_;
-    M1[0][0] = J3*(cos_theta*cos_theta) + z_4*(J1*z_8) + z_4*(J2*z_11);
-    M1[1][0] = sin_theta*(c_0*z_13);
-    M1[1][1] = J1*z_11 + J2*z_8;
-    M1[2][0] = J3*cos_theta;
-    M1[2][1] = 0.0;
-    M1[2][2] = J3;
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[8];
+    triangular_masses(y, c, M1, shared);
 
     /* psi, theta, phi: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -381,30 +446,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[1] = v1[1];
     dy[2] = v1[2];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double c_1 = c[4];
-    const double psi_dot = v1[0];
-    const double theta_dot = v1[1];
-    const double phi_dot = v1[2];
-    const double z_15 = theta_dot*cos_theta;
-    const double z_16 = sin_theta*z_15;
-    const double z_18 = phi_dot*z_13;
-    const double z_19 = z_4*z_18;
-    const double z_20 = phi_dot*sin_theta;
-    const double z_23 = psi_dot*sin_theta;
-    const double z_24 = J2*(theta_dot*sin_phi_ - cos_phi_*z_23);
-    const double z_25 = J1*(theta_dot*cos_phi_ + sin_phi_*z_23);
-    Mdot1[0][0] = (-2.0)*(J3*z_16 - J1*(z_19 + z_8*z_16) - J2*(-(z_19 - z_11*z_16)));
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_11*z_20 + z_13*z_15 - z_8*z_20);
-    Mdot1[1][1] = -c_1*z_18;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = -(cos_theta*(psi_dot*cos_phi_*z_24 - psi_dot*sin_phi_*z_25) + J3*(phi_dot + psi_dot*cos_theta)*z_23);
-    f1[2] = sin_phi_*(z_23*z_24 - theta_dot*z_25) + cos_phi_*(theta_dot*z_24 + z_23*z_25);
+    double Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
 
     /* psi, theta, phi: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -436,6 +479,68 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double shared[6])
+{
+    const double J1 = c[0];
+    const double J2 = c[1];
+    const double J3 = c[2];
+    const double c_0 = c[3];
+    const double theta = x[1];
+    const double phi = x[2];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double z_2 = sin_theta*sin_theta;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*sin_phi;
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    const double z_7 = sin_phi*cos_phi;
+    M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
+    M1[0][1] = M1[1][0] = sin_theta*(c_0*z_7);
+    M1[1][1] = J1*z_6 + J2*z_4;
+    M1[0][2] = M1[2][0] = J3*cos_theta;
+    M1[1][2] = M1[2][1] = 0.0;
+    M1[2][2] = J3;
+    shared[0] = sin_theta;
+    shared[1] = cos_theta;
+    shared[2] = z_2;
+    shared[3] = z_7;
+    shared[4] = z_4;
+    shared[5] = z_6;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[6],
+                             double Mdot1[N1][N1])
+{
+    const double J1 = c[0];
+    const double J2 = c[1];
+    const double J3 = c[2];
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double sin_theta = shared[0];
+    const double cos_theta = shared[1];
+    const double z_2 = shared[2];
+    const double z_7 = shared[3];
+    const double z_4 = shared[4];
+    const double z_6 = shared[5];
+    const double theta_dot = v[1];
+    const double phi_dot = v[2];
+    const double z_8 = theta_dot*cos_theta;
+    const double z_9 = sin_theta*z_8;
+    const double z_10 = phi_dot*z_7;
+    const double z_11 = z_2*z_10;
+    const double z_12 = phi_dot*sin_theta;
+    Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
+    Mdot1[1][1] = -c_1*z_10;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -443,27 +548,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double theta = y[1];
-    const double phi_ = y[2];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_4 = sin_theta*sin_theta;
-    const double sin_phi_ = em_sin(phi_);
-    const double z_8 = sin_phi_*sin_phi_;
-    const double cos_phi_ = em_cos(phi_);
-    const double z_11 = cos_phi_*cos_phi_;
-    const double z_13 = sin_phi_*cos_phi_;
-    M1[0][0] = J3*(cos_theta*cos_theta) + z_4*(J1*z_8) + z_4*(J2*z_11);
-    M1[0][1] = M1[1][0] = sin_theta*(c_0*z_13);
-    M1[1][1] = J1*z_11 + J2*z_8;
-    M1[0][2] = M1[2][0] = J3*cos_theta;
-    M1[1][2] = M1[2][1] = 0.0;
-    M1[2][2] = J3;
+    double M1[N1][N1], shared[6];
+    settled_masses(y, c, M1, shared);
 
     /* psi, theta, phi */
     double eta1[N1] = { y[3], y[4], y[5] };
@@ -483,6 +569,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -490,21 +577,12 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double c_1 = c[4];
-    const double theta_dot = v1[1];
-    const double phi_dot = v1[2];
-    const double z_15 = theta_dot*cos_theta;
-    const double z_16 = sin_theta*z_15;
-    const double z_18 = phi_dot*z_13;
-    const double z_19 = z_4*z_18;
-    const double z_20 = phi_dot*sin_theta;
-    Mdot1[0][0] = (-2.0)*(J3*z_16 - J1*(z_19 + z_8*z_16) - J2*(-(z_19 - z_11*z_16)));
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_11*z_20 + z_13*z_15 - z_8*z_20);
-    Mdot1[1][1] = -c_1*z_18;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            v[2] = v1[2];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

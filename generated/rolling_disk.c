@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:ee42808ed033e2c7dad06f2410c41b4aa694d735b6d74fc89fdc42c6240b375f */
+/* body sha256:cc321eac0114ad4b899756901b21d57f48a17bb97bd94edf29ae1a03a0ad9ec3 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -54,57 +54,63 @@ enum {
 static const int block[N] = { 0, 0, 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double r = parameters[1];
+    const double g = parameters[2];
+    const double z_0 = m*r;
+    const double z_1 = m*(r*r);
+    const double z_2 = g*z_0;
+    prepared[3] = z_0;
+    prepared[4] = 2.5*z_1;
+    prepared[5] = 0.5*z_1;
+    prepared[6] = z_1;
+    prepared[7] = 4.0*z_2;
+    prepared[8] = 4.0*z_0;
+    prepared[9] = 2.0*z_0;
+    prepared[10] = 3.0*z_1;
+    prepared[11] = 1.25*z_1;
+    prepared[12] = 5.0*z_1;
+    prepared[13] = 2.0*z_1;
+    prepared[14] = z_2;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double m = c[0];
-    const double r = c[1];
-    const double g = c[2];
-    const double z_2 = m*r;
-    const double z_3 = m*(r*r);
-    const double z_5 = g*z_2;
-    c[3] = z_2;
-    c[4] = 2.5*z_3;
-    c[5] = 0.5*z_3;
-    c[6] = z_3;
-    c[7] = 4.0*z_5;
-    c[8] = 4.0*z_2;
-    c[9] = 2.0*z_2;
-    c[10] = 3.0*z_3;
-    c[11] = 1.25*z_3;
-    c[12] = 5.0*z_3;
-    c[13] = 2.0*z_3;
-    c[14] = z_5;
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double m = c[0];
     const double c_0 = c[3];
     const double c_2 = c[5];
     const double c_3 = c[6];
     const double c_8 = c[11];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double theta = x[3];
     const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    const double z_6 = cos_phi_*c_0;
-    const double sin_phi_ = em_sin(phi_);
-    const double z_8 = sin_phi_*c_0;
+    const double cos_phi = em_cos(phi);
+    const double z_2 = cos_phi*c_0;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*c_0;
     const double cos_theta = em_cos(theta);
     M[0] = m;
     M[5] = M[1] = 0.0;
     M[6] = m;
-    M[10] = M[2] = -sin_theta*z_6;
-    M[11] = M[7] = -sin_theta*z_8;
+    M[10] = M[2] = -sin_theta*z_2;
+    M[11] = M[7] = -sin_theta*z_4;
     M[12] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
-    M[15] = M[3] = -cos_theta*z_8;
-    M[16] = M[8] = cos_theta*z_6;
+    M[15] = M[3] = -cos_theta*z_4;
+    M[16] = M[8] = cos_theta*z_2;
     M[17] = M[13] = 0.0;
     M[18] = c_8;
     M[20] = M[4] = 0.0;
@@ -115,66 +121,67 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[3];
     const double c_1 = c[4];
     const double c_2 = c[5];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double theta = x[3];
     const double sin_theta = em_sin(theta);
-    const double sin_phi_ = em_sin(phi_);
-    const double z_5 = sin_phi_*c_0;
-    const double cos_phi_ = em_cos(phi_);
-    const double z_7 = cos_phi_*c_0;
+    const double sin_phi = em_sin(phi);
+    const double z_2 = sin_phi*c_0;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = cos_phi*c_0;
     const double cos_theta = em_cos(theta);
-    dM[60] = dM[52] = sin_theta*z_5;
-    dM[61] = dM[57] = -sin_theta*z_7;
-    dM[65] = dM[53] = -cos_theta*z_7;
-    dM[66] = dM[58] = -cos_theta*z_5;
-    dM[85] = dM[77] = -cos_theta*z_7;
-    dM[86] = dM[82] = -cos_theta*z_5;
+    dM[60] = dM[52] = sin_theta*z_2;
+    dM[61] = dM[57] = -sin_theta*z_4;
+    dM[65] = dM[53] = -cos_theta*z_4;
+    dM[66] = dM[58] = -cos_theta*z_2;
+    dM[85] = dM[77] = -cos_theta*z_4;
+    dM[86] = dM[82] = -cos_theta*z_2;
     dM[87] = c_1*(sin_theta*cos_theta);
-    dM[90] = dM[78] = sin_theta*z_5;
-    dM[91] = dM[83] = -sin_theta*z_7;
+    dM[90] = dM[78] = sin_theta*z_2;
+    dM[91] = dM[83] = -sin_theta*z_4;
     dM[97] = dM[89] = -cos_theta*c_2;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                     double *restrict A, double *restrict b)
 {
-(void)t;
     const double r = c[1];
-    const double phi_ = x[2];
-    const double cos_phi_ = em_cos(phi_);
-    const double sin_phi_ = em_sin(phi_);
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double sin_phi = em_sin(phi);
     A[0] = 1.0;
     A[1] = 0.0;
     A[2] = 0.0;
     A[3] = 0.0;
-    A[4] = -r*cos_phi_;
+    A[4] = -r*cos_phi;
     A[5] = 0.0;
     A[6] = 1.0;
     A[7] = 0.0;
     A[8] = 0.0;
-    A[9] = -r*sin_phi_;
+    A[9] = -r*sin_phi;
     b[0] = 0.0;
     b[1] = 0.0;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)t, (void)u;
     const double r = c[1];
     const double c_0 = c[3];
     const double c_2 = c[5];
@@ -188,44 +195,44 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double phi_dot = v[2];
     const double theta_dot = v[3];
     const double psi_dot = v[4];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double theta = x[3];
-    const double z_2 = phi_dot*phi_dot;
+    const double z_0 = phi_dot*phi_dot;
     const double sin_theta = em_sin(theta);
-    const double sin_phi_ = em_sin(phi_);
-    const double z_7 = sin_theta*sin_phi_;
-    const double cos_phi_ = em_cos(phi_);
+    const double sin_phi = em_sin(phi);
+    const double z_3 = sin_theta*sin_phi;
+    const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
-    const double z_11 = phi_dot*cos_theta;
-    const double z_12 = theta_dot*z_11;
-    const double z_13 = cos_phi_*z_12;
-    const double z_14 = theta_dot*theta_dot;
-    const double z_15 = sin_phi_*z_12;
-    const double z_16 = cos_phi_*sin_theta;
-    const double z_18 = x_dot*theta_dot;
-    const double z_19 = z_7*(x_dot*phi_dot) - z_18*(cos_phi_*cos_theta);
-    const double z_21 = y_dot*theta_dot;
-    const double z_22 = z_16*(y_dot*phi_dot) + z_21*(cos_theta*sin_phi_);
-    const double z_26 = z_11*(x_dot*cos_phi_);
-    const double z_28 = z_11*(y_dot*sin_phi_);
-    const double z_29 = z_7*z_18;
-    const double z_30 = z_16*z_21;
-    const double z_35 = r*(phi_dot*psi_dot);
-    bias[0] = -(c_0*(z_2*z_7 - z_13) - c_0*(z_13 - z_14*z_7));
-    bias[1] = c_0*(z_15 + z_2*z_16) + c_0*(z_15 + z_14*z_16);
-    bias[2] = 0.5*(2.0*c_0*(z_19 - z_22) - (2.0*c_0*z_19 + c_9*(sin_theta*z_12) - 2.0*c_0*z_22 -
+    const double z_6 = phi_dot*cos_theta;
+    const double z_7 = theta_dot*z_6;
+    const double z_8 = cos_phi*z_7;
+    const double z_9 = theta_dot*theta_dot;
+    const double z_10 = sin_phi*z_7;
+    const double z_11 = cos_phi*sin_theta;
+    const double z_12 = x_dot*theta_dot;
+    const double z_13 = z_3*(x_dot*phi_dot) - z_12*(cos_phi*cos_theta);
+    const double z_14 = y_dot*theta_dot;
+    const double z_15 = z_11*(y_dot*phi_dot) + z_14*(cos_theta*sin_phi);
+    const double z_16 = z_6*(x_dot*cos_phi);
+    const double z_17 = z_6*(y_dot*sin_phi);
+    const double z_18 = z_3*z_12;
+    const double z_19 = z_11*z_14;
+    const double z_20 = r*(phi_dot*psi_dot);
+    bias[0] = -(c_0*(z_0*z_3 - z_8) - c_0*(z_8 - z_9*z_3));
+    bias[1] = c_0*(z_10 + z_0*z_11) + c_0*(z_10 + z_9*z_11);
+    bias[2] = 0.5*(2.0*c_0*(z_13 - z_15) - (2.0*c_0*z_13 + c_9*(sin_theta*z_7) - 2.0*c_0*z_15 -
         theta_dot*cos_theta*(psi_dot*c_3)));
-    bias[3] = (-0.25)*(((z_26*c_5 + z_28*c_5 + z_30*c_5 + psi_dot*c_10*z_11 - c_9*(z_2*(sin_theta*cos_theta)) -
-        z_29*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_26 - z_29) + c_0*(z_28 + z_30)));
-    bias[4] = c_2*z_12;
-    gamma[0] = sin_phi_*z_35;
-    gamma[1] = -cos_phi_*z_35;
+    bias[3] = (-0.25)*(((z_16*c_5 + z_17*c_5 + z_19*c_5 + psi_dot*c_10*z_6 - c_9*(z_0*(sin_theta*cos_theta)) -
+        z_18*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_16 - z_18) + c_0*(z_17 + z_19)));
+    bias[4] = c_2*z_7;
+    gamma[0] = sin_phi*z_20;
+    gamma[1] = -cos_phi*z_20;
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m = c[0];
     const double c_0 = c[3];
     const double c_3 = c[6];
@@ -238,40 +245,109 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double phi_dot = v[2];
     const double theta_dot = v[3];
     const double psi_dot = v[4];
-    const double phi_ = x[2];
+    const double phi = x[2];
     const double theta = x[3];
     const double sin_theta = em_sin(theta);
-    const double z_5 = phi_dot*sin_theta;
-    const double cos_phi_ = em_cos(phi_);
-    const double z_9 = cos_phi_*c_0;
-    const double sin_phi_ = em_sin(phi_);
-    const double z_11 = sin_phi_*c_0;
+    const double z_1 = phi_dot*sin_theta;
+    const double cos_phi = em_cos(phi);
+    const double z_3 = cos_phi*c_0;
+    const double sin_phi = em_sin(phi);
+    const double z_5 = sin_phi*c_0;
     const double cos_theta = em_cos(theta);
-    const double z_14 = theta_dot*cos_theta;
-    const double z_18 = cos_phi_*c_5;
-    const double z_19 = sin_phi_*c_5;
-    e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_5*z_9 - z_11*z_14) + 4.0*y_dot*(y_dot*m + z_9*z_14 - z_5*z_11) -
-        phi_dot*(x_dot*sin_theta*z_18 + y_dot*sin_theta*z_19 + c_10*(psi_dot*sin_theta) -
-        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_19 -
-        y_dot*cos_theta*z_18 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_5))));
+    const double z_7 = theta_dot*cos_theta;
+    const double z_8 = cos_phi*c_5;
+    const double z_9 = sin_phi*c_5;
+    e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_1*z_3 - z_5*z_7) + 4.0*y_dot*(y_dot*m + z_3*z_7 - z_1*z_5) -
+        phi_dot*(x_dot*sin_theta*z_8 + y_dot*sin_theta*z_9 + c_10*(psi_dot*sin_theta) -
+        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_9 -
+        y_dot*cos_theta*z_8 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_1))));
     e[1] = 0.0;
     e[2] = 0.0;
     e[3] = cos_theta*c_11;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double A1[N_ROWS][N1], double gamma[N_ROWS])
+{
+    const double r = c[1];
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double c_3 = c[6];
+    const double c_4 = c[7];
+    const double c_5 = c[8];
+    const double c_6 = c[9];
+    const double c_7 = c[10];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double phi_dot = v[2];
+    const double theta_dot = v[3];
+    const double psi_dot = v[4];
+    const double phi = x[2];
+    const double theta = x[3];
+    const double cos_phi = em_cos(phi);
+    const double cos_theta = em_cos(theta);
+    const double z_2 = theta_dot*cos_theta;
+    const double sin_phi = em_sin(phi);
+    const double sin_theta = em_sin(theta);
+    const double z_5 = phi_dot*sin_theta;
+    const double z_6 = theta_dot*sin_theta;
+    const double z_7 = phi_dot*cos_theta;
+    const double z_8 = phi_dot*phi_dot;
+    const double z_9 = phi_dot*psi_dot;
+    const double z_10 = r*cos_phi;
+    const double z_11 = r*sin_phi;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_2 - sin_phi*z_5));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_5 + sin_phi*z_2);
+    Mdot1[2][2] = sin_theta*c_1*z_2;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_6 - cos_phi*z_7);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_7 + cos_phi*z_6);
+    Mdot1[2][3] = Mdot1[3][2] = 0.0;
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = 0.0;
+    Mdot1[1][4] = Mdot1[4][1] = 0.0;
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_2;
+    Mdot1[3][4] = Mdot1[4][3] = 0.0;
+    Mdot1[4][4] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f1[2] = -(cos_phi*(c_0*(x_dot*z_2 + y_dot*z_5)) + sin_phi*(c_0*(y_dot*z_2 - x_dot*z_5)));
+    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_8 -
+        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_9 + sin_phi*c_6*(y_dot*phi_dot) +
+        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_8));
+    f1[4] = 0.0;
+    A1[0][0] = 1.0;
+    A1[0][1] = 0.0;
+    A1[0][2] = 0.0;
+    A1[0][3] = 0.0;
+    A1[0][4] = -z_10;
+    A1[1][0] = 0.0;
+    A1[1][1] = 1.0;
+    A1[1][2] = 0.0;
+    A1[1][3] = 0.0;
+    A1[1][4] = -z_11;
+    gamma[0] = z_11*z_9;
+    gamma[1] = -z_10*z_9;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -279,8 +355,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -300,73 +375,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[3] = v1[3];
     dy[4] = v1[4];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double r = c[1];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double c_2 = c[5];
-    const double c_3 = c[6];
-    const double c_4 = c[7];
-    const double c_5 = c[8];
-    const double c_6 = c[9];
-    const double c_7 = c[10];
-    const double x_dot = v1[0];
-    const double y_dot = v1[1];
-    const double phi_dot = v1[2];
-    const double theta_dot = v1[3];
-    const double psi_dot = v1[4];
-    const double phi_ = y[2];
-    const double theta = y[3];
-    const double cos_phi_ = em_cos(phi_);
-    const double cos_theta = em_cos(theta);
-    const double z_6 = theta_dot*cos_theta;
-    const double sin_phi_ = em_sin(phi_);
-    const double sin_theta = em_sin(theta);
-    const double z_10 = phi_dot*sin_theta;
-    const double z_12 = theta_dot*sin_theta;
-    const double z_13 = phi_dot*cos_theta;
-    const double z_18 = phi_dot*phi_dot;
-    const double z_22 = phi_dot*psi_dot;
-    const double z_26 = r*cos_phi_;
-    const double z_27 = r*sin_phi_;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi_*z_6 - sin_phi_*z_10));
-    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi_*z_10 + sin_phi_*z_6);
-    Mdot1[2][2] = sin_theta*c_1*z_6;
-    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi_*z_12 - cos_phi_*z_13);
-    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi_*z_13 + cos_phi_*z_12);
-    Mdot1[2][3] = Mdot1[3][2] = 0.0;
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = 0.0;
-    Mdot1[1][4] = Mdot1[4][1] = 0.0;
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f1[2] = -(cos_phi_*(c_0*(x_dot*z_6 + y_dot*z_10)) + sin_phi_*(c_0*(y_dot*z_6 - x_dot*z_10)));
-    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi_*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_18 -
-        cos_phi_*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_22 + sin_phi_*c_6*(y_dot*phi_dot) +
-        cos_phi_*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_18));
-    f1[4] = 0.0;
-    A1[0][0] = 1.0;
-    A1[0][1] = 0.0;
-    A1[0][2] = 0.0;
-    A1[0][3] = 0.0;
-    A1[0][4] = -z_26;
-    A1[1][0] = 0.0;
-    A1[1][1] = 1.0;
-    A1[1][2] = 0.0;
-    A1[1][3] = 0.0;
-    A1[1][4] = -z_27;
-    gamma[0] = z_27*z_22;
-    gamma[1] = -z_26*z_22;
+    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
 
     /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -442,35 +452,31 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[4])
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
     const double m = c[0];
     const double c_0 = c[3];
     const double c_2 = c[5];
     const double c_3 = c[6];
     const double c_8 = c[11];
-    const double phi_ = y[2];
-    const double theta = y[3];
+    const double phi = x[2];
+    const double theta = x[3];
     const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    const double z_6 = cos_phi_*c_0;
-    const double sin_phi_ = em_sin(phi_);
-    const double z_8 = sin_phi_*c_0;
+    const double cos_phi = em_cos(phi);
+    const double z_2 = cos_phi*c_0;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*c_0;
     const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[1][0] = 0.0;
     M1[1][1] = m;
-    M1[2][0] = -sin_theta*z_6;
-    M1[2][1] = -sin_theta*z_8;
+    M1[2][0] = -sin_theta*z_2;
+    M1[2][1] = -sin_theta*z_4;
     M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
-    M1[3][0] = -cos_theta*z_8;
-    M1[3][1] = cos_theta*z_6;
+    M1[3][0] = -cos_theta*z_4;
+    M1[3][1] = cos_theta*z_2;
     M1[3][2] = 0.0;
     M1[3][3] = c_8;
     M1[4][0] = 0.0;
@@ -478,6 +484,87 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     M1[4][2] = -sin_theta*c_2;
     M1[4][3] = 0.0;
     M1[4][4] = c_2;
+    shared[0] = cos_phi;
+    shared[1] = cos_theta;
+    shared[2] = sin_phi;
+    shared[3] = sin_theta;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[4],
+                                 double Mdot1[N1][N1], double f1[N1], double A1[N_ROWS][N1],
+                                 double gamma[N_ROWS])
+{
+    const double r = c[1];
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double c_3 = c[6];
+    const double c_4 = c[7];
+    const double c_5 = c[8];
+    const double c_6 = c[9];
+    const double c_7 = c[10];
+    const double cos_phi = shared[0];
+    const double cos_theta = shared[1];
+    const double sin_phi = shared[2];
+    const double sin_theta = shared[3];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double phi_dot = v[2];
+    const double theta_dot = v[3];
+    const double psi_dot = v[4];
+    const double z_6 = theta_dot*cos_theta;
+    const double z_7 = phi_dot*sin_theta;
+    const double z_8 = theta_dot*sin_theta;
+    const double z_9 = phi_dot*cos_theta;
+    const double z_10 = phi_dot*phi_dot;
+    const double z_11 = phi_dot*psi_dot;
+    const double z_12 = r*cos_phi;
+    const double z_13 = r*sin_phi;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
+    Mdot1[2][2] = sin_theta*c_1*z_6;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
+    Mdot1[2][3] = Mdot1[3][2] = 0.0;
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = 0.0;
+    Mdot1[1][4] = Mdot1[4][1] = 0.0;
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
+    Mdot1[3][4] = Mdot1[4][3] = 0.0;
+    Mdot1[4][4] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = 0.0;
+    f1[2] = -(cos_phi*(c_0*(x_dot*z_6 + y_dot*z_7)) + sin_phi*(c_0*(y_dot*z_6 - x_dot*z_7)));
+    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_10 -
+        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_11 + sin_phi*c_6*(y_dot*phi_dot) +
+        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_10));
+    f1[4] = 0.0;
+    A1[0][0] = 1.0;
+    A1[0][1] = 0.0;
+    A1[0][2] = 0.0;
+    A1[0][3] = 0.0;
+    A1[0][4] = -z_12;
+    A1[1][0] = 0.0;
+    A1[1][1] = 1.0;
+    A1[1][2] = 0.0;
+    A1[1][3] = 0.0;
+    A1[1][4] = -z_13;
+    gamma[0] = z_13*z_11;
+    gamma[1] = -z_12*z_11;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[4];
+    triangular_masses(y, c, M1, shared);
 
     /* x, y, phi, theta, psi: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -496,64 +583,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[3] = v1[3];
     dy[4] = v1[4];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double A1[N_ROWS][N1];
-    double gamma[N_ROWS];
-    const double r = c[1];
-    const double c_1 = c[4];
-    const double c_4 = c[7];
-    const double c_5 = c[8];
-    const double c_6 = c[9];
-    const double c_7 = c[10];
-    const double x_dot = v1[0];
-    const double y_dot = v1[1];
-    const double phi_dot = v1[2];
-    const double theta_dot = v1[3];
-    const double psi_dot = v1[4];
-    const double z_14 = theta_dot*cos_theta;
-    const double z_16 = phi_dot*sin_theta;
-    const double z_18 = theta_dot*sin_theta;
-    const double z_19 = phi_dot*cos_theta;
-    const double z_22 = phi_dot*phi_dot;
-    const double z_26 = phi_dot*psi_dot;
-    const double z_30 = r*cos_phi_;
-    const double z_31 = r*sin_phi_;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi_*z_14 - sin_phi_*z_16));
-    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi_*z_16 + sin_phi_*z_14);
-    Mdot1[2][2] = sin_theta*c_1*z_14;
-    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi_*z_18 - cos_phi_*z_19);
-    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi_*z_19 + cos_phi_*z_18);
-    Mdot1[2][3] = Mdot1[3][2] = 0.0;
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = 0.0;
-    Mdot1[1][4] = Mdot1[4][1] = 0.0;
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_14;
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f1[2] = -(cos_phi_*(c_0*(x_dot*z_14 + y_dot*z_16)) + sin_phi_*(c_0*(y_dot*z_14 - x_dot*z_16)));
-    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi_*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_22 -
-        cos_phi_*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_26 + sin_phi_*c_6*(y_dot*phi_dot) +
-        cos_phi_*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_22));
-    f1[4] = 0.0;
-    A1[0][0] = 1.0;
-    A1[0][1] = 0.0;
-    A1[0][2] = 0.0;
-    A1[0][3] = 0.0;
-    A1[0][4] = -z_30;
-    A1[1][0] = 0.0;
-    A1[1][1] = 1.0;
-    A1[1][2] = 0.0;
-    A1[1][3] = 0.0;
-    A1[1][4] = -z_31;
-    gamma[0] = z_31*z_26;
-    gamma[1] = -z_30*z_26;
+    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    triangular_motion(dy, c, shared, Mdot1, f1, A1, gamma);
 
     /* x, y, phi, theta, psi: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -617,38 +648,32 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[4])
 {
-    int changed = (flags & EM_STABILISE) != 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
-    double A1[N_ROWS][N1];
-    double b[N_ROWS];
     const double m = c[0];
     const double r = c[1];
     const double c_0 = c[3];
     const double c_2 = c[5];
     const double c_3 = c[6];
     const double c_8 = c[11];
-    const double phi_ = y[2];
-    const double theta = y[3];
+    const double phi = x[2];
+    const double theta = x[3];
     const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    const double z_6 = cos_phi_*c_0;
-    const double sin_phi_ = em_sin(phi_);
-    const double z_8 = sin_phi_*c_0;
+    const double cos_phi = em_cos(phi);
+    const double z_2 = cos_phi*c_0;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*c_0;
     const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[0][1] = M1[1][0] = 0.0;
     M1[1][1] = m;
-    M1[0][2] = M1[2][0] = -sin_theta*z_6;
-    M1[1][2] = M1[2][1] = -sin_theta*z_8;
+    M1[0][2] = M1[2][0] = -sin_theta*z_2;
+    M1[1][2] = M1[2][1] = -sin_theta*z_4;
     M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
-    M1[0][3] = M1[3][0] = -cos_theta*z_8;
-    M1[1][3] = M1[3][1] = cos_theta*z_6;
+    M1[0][3] = M1[3][0] = -cos_theta*z_4;
+    M1[1][3] = M1[3][1] = cos_theta*z_2;
     M1[2][3] = M1[3][2] = 0.0;
     M1[3][3] = c_8;
     M1[0][4] = M1[4][0] = 0.0;
@@ -660,14 +685,63 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     A1[0][1] = 0.0;
     A1[0][2] = 0.0;
     A1[0][3] = 0.0;
-    A1[0][4] = -r*cos_phi_;
+    A1[0][4] = -r*cos_phi;
     A1[1][0] = 0.0;
     A1[1][1] = 1.0;
     A1[1][2] = 0.0;
     A1[1][3] = 0.0;
-    A1[1][4] = -r*sin_phi_;
+    A1[1][4] = -r*sin_phi;
     b[0] = 0.0;
     b[1] = 0.0;
+    shared[0] = cos_phi;
+    shared[1] = cos_theta;
+    shared[2] = sin_phi;
+    shared[3] = sin_theta;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[3];
+    const double c_1 = c[4];
+    const double c_2 = c[5];
+    const double cos_phi = shared[0];
+    const double cos_theta = shared[1];
+    const double sin_phi = shared[2];
+    const double sin_theta = shared[3];
+    const double phi_dot = v[2];
+    const double theta_dot = v[3];
+    const double z_6 = theta_dot*cos_theta;
+    const double z_7 = phi_dot*sin_theta;
+    const double z_8 = theta_dot*sin_theta;
+    const double z_9 = phi_dot*cos_theta;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = 0.0;
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
+    Mdot1[2][2] = sin_theta*c_1*z_6;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
+    Mdot1[2][3] = Mdot1[3][2] = 0.0;
+    Mdot1[3][3] = 0.0;
+    Mdot1[0][4] = Mdot1[4][0] = 0.0;
+    Mdot1[1][4] = Mdot1[4][1] = 0.0;
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
+    Mdot1[3][4] = Mdot1[4][3] = 0.0;
+    Mdot1[4][4] = 0.0;
+}
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    int changed = (flags & EM_STABILISE) != 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, b, shared);
 
     /* x, y, phi, theta, psi */
     double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -687,6 +761,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -694,29 +769,14 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double c_1 = c[4];
-    const double phi_dot = v1[2];
-    const double theta_dot = v1[3];
-    const double z_15 = theta_dot*cos_theta;
-    const double z_17 = phi_dot*sin_theta;
-    const double z_19 = theta_dot*sin_theta;
-    const double z_20 = phi_dot*cos_theta;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi_*z_15 - sin_phi_*z_17));
-    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi_*z_17 + sin_phi_*z_15);
-    Mdot1[2][2] = sin_theta*c_1*z_15;
-    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi_*z_19 - cos_phi_*z_20);
-    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi_*z_20 + cos_phi_*z_19);
-    Mdot1[2][3] = Mdot1[3][2] = 0.0;
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = 0.0;
-    Mdot1[1][4] = Mdot1[4][1] = 0.0;
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_15;
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            v[2] = v1[2];
+            v[3] = v1[3];
+            v[4] = v1[4];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:10da82673904258304481d8fe0ecab4fecda52a2bd1e886f898bf92b206d5596 */
+/* body sha256:05b599d7cc729e5e878208e41204c44c06cc2a9801289348219a68e4ca1dfb94 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -20,7 +20,6 @@
  *
  * Operations of the straight-line part:
  *   eigenfactor: 1 additions, 3 multiplications, 2 function calls
- *   projection: none
  */
 #include "rotating_hoop.h"
 
@@ -50,24 +49,31 @@ enum {
 static const int block[N] = { 0 };
 static const double scales[N] = { 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double R = parameters[1];
+    const double Omega = parameters[2];
+    const double g = parameters[3];
+    const double z_0 = m*(R*R);
+    const double z_1 = z_0*(Omega*Omega);
+    M1[0][0] = z_0;
+    prepared[8] = m*R*g;
+    prepared[9] = z_1;
+    prepared[10] = z_0;
+    prepared[11] = 0.5*z_0;
+    prepared[12] = 0.5*z_1;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
-    const double m = c[0];
-    const double R = c[1];
-    const double Omega = c[2];
-    const double g = c[3];
-    const double z_2 = m*(R*R);
-    const double z_5 = z_2*(Omega*Omega);
-    M1[0][0] = z_2;
-    c[8] = m*R*g;
-    c[9] = z_5;
-    c[10] = z_2;
-    c[11] = 0.5*z_2;
-    c[12] = 0.5*z_5;
+    prepared_constants(parameters, M1, c);
     /* block 1 (theta): C, s, L, 1 / diag L */
     static const int coordinate1[N1] = { 0 };
     const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
@@ -76,37 +82,40 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t, (void)x;
     const double c_2 = c[10];
     M[0] = c_2;
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                 EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t, (void)x, (void)c;
+    dM[0] = 0.0;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)v, (void)u, (void)gamma;
     const double c_0 = c[8];
     const double c_1 = c[9];
     const double theta = x[0];
@@ -116,9 +125,9 @@ static void motion_bias(double t, const double *restrict x, const double *restri
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double c_0 = c[8];
     const double c_3 = c[11];
     const double c_4 = c[12];
@@ -133,18 +142,29 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict c, double f1[N1])
+{
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    f1[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -152,8 +172,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[1] };
@@ -166,14 +185,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v1 = w1;
     dy[0] = v1[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
     double f1[N1];
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double theta = y[0];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    f1[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
+    eigenfactor_motion(y, c, f1);
 
     /* theta: constant factors, a = S^-1 C f (41) */
     double a1[N1];

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:89fbe6235cb9af687179f0a7e5d3fe650f01cc021dfc665b612fac650ad919eb */
+/* body sha256:bdbefd1f63c2e6df0319080d4eb5642eb53915eec003a3a8790c5c2c797b87cc */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -22,7 +22,6 @@
  *
  * Operations of the straight-line part:
  *   eigenfactor: 4 additions, 4 multiplications
- *   projection: none
  */
 #include "rotating_spring.h"
 
@@ -53,26 +52,32 @@ enum {
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double k_x = parameters[1];
+    const double k_y = parameters[2];
+    const double Omega = parameters[3];
+    const double z_0 = Omega*Omega;
+    const double z_1 = m*z_0;
+    M1[0][0] = m;
+    M2[0][0] = m;
+    prepared[12] = m*Omega;
+    prepared[13] = k_x - z_1;
+    prepared[14] = k_y - z_1;
+    prepared[15] = z_0;
+    prepared[16] = 0.5*m;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    double M1[N1][N1];
-    double M2[N2][N2];
-    const double m = c[0];
-    const double k_x = c[1];
-    const double k_y = c[2];
-    const double Omega = c[3];
-    const double z_3 = Omega*Omega;
-    const double z_4 = m*z_3;
-    M1[0][0] = m;
-    M2[0][0] = m;
-    c[12] = m*Omega;
-    c[13] = k_x - z_4;
-    c[14] = k_y - z_4;
-    c[15] = z_3;
-    c[16] = 0.5*m;
+    double M1[N1][N1], M2[N2][N2];
+    prepared_constants(parameters, M1, M2, c);
     /* block 1 (x): C, s, L, 1 / diag L */
     static const int coordinate1[N1] = { 0 };
     const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
@@ -85,9 +90,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t, (void)x;
     const double m = c[0];
     M[0] = m;
     M[2] = M[1] = 0.0;
@@ -95,46 +100,49 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                 EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t, (void)x, (void)c;
+    dM[0] = 0.0;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double c_0 = c[12];
     const double c_1 = c[13];
     const double c_2 = c[14];
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double x_ = x[0];
-    const double y_ = x[1];
-    const double z_2 = y_dot*c_0;
-    const double z_6 = x_dot*c_0;
-    bias[0] = z_2 + (z_2 - x_*c_1);
-    bias[1] = -(z_6 + (z_6 + y_*c_2));
+    const double y = x[1];
+    const double z_0 = y_dot*c_0;
+    const double z_1 = x_dot*c_0;
+    bias[0] = z_0 + (z_0 - x_*c_1);
+    bias[1] = -(z_1 + (z_1 + y*c_2));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m = c[0];
     const double k_x = c[1];
     const double k_y = c[2];
@@ -144,28 +152,45 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double x_ = x[0];
-    const double y_ = x[1];
-    const double z_7 = x_*x_;
-    const double z_8 = y_*y_;
+    const double y = x[1];
+    const double z_0 = x_*x_;
+    const double z_1 = y*y;
     e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
-    e[1] = -c_0*(x_dot*y_ - y_dot*x_);
-    e[2] = c_3*(z_7 + z_8)*c_4;
-    e[3] = 0.5*(k_x*z_7 + k_y*z_8);
+    e[1] = -c_0*(x_dot*y - y_dot*x_);
+    e[2] = c_3*(z_0 + z_1)*c_4;
+    e[3] = 0.5*(k_x*z_0 + k_y*z_1);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double f1[N1], double f2[N2])
+{
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double c_2 = c[14];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double x_ = x[0];
+    const double y = x[1];
+    const double z_0 = y_dot*c_0;
+    const double z_1 = x_dot*c_0;
+    f1[0] = z_0 + (z_0 - x_*c_1);
+    f2[0] = -(z_1 + (z_1 + y*c_2));
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -173,8 +198,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
@@ -198,20 +222,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[1] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double f2[N2];
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double x_dot = v1[0];
-    const double y_dot = v2[0];
-    const double x_ = y[0];
-    const double y_ = y[1];
-    const double z_2 = y_dot*c_0;
-    const double z_6 = x_dot*c_0;
-    f1[0] = z_2 + (z_2 - x_*c_1);
-    f2[0] = -(z_6 + (z_6 + y_*c_2));
+    double f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, f1, f2);
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];

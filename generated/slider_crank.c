@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:99b12ef071c295a3331f9ae9bad055fdc19706b8ad3fbe477b6c4876d5b781b9 */
+/* body sha256:2a88703bb2302c4de2d53f14e3fce90a531e339409b337fb1becc3811c6ab8aa */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -58,37 +58,44 @@ enum {
 static const int block[N] = { 0, 0, 1 };
 static const double scales[N] = { 1.0, 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double r = parameters[0];
+    const double l = parameters[1];
+    const double m_c = parameters[2];
+    const double m_r = parameters[3];
+    const double m_s = parameters[4];
+    const double g = parameters[5];
+    const double z_0 = m_r*r;
+    const double z_1 = r*m_c;
+    const double z_2 = r*r;
+    const double z_3 = 3.0*m_r*z_2 + m_c*z_2;
+    const double z_4 = m_r*(l*l);
+    M2[0][0] = m_s;
+    prepared[10] = l*z_0;
+    prepared[11] = g*z_1 + 2.0*g*z_0;
+    prepared[12] = m_r*l*g;
+    prepared[13] = (1.0/3.0)*z_3;
+    prepared[14] = (1.0/3.0)*z_4;
+    prepared[15] = fabs(r);
+    prepared[16] = fabs(l);
+    prepared[17] = 2.0*z_3;
+    prepared[18] = 2.0*z_4;
+    prepared[19] = 6.0*m_s;
+    prepared[20] = 2.0*r;
+    prepared[21] = z_1;
+    prepared[22] = 0.5*g;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
-    const double r = c[0];
-    const double l = c[1];
-    const double m_c = c[2];
-    const double m_r = c[3];
-    const double m_s = c[4];
-    const double g = c[5];
-    const double z_4 = m_r*r;
-    const double z_7 = r*m_c;
-    const double z_8 = r*r;
-    const double z_9 = 3.0*m_r*z_8 + m_c*z_8;
-    const double z_10 = m_r*(l*l);
-    M2[0][0] = m_s;
-    c[10] = l*z_4;
-    c[11] = g*z_7 + 2.0*g*z_4;
-    c[12] = m_r*l*g;
-    c[13] = (1.0/3.0)*z_9;
-    c[14] = (1.0/3.0)*z_10;
-    c[15] = fabs(r);
-    c[16] = fabs(l);
-    c[17] = 2.0*z_9;
-    c[18] = 2.0*z_10;
-    c[19] = 6.0*m_s;
-    c[20] = 2.0*r;
-    c[21] = z_7;
-    c[22] = 0.5*g;
+    prepared_constants(parameters, M2, c);
     /* block 2 (x): C, s, L, 1 / diag L */
     static const int coordinate2[N2] = { 2 };
     const int singular2 = em_prepare_block(N2, M2[0], c + 6, c + 7, c + 8, c + 9);
@@ -97,21 +104,21 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double m_s = c[4];
     const double c_0 = c[10];
     const double c_3 = c[13];
     const double c_4 = c[14];
     const double theta = x[0];
-    const double phi_ = x[1];
-    const double sin_phi_ = em_sin(phi_);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
     const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
+    const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
     M[0] = c_3;
-    M[3] = M[1] = 0.5*(c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta));
+    M[3] = M[1] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
     M[4] = c_4;
     M[6] = M[2] = 0.0;
     M[7] = M[5] = 0.0;
@@ -119,47 +126,47 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[10];
     const double theta = x[0];
-    const double phi_ = x[1];
-    const double sin_phi_ = em_sin(phi_);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
     const double cos_theta = em_cos(theta);
     const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    dM[3] = dM[1] = 0.5*(c_0*(sin_phi_*cos_theta + sin_theta*cos_phi_));
-    dM[12] = dM[10] = 0.5*(c_0*(sin_phi_*cos_theta + sin_theta*cos_phi_));
+    const double cos_phi = em_cos(phi);
+    dM[3] = dM[1] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
+    dM[12] = dM[10] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                     double *restrict A, double *restrict b)
 {
-(void)t;
     const double r = c[0];
     const double l = c[1];
     const double theta = x[0];
-    const double phi_ = x[1];
+    const double phi = x[1];
     const double sin_theta = em_sin(theta);
-    const double sin_phi_ = em_sin(phi_);
+    const double sin_phi = em_sin(phi);
     const double cos_theta = em_cos(theta);
-    const double cos_phi_ = em_cos(phi_);
+    const double cos_phi = em_cos(phi);
     A[0] = r*sin_theta;
-    A[1] = l*sin_phi_;
+    A[1] = l*sin_phi;
     A[2] = 1.0;
     A[3] = r*cos_theta;
-    A[4] = -l*cos_phi_;
+    A[4] = -l*cos_phi;
     A[5] = 0.0;
     b[0] = 0.0;
     b[1] = 0.0;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                     double *restrict phi, double *restrict terms)
 {
-(void)t;
     const double r = c[0];
     const double l = c[1];
     const double c_5 = c[15];
@@ -179,10 +186,10 @@ static void position(double t, const double *restrict x, const double *restrict 
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)t, (void)u;
     const double r = c[0];
     const double l = c[1];
     const double c_0 = c[10];
@@ -191,28 +198,28 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double theta_dot = v[0];
     const double phi_dot = v[1];
     const double theta = x[0];
-    const double phi_ = x[1];
-    const double sin_phi_ = em_sin(phi_);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
     const double cos_theta = em_cos(theta);
-    const double z_7 = sin_phi_*cos_theta;
+    const double z_2 = sin_phi*cos_theta;
     const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    const double z_10 = sin_theta*cos_phi_;
-    const double z_11 = theta_dot*phi_dot*(c_0*(z_7 + z_10));
-    const double z_13 = c_0*(phi_dot*z_10 + theta_dot*z_7) + c_0*(phi_dot*z_7 + theta_dot*z_10);
-    const double z_16 = r*(theta_dot*theta_dot);
-    const double z_18 = l*(phi_dot*phi_dot);
-    bias[0] = 0.5*((z_11 - cos_theta*c_1) - phi_dot*z_13);
-    bias[1] = 0.5*((z_11 + cos_phi_*c_2) - theta_dot*z_13);
+    const double cos_phi = em_cos(phi);
+    const double z_5 = sin_theta*cos_phi;
+    const double z_6 = theta_dot*phi_dot*(c_0*(z_2 + z_5));
+    const double z_7 = c_0*(phi_dot*z_5 + theta_dot*z_2) + c_0*(phi_dot*z_2 + theta_dot*z_5);
+    const double z_8 = r*(theta_dot*theta_dot);
+    const double z_9 = l*(phi_dot*phi_dot);
+    bias[0] = 0.5*((z_6 - cos_theta*c_1) - phi_dot*z_7);
+    bias[1] = 0.5*((z_6 + cos_phi*c_2) - theta_dot*z_7);
     bias[2] = 0.0;
-    gamma[0] = cos_theta*z_16 + cos_phi_*z_18;
-    gamma[1] = -(sin_theta*z_16 - sin_phi_*z_18);
+    gamma[0] = cos_theta*z_8 + cos_phi*z_9;
+    gamma[1] = -(sin_theta*z_8 - sin_phi*z_9);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double l = c[1];
     const double m_r = c[3];
     const double c_0 = c[10];
@@ -226,32 +233,76 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double phi_dot = v[1];
     const double x_dot = v[2];
     const double theta = x[0];
-    const double phi_ = x[1];
-    const double sin_phi_ = em_sin(phi_);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
     const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
+    const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
-    const double z_9 = c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta);
-    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_9 + theta_dot*c_7) + phi_dot*(3.0*theta_dot*z_9 + phi_dot*c_8) +
+    const double z_4 = c_0*(sin_phi*sin_theta - cos_phi*cos_theta);
+    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_4 + theta_dot*c_7) + phi_dot*(3.0*theta_dot*z_4 + phi_dot*c_8) +
         c_9*(x_dot*x_dot));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = (m_r*(sin_theta*c_10 - l*sin_phi_) + sin_theta*c_11)*c_12;
+    e[3] = (m_r*(sin_theta*c_10 - l*sin_phi) + sin_theta*c_11)*c_12;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
+                                  double f2[N2], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
+                                  double gamma[N_ROWS])
+{
+    const double r = c[0];
+    const double l = c[1];
+    const double c_0 = c[10];
+    const double c_1 = c[11];
+    const double c_2 = c[12];
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double theta = x[0];
+    const double phi = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    const double z_2 = sin_theta*cos_phi;
+    const double sin_phi = em_sin(phi);
+    const double cos_theta = em_cos(theta);
+    const double z_5 = sin_phi*cos_theta;
+    const double z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_2));
+    const double z_7 = r*sin_theta;
+    const double z_8 = l*sin_phi;
+    const double z_9 = r*cos_theta;
+    const double z_10 = l*cos_phi;
+    const double z_11 = theta_dot*theta_dot;
+    const double z_12 = phi_dot*phi_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_2 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_2));
+    Mdot1[1][1] = 0.0;
+    f1[0] = 0.5*(z_6 - cos_theta*c_1);
+    f1[1] = 0.5*(z_6 + cos_phi*c_2);
+    f2[0] = 0.0;
+    A1[0][0] = z_7;
+    A1[0][1] = z_8;
+    A1[1][0] = z_9;
+    A1[1][1] = -z_10;
+    A2[0][0] = 1.0;
+    A2[1][0] = 0.0;
+    gamma[0] = z_9*z_11 + z_10*z_12;
+    gamma[1] = -(z_7*z_11 - z_8*z_12);
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -259,8 +310,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta, phi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4] };
@@ -288,49 +338,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double *const v2 = w2;
     dy[2] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double gamma[N_ROWS];
-    const double r = c[0];
-    const double l = c[1];
-    const double c_0 = c[10];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double theta_dot = v1[0];
-    const double phi_dot = v1[1];
-    const double theta = y[0];
-    const double phi_ = y[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    const double z_6 = sin_theta*cos_phi_;
-    const double sin_phi_ = em_sin(phi_);
-    const double cos_theta = em_cos(theta);
-    const double z_10 = sin_phi_*cos_theta;
-    const double z_11 = theta_dot*phi_dot*(c_0*(z_10 + z_6));
-    const double z_15 = r*sin_theta;
-    const double z_17 = l*sin_phi_;
-    const double z_18 = r*cos_theta;
-    const double z_19 = l*cos_phi_;
-    const double z_20 = theta_dot*theta_dot;
-    const double z_21 = phi_dot*phi_dot;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_6 + theta_dot*z_10) + c_0*(phi_dot*z_10 + theta_dot*z_6));
-    Mdot1[1][1] = 0.0;
-    f1[0] = 0.5*(z_11 - cos_theta*c_1);
-    f1[1] = 0.5*(z_11 + cos_phi_*c_2);
-    f2[0] = 0.0;
-    A1[0][0] = z_15;
-    A1[0][1] = z_17;
-    A1[1][0] = z_18;
-    A1[1][1] = -z_19;
-    A2[0][0] = 1.0;
-    A2[1][0] = 0.0;
-    gamma[0] = z_18*z_20 + z_19*z_21;
-    gamma[1] = -(z_15*z_20 - z_17*z_21);
+    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, A2, gamma);
 
     /* theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -426,26 +435,77 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[4])
+{
+    const double c_0 = c[10];
+    const double c_3 = c[13];
+    const double c_4 = c[14];
+    const double theta = x[0];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    const double cos_theta = em_cos(theta);
+    M1[0][0] = c_3;
+    M1[1][0] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
+    M1[1][1] = c_4;
+    shared[0] = sin_theta;
+    shared[1] = cos_phi;
+    shared[2] = sin_phi;
+    shared[3] = cos_theta;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[4],
+                                 double Mdot1[N1][N1], double f1[N1], double f2[N2], double A1[N_ROWS][N1],
+                                 double A2[N_ROWS][N2], double gamma[N_ROWS])
+{
+    const double r = c[0];
+    const double l = c[1];
+    const double c_0 = c[10];
+    const double c_1 = c[11];
+    const double c_2 = c[12];
+    const double sin_theta = shared[0];
+    const double cos_phi = shared[1];
+    const double sin_phi = shared[2];
+    const double cos_theta = shared[3];
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double z_4 = sin_theta*cos_phi;
+    const double z_5 = sin_phi*cos_theta;
+    const double z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_4));
+    const double z_7 = r*sin_theta;
+    const double z_8 = l*sin_phi;
+    const double z_9 = r*cos_theta;
+    const double z_10 = l*cos_phi;
+    const double z_11 = theta_dot*theta_dot;
+    const double z_12 = phi_dot*phi_dot;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_4 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_4));
+    Mdot1[1][1] = 0.0;
+    f1[0] = 0.5*(z_6 - cos_theta*c_1);
+    f1[1] = 0.5*(z_6 + cos_phi*c_2);
+    f2[0] = 0.0;
+    A1[0][0] = z_7;
+    A1[0][1] = z_8;
+    A1[1][0] = z_9;
+    A1[1][1] = -z_10;
+    A2[0][0] = 1.0;
+    A2[1][0] = 0.0;
+    gamma[0] = z_9*z_11 + z_10*z_12;
+    gamma[1] = -(z_7*z_11 - z_8*z_12);
+}
+
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
  * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
-    const double c_0 = c[10];
-    const double c_3 = c[13];
-    const double c_4 = c[14];
-    const double theta = y[0];
-    const double phi_ = y[1];
-    const double sin_phi_ = em_sin(phi_);
-    const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    const double cos_theta = em_cos(theta);
-    M1[0][0] = c_3;
-    M1[1][0] = 0.5*(c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta));
-    M1[1][1] = c_4;
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[4];
+    triangular_masses(y, c, M1, shared);
 
     /* theta, phi: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -472,42 +532,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double *const v2 = w2;
     dy[2] = v2[0];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    double f2[N2];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double gamma[N_ROWS];
-    const double r = c[0];
-    const double l = c[1];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double theta_dot = v1[0];
-    const double phi_dot = v1[1];
-    const double z_10 = sin_theta*cos_phi_;
-    const double z_12 = sin_phi_*cos_theta;
-    const double z_13 = theta_dot*phi_dot*(c_0*(z_12 + z_10));
-    const double z_17 = r*sin_theta;
-    const double z_19 = l*sin_phi_;
-    const double z_20 = r*cos_theta;
-    const double z_21 = l*cos_phi_;
-    const double z_22 = theta_dot*theta_dot;
-    const double z_23 = phi_dot*phi_dot;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_10 + theta_dot*z_12) + c_0*(phi_dot*z_12 + theta_dot*z_10));
-    Mdot1[1][1] = 0.0;
-    f1[0] = 0.5*(z_13 - cos_theta*c_1);
-    f1[1] = 0.5*(z_13 + cos_phi_*c_2);
-    f2[0] = 0.0;
-    A1[0][0] = z_17;
-    A1[0][1] = z_19;
-    A1[1][0] = z_20;
-    A1[1][1] = -z_21;
-    A2[0][0] = 1.0;
-    A2[1][0] = 0.0;
-    gamma[0] = z_20*z_22 + z_21*z_23;
-    gamma[1] = -(z_17*z_22 - z_19*z_23);
+    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    triangular_motion(dy, c, shared, Mdot1, f1, f2, A1, A2, gamma);
 
     /* theta, phi: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
     double a1[N1];
@@ -591,6 +617,57 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS],
+                              double shared[4])
+{
+    const double r = c[0];
+    const double l = c[1];
+    const double c_0 = c[10];
+    const double c_3 = c[13];
+    const double c_4 = c[14];
+    const double theta = x[0];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    const double cos_theta = em_cos(theta);
+    M1[0][0] = c_3;
+    M1[0][1] = M1[1][0] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
+    M1[1][1] = c_4;
+    A1[0][0] = r*sin_theta;
+    A1[0][1] = l*sin_phi;
+    A1[1][0] = r*cos_theta;
+    A1[1][1] = -l*cos_phi;
+    A2[0][0] = 1.0;
+    A2[1][0] = 0.0;
+    b[0] = 0.0;
+    b[1] = 0.0;
+    shared[0] = sin_theta;
+    shared[1] = cos_phi;
+    shared[2] = sin_phi;
+    shared[3] = cos_theta;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[10];
+    const double sin_theta = shared[0];
+    const double cos_phi = shared[1];
+    const double sin_phi = shared[2];
+    const double cos_theta = shared[3];
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double z_4 = sin_theta*cos_phi;
+    const double z_5 = sin_phi*cos_theta;
+    Mdot1[0][0] = 0.0;
+    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_4 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_4));
+    Mdot1[1][1] = 0.0;
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -599,32 +676,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
-    double M1[N1][N1];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double b[N_ROWS];
-    const double r = c[0];
-    const double l = c[1];
-    const double c_0 = c[10];
-    const double c_3 = c[13];
-    const double c_4 = c[14];
-    const double theta = y[0];
-    const double phi_ = y[1];
-    const double sin_phi_ = em_sin(phi_);
-    const double sin_theta = em_sin(theta);
-    const double cos_phi_ = em_cos(phi_);
-    const double cos_theta = em_cos(theta);
-    M1[0][0] = c_3;
-    M1[0][1] = M1[1][0] = 0.5*(c_0*(sin_phi_*sin_theta - cos_phi_*cos_theta));
-    M1[1][1] = c_4;
-    A1[0][0] = r*sin_theta;
-    A1[0][1] = l*sin_phi_;
-    A1[1][0] = r*cos_theta;
-    A1[1][1] = -l*cos_phi_;
-    A2[0][0] = 1.0;
-    A2[1][0] = 0.0;
-    b[0] = 0.0;
-    b[1] = 0.0;
+    double M1[N1][N1], A1[N_ROWS][N1], A2[N_ROWS][N2], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, A2, b, shared);
 
     /* theta, phi */
     double eta1[N1] = { y[3], y[4] };
@@ -647,6 +700,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -654,17 +708,15 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
             double v2[N2];
             memcpy(v2, eta2, sizeof v2);
             em_from_axes(N2, c + 6, c + 7, v2);
-    const double theta_dot = v1[0];
-    const double phi_dot = v1[1];
-    const double z_12 = sin_theta*cos_phi_;
-    const double z_14 = sin_phi_*cos_theta;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_12 + theta_dot*z_14) + c_0*(phi_dot*z_14 + theta_dot*z_12));
-    Mdot1[1][1] = 0.0;
+            v[2] = v2[0];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:2b2f9becba23036ce47818041712d0ac822dbed7201d4f53ef0b41e4bbe8692f */
+/* body sha256:08f5f091c8062fc21ebdbfe9fdb32e0f8747690d1187416ff65e28c1312c2f43 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -53,78 +53,84 @@ enum {
 static const int block[N] = { 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double m_1 = parameters[0];
+    const double m_2 = parameters[1];
+    const double m_3 = parameters[2];
+    const double l_1 = parameters[3];
+    const double l_2 = parameters[4];
+    const double l_3 = parameters[5];
+    const double rho = parameters[6];
+    const double g = parameters[7];
+    const double z_0 = rho*rho;
+    const double z_1 = z_0;
+    const double z_2 = l_3*l_3;
+    const double z_3 = m_3*(3.0*z_1 + z_2);
+    const double z_4 = m_3*l_3;
+    const double z_5 = m_2*l_2;
+    const double z_6 = l_2*m_3;
+    const double z_7 = z_3 + 3.0*m_3*z_2;
+    const double z_8 = m_3*z_0;
+    const double z_9 = m_2*z_0;
+    const double z_10 = l_2*l_2;
+    const double z_11 = m_2*(3.0*z_1 + z_10);
+    const double z_12 = z_7 - 6.0*z_8;
+    const double z_13 = l_3*z_6;
+    const double z_14 = g*z_5;
+    const double z_15 = l_1*l_1;
+    prepared[8] = z_3;
+    prepared[9] = 3.0*z_4;
+    prepared[10] = 2.0*l_1;
+    prepared[11] = 2.0*m_3;
+    prepared[12] = 4.0*m_3;
+    prepared[13] = z_5;
+    prepared[14] = z_6;
+    prepared[15] = z_7;
+    prepared[16] = z_8;
+    prepared[17] = 6.0*l_1;
+    prepared[18] = 2.0*(6.0*z_9 - z_11);
+    prepared[19] = z_12;
+    prepared[20] = z_13;
+    prepared[21] = 2.0*l_2;
+    prepared[22] = 12.0*z_8;
+    prepared[23] = 6.0*z_13;
+    prepared[24] = 6.0*(z_14 + 2.0*z_6*g);
+    prepared[25] = 6.0*z_9;
+    prepared[26] = 6.0*z_8;
+    prepared[27] = 6.0*(z_4*g);
+    prepared[28] = z_11;
+    prepared[29] = 3.0*l_2;
+    prepared[30] = 12.0*m_3;
+    prepared[31] = 6.0*m_3;
+    prepared[32] = 3.0*m_1*z_15 + m_1*(z_15 + 3.0*z_1);
+    prepared[33] = z_11 + 3.0*m_2*z_10;
+    prepared[34] = 6.0*z_6;
+    prepared[35] = (1.0/12.0)*z_7;
+    prepared[36] = 4.0*z_6;
+    prepared[37] = 2.0*z_6;
+    prepared[38] = 2.0*z_7;
+    prepared[39] = z_12;
+    prepared[40] = 3.0*l_1;
+    prepared[41] = 0.5*z_4;
+    prepared[42] = m_3*g;
+    prepared[43] = z_14;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double m_1 = c[0];
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double l_3 = c[5];
-    const double rho = c[6];
-    const double g = c[7];
-    const double z_2 = rho*rho;
-    const double z_3 = z_2;
-    const double z_5 = l_3*l_3;
-    const double z_6 = m_3*(3.0*z_3 + z_5);
-    const double z_7 = m_3*l_3;
-    const double z_11 = m_2*l_2;
-    const double z_12 = l_2*m_3;
-    const double z_13 = z_6 + 3.0*m_3*z_5;
-    const double z_14 = m_3*z_2;
-    const double z_15 = m_2*z_2;
-    const double z_16 = l_2*l_2;
-    const double z_17 = m_2*(3.0*z_3 + z_16);
-    const double z_18 = z_13 - 6.0*z_14;
-    const double z_19 = l_3*z_12;
-    const double z_21 = g*z_11;
-    const double z_23 = l_1*l_1;
-    c[8] = z_6;
-    c[9] = 3.0*z_7;
-    c[10] = 2.0*l_1;
-    c[11] = 2.0*m_3;
-    c[12] = 4.0*m_3;
-    c[13] = z_11;
-    c[14] = z_12;
-    c[15] = z_13;
-    c[16] = z_14;
-    c[17] = 6.0*l_1;
-    c[18] = 2.0*(6.0*z_15 - z_17);
-    c[19] = z_18;
-    c[20] = z_19;
-    c[21] = 2.0*l_2;
-    c[22] = 12.0*z_14;
-    c[23] = 6.0*z_19;
-    c[24] = 6.0*(z_21 + 2.0*z_12*g);
-    c[25] = 6.0*z_15;
-    c[26] = 6.0*z_14;
-    c[27] = 6.0*(z_7*g);
-    c[28] = z_17;
-    c[29] = 3.0*l_2;
-    c[30] = 12.0*m_3;
-    c[31] = 6.0*m_3;
-    c[32] = 3.0*m_1*z_23 + m_1*(z_23 + 3.0*z_3);
-    c[33] = z_17 + 3.0*m_2*z_16;
-    c[34] = 6.0*z_12;
-    c[35] = (1.0/12.0)*z_13;
-    c[36] = 4.0*z_12;
-    c[37] = 2.0*z_12;
-    c[38] = 2.0*z_13;
-    c[39] = z_18;
-    c[40] = 3.0*l_1;
-    c[41] = 0.5*z_7;
-    c[42] = m_3*g;
-    c[43] = z_21;
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double l_1 = c[3];
@@ -151,34 +157,34 @@ static void mass_matrix(double t, const double *restrict x, const double *restri
     const double q_2 = x[1];
     const double q_3 = x[2];
     const double cos_q_2 = em_cos(q_2);
-    const double z_6 = l_2*cos_q_2;
-    const double z_7 = l_1 + z_6;
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
     const double cos_q_3 = em_cos(q_3);
-    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
-    const double z_12 = cos_q_2*c_0 + z_10*c_1;
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const double z_5 = cos_q_2*c_0 + z_4*c_1;
     const double sin_q_3 = em_sin(q_3);
-    const double z_16 = sin_q_3*sin_q_3;
+    const double z_7 = sin_q_3*sin_q_3;
     const double sin_q_2 = em_sin(q_2);
-    const double z_18 = sin_q_2*sin_q_2;
-    const double z_22 = m_2*(c_2 + z_6);
-    const double z_24 = cos_q_3*z_10;
-    const double z_26 = z_7*z_16;
-    const double z_33 = sin_q_3*sin_q_2;
-    const double z_36 = c_13 + l_3*cos_q_3;
-    M[0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + c_7*z_16*z_18 + c_24 + (z_22 + m_3*z_24 +
-        c_3*z_26)*c_9 + c_17*z_18 + cos_q_2*(z_22 + c_3*z_24 + c_4*z_26)*c_21 + c_18*(z_18*(cos_q_3*cos_q_3)));
-    M[3] = M[1] = (1.0/12.0)*(cos_q_3*c_11*z_33 + c_15*z_33);
-    M[4] = (1.0/12.0)*(cos_q_3*(cos_q_3*c_0 + z_36*c_1) + c_25 + z_36*c_26 + c_18*z_16);
-    M[6] = M[2] = (1.0/12.0)*z_12;
+    const double z_9 = sin_q_2*sin_q_2;
+    const double z_10 = m_2*(c_2 + z_1);
+    const double z_11 = cos_q_3*z_4;
+    const double z_12 = z_2*z_7;
+    const double z_13 = sin_q_3*sin_q_2;
+    const double z_14 = c_13 + l_3*cos_q_3;
+    M[0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + c_7*z_7*z_9 + c_24 + (z_10 + m_3*z_11 +
+        c_3*z_12)*c_9 + c_17*z_9 + cos_q_2*(z_10 + c_3*z_11 + c_4*z_12)*c_21 + c_18*(z_9*(cos_q_3*cos_q_3)));
+    M[3] = M[1] = (1.0/12.0)*(cos_q_3*c_11*z_13 + c_15*z_13);
+    M[4] = (1.0/12.0)*(cos_q_3*(cos_q_3*c_0 + z_14*c_1) + c_25 + z_14*c_26 + c_18*z_7);
+    M[6] = M[2] = (1.0/12.0)*z_5;
     M[7] = M[5] = 0.0;
     M[8] = c_27;
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double l_1 = c[3];
@@ -207,54 +213,56 @@ static void mass_matrix_gradient(double t, const double *restrict x, const doubl
     const double q_2 = x[1];
     const double q_3 = x[2];
     const double cos_q_2 = em_cos(q_2);
-    const double z_6 = l_2*cos_q_2;
-    const double z_7 = l_1 + z_6;
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
     const double cos_q_3 = em_cos(q_3);
-    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
     const double sin_q_2 = em_sin(q_2);
-    const double z_14 = cos_q_3*sin_q_2;
-    const double z_15 = l_3*sin_q_2 + c_13*z_14;
-    const double z_16 = c_0*sin_q_2 + z_15*c_1;
-    const double z_20 = cos_q_3*c_3;
+    const double z_6 = cos_q_3*sin_q_2;
+    const double z_7 = l_3*sin_q_2 + c_13*z_6;
+    const double z_8 = c_0*sin_q_2 + z_7*c_1;
+    const double z_9 = cos_q_3*c_3;
     const double sin_q_3 = em_sin(q_3);
-    const double z_23 = sin_q_3*sin_q_3;
-    const double z_25 = sin_q_2*c_5;
-    const double z_26 = sin_q_2*z_23;
-    const double z_33 = cos_q_3*cos_q_3;
-    const double z_34 = cos_q_2*sin_q_2;
-    const double z_37 = cos_q_3*sin_q_3;
-    const double z_39 = cos_q_2*sin_q_3;
-    const double z_41 = z_7*z_37;
-    const double z_42 = z_41*c_4 - m_3*(z_10*sin_q_3 + 2.0*z_41);
-    dM[9] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_10*c_1)*sin_q_2 + cos_q_2*z_16) + 3.0*l_2*(sin_q_2*(m_2*(c_2 + z_6) +
-        z_10*z_20 + c_4*(z_7*z_23)) + cos_q_2*(z_25 + z_15*z_20 + z_26*c_28)) + (z_25 + z_15*(m_3*cos_q_3) +
-        z_26*c_29)*c_9 - c_30*(cos_q_2*z_26) - c_14*(z_33*z_34) - c_10*z_34);
-    dM[12] = dM[10] = (1.0/12.0)*(cos_q_2*c_11*z_37 + c_15*z_39);
-    dM[15] = dM[11] = ((-1.0/12.0))*z_16;
-    dM[18] = (1.0/6.0)*(c_31*(sin_q_2*sin_q_2)*z_37 + z_42*c_32 + cos_q_2*z_42*c_21 - c_1*(z_7*z_39));
-    dM[21] = dM[19] = ((-1.0/12.0))*(c_11*(z_26 - sin_q_2*z_33) - c_15*z_14);
-    dM[22] = ((-1.0/12.0))*((c_7*z_37 + sin_q_3*(cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)) + sin_q_3*c_15 -
-        c_14*z_37);
-    dM[24] = dM[20] = -c_33*(z_7*sin_q_3);
+    const double z_11 = sin_q_3*sin_q_3;
+    const double z_12 = sin_q_2*c_5;
+    const double z_13 = sin_q_2*z_11;
+    const double z_14 = cos_q_3*cos_q_3;
+    const double z_15 = cos_q_2*sin_q_2;
+    const double z_16 = cos_q_3*sin_q_3;
+    const double z_17 = cos_q_2*sin_q_3;
+    const double z_18 = z_2*z_16;
+    const double z_19 = z_18*c_4 - m_3*(z_4*sin_q_3 + 2.0*z_18);
+    dM[9] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*sin_q_2 + cos_q_2*z_8) + 3.0*l_2*(sin_q_2*(m_2*(c_2 + z_1) +
+        z_4*z_9 + c_4*(z_2*z_11)) + cos_q_2*(z_12 + z_7*z_9 + z_13*c_28)) + (z_12 + z_7*(m_3*cos_q_3) +
+        z_13*c_29)*c_9 - c_30*(cos_q_2*z_13) - c_14*(z_14*z_15) - c_10*z_15);
+    dM[12] = dM[10] = (1.0/12.0)*(cos_q_2*c_11*z_16 + c_15*z_17);
+    dM[15] = dM[11] = ((-1.0/12.0))*z_8;
+    dM[18] = (1.0/6.0)*(c_31*(sin_q_2*sin_q_2)*z_16 + z_19*c_32 + cos_q_2*z_19*c_21 - c_1*(z_2*z_17));
+    dM[21] = dM[19] = ((-1.0/12.0))*(c_11*(z_13 - sin_q_2*z_14) - c_15*z_6);
+    dM[22] = ((-1.0/12.0))*((c_7*z_16 + sin_q_3*(cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)) + sin_q_3*c_15 -
+        c_14*z_16);
+    dM[24] = dM[20] = -c_33*(z_2*sin_q_3);
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double l_1 = c[3];
@@ -288,49 +296,49 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double sin_q_3 = em_sin(q_3);
     const double cos_q_3 = em_cos(q_3);
     const double sin_q_2 = em_sin(q_2);
-    const double z_8 = q_1_dot*sin_q_2;
-    const double z_9 = q_2_dot*sin_q_3 - cos_q_3*z_8;
-    const double z_11 = q_3_dot*sin_q_3;
+    const double z_3 = q_1_dot*sin_q_2;
+    const double z_4 = q_2_dot*sin_q_3 - cos_q_3*z_3;
+    const double z_5 = q_3_dot*sin_q_3;
     const double cos_q_2 = em_cos(q_2);
-    const double z_13 = q_2_dot*cos_q_2;
-    const double z_14 = cos_q_3*z_9;
-    const double z_15 = q_3_dot*cos_q_3;
-    const double z_16 = q_2_dot*z_15 + (z_8*z_11 - q_1_dot*cos_q_3*z_13);
-    const double z_18 = q_2_dot*cos_q_3 + sin_q_3*z_8;
-    const double z_22 = c_0*z_18 + (l_3*z_18 + q_2_dot*c_13)*c_1;
-    const double z_24 = q_1_dot*sin_q_3;
-    const double z_25 = q_2_dot*z_11 - (z_8*z_15 + z_13*z_24);
-    const double z_26 = c_7*z_25;
-    const double z_27 = q_3_dot + q_1_dot*cos_q_2;
-    const double z_30 = cos_q_2*(q_1_dot*l_2);
-    const double z_31 = q_1_dot*l_1 + z_30;
-    const double z_32 = l_3*z_27 + 2.0*cos_q_3*z_31;
-    const double z_33 = c_0*z_27 + z_32*c_1;
-    const double z_34 = q_2_dot*sin_q_2;
-    const double z_35 = q_2_dot*z_8;
-    const double z_36 = z_31*z_11;
-    const double z_37 = l_3*z_35 + 2.0*(z_36 + l_2*cos_q_3*z_35);
-    const double z_38 = c_0*z_35 + c_1*z_37;
-    const double z_40 = sin_q_3*sin_q_3;
-    const double z_43 = 2.0*m_3*(2.0*z_31*z_40 + cos_q_3*z_32) + m_2*(z_30 + q_1_dot*c_2);
-    const double z_46 = 2.0*(cos_q_3*c_3*z_36 - c_6*z_40*z_35) - m_3*(z_32*z_11 + cos_q_3*z_37);
-    const double z_48 = c_5*z_35;
-    const double z_53 = q_1_dot*q_1_dot;
-    const double z_59 = c_18*z_9;
-    bias[0] = ((-1.0/12.0))*(6.0*c_8*(z_9*(sin_q_2*z_11) - z_13*z_14 - z_16*(cos_q_3*sin_q_2)) +
-        (sin_q_2*z_22*z_15 + sin_q_3*z_22*z_13 - sin_q_3*sin_q_2*z_26) + c_9*(z_46 - z_48) + c_10*(z_8*z_13) -
-        (z_33*z_34 + cos_q_2*z_38) - 3.0*l_2*(z_43*z_34 - cos_q_2*(2.0*z_46 - z_48)));
-    bias[1] = (1.0/12.0)*((cos_q_2*(z_22*z_24 + c_16 + c_17*(sin_q_2*z_53) + cos_q_3*c_19 - q_1_dot*c_18*z_14) -
-        sin_q_2*(cos_q_2*c_20*z_53 + q_1_dot*z_33 + q_1_dot*z_43*c_21)) - (6.0*c_8*(q_3_dot*z_14 + sin_q_3*z_16) -
-        (z_22*z_11 + cos_q_3*z_26) - c_15*z_25));
-    bias[2] = (1.0/12.0)*((cos_q_3*(z_22*z_8 + q_2_dot*z_59 + c_22*(sin_q_3*(z_31*z_31))) + sin_q_3*(z_8*z_59 -
-        q_2_dot*z_22 - z_31*z_32*c_23 - sin_q_2*c_19)) + z_38);
+    const double z_7 = q_2_dot*cos_q_2;
+    const double z_8 = cos_q_3*z_4;
+    const double z_9 = q_3_dot*cos_q_3;
+    const double z_10 = q_2_dot*z_9 + (z_3*z_5 - q_1_dot*cos_q_3*z_7);
+    const double z_11 = q_2_dot*cos_q_3 + sin_q_3*z_3;
+    const double z_12 = c_0*z_11 + (l_3*z_11 + q_2_dot*c_13)*c_1;
+    const double z_13 = q_1_dot*sin_q_3;
+    const double z_14 = q_2_dot*z_5 - (z_3*z_9 + z_7*z_13);
+    const double z_15 = c_7*z_14;
+    const double z_16 = q_3_dot + q_1_dot*cos_q_2;
+    const double z_17 = cos_q_2*(q_1_dot*l_2);
+    const double z_18 = q_1_dot*l_1 + z_17;
+    const double z_19 = l_3*z_16 + 2.0*cos_q_3*z_18;
+    const double z_20 = c_0*z_16 + z_19*c_1;
+    const double z_21 = q_2_dot*sin_q_2;
+    const double z_22 = q_2_dot*z_3;
+    const double z_23 = z_18*z_5;
+    const double z_24 = l_3*z_22 + 2.0*(z_23 + l_2*cos_q_3*z_22);
+    const double z_25 = c_0*z_22 + c_1*z_24;
+    const double z_26 = sin_q_3*sin_q_3;
+    const double z_27 = 2.0*m_3*(2.0*z_18*z_26 + cos_q_3*z_19) + m_2*(z_17 + q_1_dot*c_2);
+    const double z_28 = 2.0*(cos_q_3*c_3*z_23 - c_6*z_26*z_22) - m_3*(z_19*z_5 + cos_q_3*z_24);
+    const double z_29 = c_5*z_22;
+    const double z_30 = q_1_dot*q_1_dot;
+    const double z_31 = c_18*z_4;
+    bias[0] = ((-1.0/12.0))*(6.0*c_8*(z_4*(sin_q_2*z_5) - z_7*z_8 - z_10*(cos_q_3*sin_q_2)) + (sin_q_2*z_12*z_9 +
+        sin_q_3*z_12*z_7 - sin_q_3*sin_q_2*z_15) + c_9*(z_28 - z_29) + c_10*(z_3*z_7) - (z_20*z_21 + cos_q_2*z_25)
+        - 3.0*l_2*(z_27*z_21 - cos_q_2*(2.0*z_28 - z_29)));
+    bias[1] = (1.0/12.0)*((cos_q_2*(z_12*z_13 + c_16 + c_17*(sin_q_2*z_30) + cos_q_3*c_19 - q_1_dot*c_18*z_8) -
+        sin_q_2*(cos_q_2*c_20*z_30 + q_1_dot*z_20 + q_1_dot*z_27*c_21)) - (6.0*c_8*(q_3_dot*z_8 + sin_q_3*z_10) -
+        (z_12*z_5 + cos_q_3*z_15) - c_15*z_14));
+    bias[2] = (1.0/12.0)*((cos_q_3*(z_12*z_3 + q_2_dot*z_31 + c_22*(sin_q_3*(z_18*z_18))) + sin_q_3*(z_3*z_31 -
+        q_2_dot*z_12 - z_18*z_19*c_23 - sin_q_2*c_19)) + z_25);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double l_1 = c[3];
@@ -361,74 +369,51 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double q_2 = x[1];
     const double q_3 = x[2];
     const double cos_q_2 = em_cos(q_2);
-    const double z_7 = l_2*cos_q_2;
-    const double z_8 = l_1 + z_7;
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
     const double cos_q_3 = em_cos(q_3);
-    const double z_11 = cos_q_2*l_3 + 2.0*z_8*cos_q_3;
-    const double z_13 = cos_q_2*c_0 + z_11*c_1;
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const double z_5 = cos_q_2*c_0 + z_4*c_1;
     const double sin_q_3 = em_sin(q_3);
-    const double z_17 = sin_q_3*sin_q_3;
+    const double z_7 = sin_q_3*sin_q_3;
     const double sin_q_2 = em_sin(q_2);
-    const double z_19 = sin_q_2*sin_q_2;
-    const double z_23 = m_2*(c_2 + z_7);
-    const double z_25 = cos_q_3*z_11;
-    const double z_27 = z_8*z_17;
-    const double z_35 = sin_q_3*sin_q_2;
-    const double z_37 = cos_q_3*c_11*z_35 + c_15*z_35;
-    const double z_40 = l_3*cos_q_3;
-    const double z_41 = c_13 + z_40;
-    e[0] = (1.0/24.0)*(q_1_dot*(q_1_dot*(cos_q_2*z_13 + c_20*(cos_q_2*cos_q_2) + c_7*z_17*z_19 + c_24 + (z_23 +
-        m_3*z_25 + c_3*z_27)*c_9 + c_17*z_19 + cos_q_2*(z_23 + c_3*z_25 + c_4*z_27)*c_21 +
-        c_18*(z_19*(cos_q_3*cos_q_3))) + q_2_dot*z_37 + q_3_dot*z_13) + q_2_dot*(q_1_dot*z_37 +
-        q_2_dot*(cos_q_3*(cos_q_3*c_0 + z_41*c_1) + c_25 + z_41*c_26 + c_18*z_17)) + q_3_dot*(q_1_dot*z_13 +
+    const double z_9 = sin_q_2*sin_q_2;
+    const double z_10 = m_2*(c_2 + z_1);
+    const double z_11 = cos_q_3*z_4;
+    const double z_12 = z_2*z_7;
+    const double z_13 = sin_q_3*sin_q_2;
+    const double z_14 = cos_q_3*c_11*z_13 + c_15*z_13;
+    const double z_15 = l_3*cos_q_3;
+    const double z_16 = c_13 + z_15;
+    e[0] = (1.0/24.0)*(q_1_dot*(q_1_dot*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + c_7*z_7*z_9 + c_24 + (z_10 +
+        m_3*z_11 + c_3*z_12)*c_9 + c_17*z_9 + cos_q_2*(z_10 + c_3*z_11 + c_4*z_12)*c_21 +
+        c_18*(z_9*(cos_q_3*cos_q_3))) + q_2_dot*z_14 + q_3_dot*z_5) + q_2_dot*(q_1_dot*z_14 +
+        q_2_dot*(cos_q_3*(cos_q_3*c_0 + z_16*c_1) + c_25 + z_16*c_26 + c_18*z_7)) + q_3_dot*(q_1_dot*z_5 +
         q_3_dot*c_7));
     e[1] = 0.0;
     e[2] = 0.0;
-    e[3] = (-0.5)*((sin_q_2*z_40 + sin_q_2*c_13)*c_34 + sin_q_2*c_35);
+    e[3] = (-0.5)*((sin_q_2*z_15 + sin_q_2*c_13)*c_34 + sin_q_2*c_35);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
 }
 
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
-
-    /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[3], y[4], y[5] };
-    const double (*const C1)[N1] = (const double (*)[N1])(y + 6);
-    const double *const s1 = y + 15;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    double v1[N1] = {0.0};
-    for (int i = 0; i < N1; ++i)
-        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double l_1 = c[3];
@@ -458,56 +443,83 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double c_21 = c[29];
     const double c_22 = c[30];
     const double c_23 = c[31];
-    const double q_1_dot = v1[0];
-    const double q_2_dot = v1[1];
-    const double q_3_dot = v1[2];
-    const double q_2 = y[1];
-    const double q_3 = y[2];
+    const double q_1_dot = v[0];
+    const double q_2_dot = v[1];
+    const double q_3_dot = v[2];
+    const double q_2 = x[1];
+    const double q_3 = x[2];
     const double cos_q_2 = em_cos(q_2);
-    const double z_6 = l_2*cos_q_2;
-    const double z_7 = l_1 + z_6;
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
     const double cos_q_3 = em_cos(q_3);
-    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
     const double sin_q_2 = em_sin(q_2);
-    const double z_14 = q_2_dot*sin_q_2;
+    const double z_6 = q_2_dot*sin_q_2;
     const double sin_q_3 = em_sin(q_3);
-    const double z_17 = q_3_dot*sin_q_3;
-    const double z_18 = l_3*z_14 + 2.0*(cos_q_3*(l_2*z_14) + z_7*z_17);
-    const double z_19 = c_0*z_14 + z_18*c_1;
-    const double z_24 = sin_q_3*sin_q_3;
-    const double z_26 = c_5*z_14;
-    const double z_29 = cos_q_3*z_17;
-    const double z_30 = m_3*(z_10*z_17 + cos_q_3*z_18) + 2.0*(c_6*z_24*z_14 - z_7*c_3*z_29);
-    const double z_32 = sin_q_2*sin_q_2*z_29;
-    const double z_33 = cos_q_2*z_14;
-    const double z_35 = cos_q_3*cos_q_3;
-    const double z_39 = q_3_dot*sin_q_2;
-    const double z_40 = q_2_dot*sin_q_3;
-    const double z_41 = cos_q_2*z_40;
-    const double z_47 = q_1_dot*sin_q_2;
-    const double z_48 = q_2_dot*cos_q_3 + sin_q_3*z_47;
-    const double z_49 = c_0*z_48 + (l_3*z_48 + q_2_dot*c_13)*c_1;
-    const double z_52 = q_1_dot*q_1_dot;
-    const double z_54 = c_18*(z_40 - cos_q_3*z_47);
-    const double z_57 = q_3_dot + q_1_dot*cos_q_2;
-    const double z_58 = q_1_dot*z_6;
-    const double z_59 = q_1_dot*l_1 + z_58;
-    const double z_60 = l_3*z_57 + 2.0*cos_q_3*z_59;
-    Mdot1[0][0] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_10*c_1)*z_14 + cos_q_2*z_19) + 3.0*l_2*((m_2*(c_2 + z_6) +
-        cos_q_3*z_10*c_3 + z_7*c_4*z_24)*z_14 + cos_q_2*(z_26 + 2.0*z_30)) + 12.0*c_8*(z_32 - z_35*z_33) + (z_26 +
-        z_30)*c_9 - 2.0*c_7*(z_32 + z_24*z_33) - c_10*z_33);
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_24*z_39 - z_35*z_39 - cos_q_3*z_41) -
-        6.0*c_12*(cos_q_3*z_39 + z_41));
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_29 - (c_7*z_29 + (cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)*z_17) - c_15*z_17);
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_19;
+    const double z_8 = q_3_dot*sin_q_3;
+    const double z_9 = l_3*z_6 + 2.0*(cos_q_3*(l_2*z_6) + z_2*z_8);
+    const double z_10 = c_0*z_6 + z_9*c_1;
+    const double z_11 = sin_q_3*sin_q_3;
+    const double z_12 = c_5*z_6;
+    const double z_13 = cos_q_3*z_8;
+    const double z_14 = m_3*(z_4*z_8 + cos_q_3*z_9) + 2.0*(c_6*z_11*z_6 - z_2*c_3*z_13);
+    const double z_15 = sin_q_2*sin_q_2*z_13;
+    const double z_16 = cos_q_2*z_6;
+    const double z_17 = cos_q_3*cos_q_3;
+    const double z_18 = q_3_dot*sin_q_2;
+    const double z_19 = q_2_dot*sin_q_3;
+    const double z_20 = cos_q_2*z_19;
+    const double z_21 = q_1_dot*sin_q_2;
+    const double z_22 = q_2_dot*cos_q_3 + sin_q_3*z_21;
+    const double z_23 = c_0*z_22 + (l_3*z_22 + q_2_dot*c_13)*c_1;
+    const double z_24 = q_1_dot*q_1_dot;
+    const double z_25 = c_18*(z_19 - cos_q_3*z_21);
+    const double z_26 = q_3_dot + q_1_dot*cos_q_2;
+    const double z_27 = q_1_dot*z_1;
+    const double z_28 = q_1_dot*l_1 + z_27;
+    const double z_29 = l_3*z_26 + 2.0*cos_q_3*z_28;
+    Mdot1[0][0] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*z_6 + cos_q_2*z_10) + 3.0*l_2*((m_2*(c_2 + z_1) +
+        cos_q_3*z_4*c_3 + z_2*c_4*z_11)*z_6 + cos_q_2*(z_12 + 2.0*z_14)) + 12.0*c_8*(z_15 - z_17*z_16) + (z_12 +
+        z_14)*c_9 - 2.0*c_7*(z_15 + z_11*z_16) - c_10*z_16);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_11*z_18 - z_17*z_18 - cos_q_3*z_20) -
+        6.0*c_12*(cos_q_3*z_18 + z_20));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_13 - (c_7*z_13 + (cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)*z_8) - c_15*z_8);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_10;
     Mdot1[1][2] = Mdot1[2][1] = 0.0;
     Mdot1[2][2] = 0.0;
     f1[0] = 0.0;
-    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_49 + c_16 + c_17*(sin_q_2*z_52) + cos_q_3*c_19 -
-        z_54*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_52 + q_1_dot*(c_0*z_57 + z_60*c_1) +
-        c_21*(q_1_dot*(2.0*m_3*(2.0*z_59*z_24 + cos_q_3*z_60) + m_2*(z_58 + q_1_dot*c_2)))));
-    f1[2] = (1.0/12.0)*(cos_q_3*(z_49*z_47 + q_2_dot*z_54 + c_22*(sin_q_3*(z_59*z_59))) + sin_q_3*(z_47*z_54 -
-        q_2_dot*z_49 - z_59*z_60*c_23 - sin_q_2*c_19));
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_23 + c_16 + c_17*(sin_q_2*z_24) + cos_q_3*c_19 -
+        z_25*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_24 + q_1_dot*(c_0*z_26 + z_29*c_1) +
+        c_21*(q_1_dot*(2.0*m_3*(2.0*z_28*z_11 + cos_q_3*z_29) + m_2*(z_27 + q_1_dot*c_2)))));
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_23*z_21 + q_2_dot*z_25 + c_22*(sin_q_3*(z_28*z_28))) + sin_q_3*(z_21*z_25 -
+        q_2_dot*z_23 - z_28*z_29*c_23 - sin_q_2*c_19));
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
+    const double eta1[N1] = { y[3], y[4], y[5] };
+    const double (*const C1)[N1] = (const double (*)[N1])(y + 6);
+    const double *const s1 = y + 15;
+    double r1[N1], w1[N1];
+    for (int i = 0; i < N1; ++i) {
+        r1[i] = 1.0/s1[i];
+        w1[i] = r1[i]*eta1[i];
+    }
+    double v1[N1] = {0.0};
+    for (int i = 0; i < N1; ++i)
+        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    double Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -549,14 +561,10 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double shared[13])
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M1[N1][N1];
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double l_1 = c[3];
@@ -580,32 +588,140 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     const double c_25 = c[33];
     const double c_26 = c[34];
     const double c_27 = c[35];
-    const double q_2 = y[1];
-    const double q_3 = y[2];
+    const double q_2 = x[1];
+    const double q_3 = x[2];
     const double cos_q_2 = em_cos(q_2);
-    const double z_6 = l_2*cos_q_2;
-    const double z_7 = l_1 + z_6;
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
     const double cos_q_3 = em_cos(q_3);
-    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
-    const double z_12 = cos_q_2*c_0 + z_10*c_1;
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const double z_5 = cos_q_2*c_0 + z_4*c_1;
     const double sin_q_2 = em_sin(q_2);
-    const double z_15 = sin_q_2*sin_q_2;
+    const double z_7 = sin_q_2*sin_q_2;
     const double sin_q_3 = em_sin(q_3);
-    const double z_18 = sin_q_3*sin_q_3;
-    const double z_22 = m_2*(c_2 + z_6);
-    const double z_25 = z_7*z_18;
-    const double z_29 = z_22 + cos_q_3*z_10*c_3 + c_4*z_25;
-    const double z_32 = cos_q_3*cos_q_3;
-    const double z_33 = sin_q_3*sin_q_2;
-    const double z_37 = c_13 + l_3*cos_q_3;
-    const double z_38 = cos_q_3*c_0 + z_37*c_1;
-    M1[0][0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + z_15*(c_7*z_18) + c_24 + (z_22 +
-        z_10*(m_3*cos_q_3) + c_3*z_25)*c_9 + c_17*z_15 + cos_q_2*z_29*c_21 + c_18*z_15*z_32);
-    M1[1][0] = (1.0/12.0)*(z_33*(cos_q_3*c_11) + c_15*z_33);
-    M1[1][1] = (1.0/12.0)*(cos_q_3*z_38 + c_25 + z_37*c_26 + c_18*z_18);
-    M1[2][0] = (1.0/12.0)*z_12;
+    const double z_9 = sin_q_3*sin_q_3;
+    const double z_10 = m_2*(c_2 + z_1);
+    const double z_11 = z_2*z_9;
+    const double z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
+    const double z_13 = cos_q_3*cos_q_3;
+    const double z_14 = sin_q_3*sin_q_2;
+    const double z_15 = c_13 + l_3*cos_q_3;
+    const double z_16 = cos_q_3*c_0 + z_15*c_1;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
+        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
+    M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
+    M1[2][0] = (1.0/12.0)*z_5;
     M1[2][1] = 0.0;
     M1[2][2] = c_27;
+    shared[0] = z_5;
+    shared[1] = sin_q_2;
+    shared[2] = cos_q_2;
+    shared[3] = cos_q_3;
+    shared[4] = z_2;
+    shared[5] = sin_q_3;
+    shared[6] = z_12;
+    shared[7] = z_4;
+    shared[8] = z_9;
+    shared[9] = z_7;
+    shared[10] = z_13;
+    shared[11] = z_16;
+    shared[12] = z_1;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[13],
+                                 double Mdot1[N1][N1], double f1[N1])
+{
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double c_5 = c[13];
+    const double c_6 = c[14];
+    const double c_7 = c[15];
+    const double c_8 = c[16];
+    const double c_9 = c[17];
+    const double c_10 = c[18];
+    const double c_11 = c[19];
+    const double c_12 = c[20];
+    const double c_13 = c[21];
+    const double c_14 = c[22];
+    const double c_15 = c[23];
+    const double c_16 = c[24];
+    const double c_17 = c[25];
+    const double c_18 = c[26];
+    const double c_19 = c[27];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_22 = c[30];
+    const double c_23 = c[31];
+    const double z_5 = shared[0];
+    const double sin_q_2 = shared[1];
+    const double cos_q_2 = shared[2];
+    const double cos_q_3 = shared[3];
+    const double z_2 = shared[4];
+    const double sin_q_3 = shared[5];
+    const double z_12 = shared[6];
+    const double z_4 = shared[7];
+    const double z_9 = shared[8];
+    const double z_7 = shared[9];
+    const double z_13 = shared[10];
+    const double z_16 = shared[11];
+    const double z_1 = shared[12];
+    const double q_1_dot = v[0];
+    const double q_2_dot = v[1];
+    const double q_3_dot = v[2];
+    const double z_17 = q_2_dot*sin_q_2;
+    const double z_18 = q_3_dot*sin_q_3;
+    const double z_19 = l_3*z_17 + 2.0*(cos_q_3*(l_2*z_17) + z_2*z_18);
+    const double z_20 = c_0*z_17 + z_19*c_1;
+    const double z_21 = c_5*z_17;
+    const double z_22 = cos_q_3*z_18;
+    const double z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
+    const double z_24 = z_7*z_22;
+    const double z_25 = cos_q_2*z_17;
+    const double z_26 = q_3_dot*sin_q_2;
+    const double z_27 = q_2_dot*sin_q_3;
+    const double z_28 = cos_q_2*z_27;
+    const double z_29 = q_1_dot*sin_q_2;
+    const double z_30 = q_2_dot*cos_q_3 + sin_q_3*z_29;
+    const double z_31 = c_0*z_30 + (l_3*z_30 + q_2_dot*c_13)*c_1;
+    const double z_32 = q_1_dot*q_1_dot;
+    const double z_33 = c_18*(z_27 - cos_q_3*z_29);
+    const double z_34 = q_3_dot + q_1_dot*cos_q_2;
+    const double z_35 = q_1_dot*z_1;
+    const double z_36 = q_1_dot*l_1 + z_35;
+    const double z_37 = l_3*z_34 + 2.0*cos_q_3*z_36;
+    Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
+        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_28) - 6.0*c_12*(cos_q_3*z_26
+        + z_28));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+    f1[0] = 0.0;
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_31 + c_16 + c_17*(sin_q_2*z_32) + cos_q_3*c_19 -
+        z_33*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_32 + q_1_dot*(c_0*z_34 + z_37*c_1) +
+        c_21*(q_1_dot*(2.0*m_3*(2.0*z_36*z_9 + cos_q_3*z_37) + m_2*(z_35 + q_1_dot*c_2)))));
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_31*z_29 + q_2_dot*z_33 + c_22*(sin_q_3*(z_36*z_36))) + sin_q_3*(z_29*z_33 -
+        q_2_dot*z_31 - z_36*z_37*c_23 - sin_q_2*c_19));
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
+                        int flags, double *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M1[N1][N1], shared[13];
+    triangular_masses(y, c, M1, shared);
 
     /* q_1, q_2, q_3: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -622,57 +738,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[1] = v1[1];
     dy[2] = v1[2];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double c_5 = c[13];
-    const double c_6 = c[14];
-    const double c_8 = c[16];
-    const double c_10 = c[18];
-    const double c_12 = c[20];
-    const double c_14 = c[22];
-    const double c_16 = c[24];
-    const double c_19 = c[27];
-    const double c_22 = c[30];
-    const double c_23 = c[31];
-    const double q_1_dot = v1[0];
-    const double q_2_dot = v1[1];
-    const double q_3_dot = v1[2];
-    const double z_43 = q_2_dot*sin_q_2;
-    const double z_45 = q_3_dot*sin_q_3;
-    const double z_46 = l_3*z_43 + 2.0*(cos_q_3*(l_2*z_43) + z_7*z_45);
-    const double z_47 = c_0*z_43 + z_46*c_1;
-    const double z_49 = c_5*z_43;
-    const double z_51 = cos_q_3*z_45;
-    const double z_52 = m_3*(z_10*z_45 + cos_q_3*z_46) + 2.0*(c_6*z_18*z_43 - c_3*(z_7*z_51));
-    const double z_53 = z_15*z_51;
-    const double z_54 = cos_q_2*z_43;
-    const double z_57 = q_3_dot*sin_q_2;
-    const double z_58 = q_2_dot*sin_q_3;
-    const double z_59 = cos_q_2*z_58;
-    const double z_63 = q_1_dot*sin_q_2;
-    const double z_64 = q_2_dot*cos_q_3 + sin_q_3*z_63;
-    const double z_65 = c_0*z_64 + (l_3*z_64 + q_2_dot*c_13)*c_1;
-    const double z_67 = q_1_dot*q_1_dot;
-    const double z_68 = c_18*(z_58 - cos_q_3*z_63);
-    const double z_70 = q_3_dot + q_1_dot*cos_q_2;
-    const double z_71 = q_1_dot*z_6;
-    const double z_72 = q_1_dot*l_1 + z_71;
-    const double z_73 = l_3*z_70 + 2.0*cos_q_3*z_72;
-    Mdot1[0][0] = ((-1.0/12.0))*((z_12*z_43 + cos_q_2*z_47) + 3.0*l_2*(z_29*z_43 + cos_q_2*(z_49 + 2.0*z_52)) +
-        12.0*c_8*(z_53 - z_32*z_54) + (z_49 + z_52)*c_9 - 2.0*c_7*(z_53 + z_18*z_54) - c_10*z_54);
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_18*z_57 - z_32*z_57 - cos_q_3*z_59) -
-        6.0*c_12*(cos_q_3*z_57 + z_59));
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_51 - (c_7*z_51 + z_38*z_45) - c_15*z_45);
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_47;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_65 + c_16 + c_17*(sin_q_2*z_67) + cos_q_3*c_19 -
-        z_68*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_67 + q_1_dot*(c_0*z_70 + z_73*c_1) +
-        c_21*(q_1_dot*(2.0*m_3*(2.0*z_72*z_18 + cos_q_3*z_73) + m_2*(z_71 + q_1_dot*c_2)))));
-    f1[2] = (1.0/12.0)*(cos_q_3*(z_65*z_63 + q_2_dot*z_68 + c_22*(sin_q_3*(z_72*z_72))) + sin_q_3*(z_63*z_68 -
-        q_2_dot*z_65 - z_72*z_73*c_23 - sin_q_2*c_19));
+    double Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
 
     /* q_1, q_2, q_3: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -704,14 +771,10 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
- * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double shared[12])
 {
-    int changed = 0;
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
     const double m_2 = c[1];
     const double m_3 = c[2];
     const double l_1 = c[3];
@@ -735,32 +798,110 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     const double c_25 = c[33];
     const double c_26 = c[34];
     const double c_27 = c[35];
-    const double q_2 = y[1];
-    const double q_3 = y[2];
+    const double q_2 = x[1];
+    const double q_3 = x[2];
     const double cos_q_2 = em_cos(q_2);
-    const double z_6 = l_2*cos_q_2;
-    const double z_7 = l_1 + z_6;
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
     const double cos_q_3 = em_cos(q_3);
-    const double z_10 = cos_q_2*l_3 + 2.0*z_7*cos_q_3;
-    const double z_12 = cos_q_2*c_0 + z_10*c_1;
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const double z_5 = cos_q_2*c_0 + z_4*c_1;
     const double sin_q_2 = em_sin(q_2);
-    const double z_15 = sin_q_2*sin_q_2;
+    const double z_7 = sin_q_2*sin_q_2;
     const double sin_q_3 = em_sin(q_3);
-    const double z_18 = sin_q_3*sin_q_3;
-    const double z_22 = m_2*(c_2 + z_6);
-    const double z_25 = z_7*z_18;
-    const double z_29 = z_22 + cos_q_3*z_10*c_3 + c_4*z_25;
-    const double z_32 = cos_q_3*cos_q_3;
-    const double z_33 = sin_q_3*sin_q_2;
-    const double z_37 = c_13 + l_3*cos_q_3;
-    const double z_38 = cos_q_3*c_0 + z_37*c_1;
-    M1[0][0] = (1.0/12.0)*(cos_q_2*z_12 + c_20*(cos_q_2*cos_q_2) + z_15*(c_7*z_18) + c_24 + (z_22 +
-        z_10*(m_3*cos_q_3) + c_3*z_25)*c_9 + c_17*z_15 + cos_q_2*z_29*c_21 + c_18*z_15*z_32);
-    M1[0][1] = M1[1][0] = (1.0/12.0)*(z_33*(cos_q_3*c_11) + c_15*z_33);
-    M1[1][1] = (1.0/12.0)*(cos_q_3*z_38 + c_25 + z_37*c_26 + c_18*z_18);
-    M1[0][2] = M1[2][0] = (1.0/12.0)*z_12;
+    const double z_9 = sin_q_3*sin_q_3;
+    const double z_10 = m_2*(c_2 + z_1);
+    const double z_11 = z_2*z_9;
+    const double z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
+    const double z_13 = cos_q_3*cos_q_3;
+    const double z_14 = sin_q_3*sin_q_2;
+    const double z_15 = c_13 + l_3*cos_q_3;
+    const double z_16 = cos_q_3*c_0 + z_15*c_1;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
+        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
+    M1[0][1] = M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
+    M1[0][2] = M1[2][0] = (1.0/12.0)*z_5;
     M1[1][2] = M1[2][1] = 0.0;
     M1[2][2] = c_27;
+    shared[0] = z_5;
+    shared[1] = sin_q_2;
+    shared[2] = cos_q_2;
+    shared[3] = cos_q_3;
+    shared[4] = z_2;
+    shared[5] = sin_q_3;
+    shared[6] = z_12;
+    shared[7] = z_4;
+    shared[8] = z_9;
+    shared[9] = z_7;
+    shared[10] = z_13;
+    shared[11] = z_16;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[12],
+                             double Mdot1[N1][N1])
+{
+    const double m_3 = c[2];
+    const double l_2 = c[4];
+    const double l_3 = c[5];
+    const double c_0 = c[8];
+    const double c_1 = c[9];
+    const double c_3 = c[11];
+    const double c_5 = c[13];
+    const double c_6 = c[14];
+    const double c_7 = c[15];
+    const double c_8 = c[16];
+    const double c_9 = c[17];
+    const double c_10 = c[18];
+    const double c_11 = c[19];
+    const double c_12 = c[20];
+    const double c_14 = c[22];
+    const double c_15 = c[23];
+    const double z_5 = shared[0];
+    const double sin_q_2 = shared[1];
+    const double cos_q_2 = shared[2];
+    const double cos_q_3 = shared[3];
+    const double z_2 = shared[4];
+    const double sin_q_3 = shared[5];
+    const double z_12 = shared[6];
+    const double z_4 = shared[7];
+    const double z_9 = shared[8];
+    const double z_7 = shared[9];
+    const double z_13 = shared[10];
+    const double z_16 = shared[11];
+    const double q_2_dot = v[1];
+    const double q_3_dot = v[2];
+    const double z_17 = q_2_dot*sin_q_2;
+    const double z_18 = q_3_dot*sin_q_3;
+    const double z_19 = l_3*z_17 + 2.0*(cos_q_3*(l_2*z_17) + z_2*z_18);
+    const double z_20 = c_0*z_17 + z_19*c_1;
+    const double z_21 = c_5*z_17;
+    const double z_22 = cos_q_3*z_18;
+    const double z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
+    const double z_24 = z_7*z_22;
+    const double z_25 = cos_q_2*z_17;
+    const double z_26 = q_3_dot*sin_q_2;
+    const double z_27 = sin_q_3*(q_2_dot*cos_q_2);
+    Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
+        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_27) - 6.0*c_12*(cos_q_3*z_26
+        + z_27));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
+    Mdot1[1][2] = Mdot1[2][1] = 0.0;
+    Mdot1[2][2] = 0.0;
+}
+
+/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    int changed = 0;
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    double M1[N1][N1], shared[12];
+    settled_masses(y, c, M1, shared);
 
     /* q_1, q_2, q_3 */
     double eta1[N1] = { y[3], y[4], y[5] };
@@ -780,6 +921,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -787,34 +929,12 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double c_5 = c[13];
-    const double c_6 = c[14];
-    const double c_8 = c[16];
-    const double c_10 = c[18];
-    const double c_12 = c[20];
-    const double c_14 = c[22];
-    const double q_2_dot = v1[1];
-    const double q_3_dot = v1[2];
-    const double z_43 = q_2_dot*sin_q_2;
-    const double z_45 = q_3_dot*sin_q_3;
-    const double z_46 = l_3*z_43 + 2.0*(cos_q_3*(l_2*z_43) + z_7*z_45);
-    const double z_47 = c_0*z_43 + z_46*c_1;
-    const double z_49 = c_5*z_43;
-    const double z_51 = cos_q_3*z_45;
-    const double z_52 = m_3*(z_10*z_45 + cos_q_3*z_46) + 2.0*(c_6*z_18*z_43 - c_3*(z_7*z_51));
-    const double z_53 = z_15*z_51;
-    const double z_54 = cos_q_2*z_43;
-    const double z_57 = q_3_dot*sin_q_2;
-    const double z_58 = sin_q_3*(q_2_dot*cos_q_2);
-    Mdot1[0][0] = ((-1.0/12.0))*((z_12*z_43 + cos_q_2*z_47) + 3.0*l_2*(z_29*z_43 + cos_q_2*(z_49 + 2.0*z_52)) +
-        12.0*c_8*(z_53 - z_32*z_54) + (z_49 + z_52)*c_9 - 2.0*c_7*(z_53 + z_18*z_54) - c_10*z_54);
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_18*z_57 - z_32*z_57 - cos_q_3*z_58) -
-        6.0*c_12*(cos_q_3*z_57 + z_58));
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_51 - (c_7*z_51 + z_38*z_45) - c_15*z_45);
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_47;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            v[2] = v1[2];
+            double Mdot1[N1][N1];
+            settled_rates(v, c, shared, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:63dba4f284dafef7acca635944502f8ac6ca403dbb302de4e4946ca0fa8a8117 */
+/* body sha256:d18a8dcb5c3674e0ff52ef0aff9e9a13b57a0a2f785ca6b11fc5107d80e08177 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -61,29 +61,35 @@ enum {
 static const int block[N] = { 0, 1, 2, 2, 2 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
 
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double R = parameters[1];
+    const double g = parameters[2];
+    const double alpha = parameters[3];
+    const double z_0 = m*(R*R);
+    const double sin_alpha = em_sin(alpha);
+    M1[0][0] = m;
+    M2[0][0] = m;
+    prepared[12] = z_0;
+    prepared[13] = 2.0*z_0;
+    prepared[14] = m*g*sin_alpha;
+    prepared[15] = 2.0*R;
+    prepared[16] = (8.0/5.0)*z_0;
+    prepared[17] = (32.0/5.0)*z_0;
+    prepared[18] = 4.0*z_0;
+    prepared[19] = 5.0*m;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    double M1[N1][N1];
-    double M2[N2][N2];
-    const double m = c[0];
-    const double R = c[1];
-    const double g = c[2];
-    const double alpha = c[3];
-    const double z_2 = m*(R*R);
-    const double sin_alpha = em_sin(alpha);
-    M1[0][0] = m;
-    M2[0][0] = m;
-    c[12] = z_2;
-    c[13] = 2.0*z_2;
-    c[14] = m*g*sin_alpha;
-    c[15] = 2.0*R;
-    c[16] = (8.0/5.0)*z_2;
-    c[17] = (32.0/5.0)*z_2;
-    c[18] = 4.0*z_2;
-    c[19] = 5.0*m;
+    double M1[N1][N1], M2[N2][N2];
+    prepared_constants(parameters, M1, M2, c);
     /* block 1 (x): C, s, L, 1 / diag L */
     static const int coordinate1[N1] = { 0 };
     const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
@@ -96,132 +102,133 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
     const double m = c[0];
     const double c_0 = c[12];
     const double c_4 = c[16];
     const double p_1 = x[2];
     const double p_2 = x[3];
     const double p_3 = x[4];
-    const double z_3 = p_3*p_3;
-    const double z_5 = p_1*p_1;
-    const double z_7 = p_2*p_2;
-    const double z_8 = 1.0 + z_5 + z_7 + z_3;
-    const double z_9 = 1.0/(z_8*z_8);
-    const double z_10 = z_3*z_9;
-    const double z_11 = z_9;
-    const double z_12 = z_11 + z_7*z_9;
-    const double z_14 = c_4*z_9;
-    const double z_15 = z_5*z_9;
+    const double z_0 = p_3*p_3;
+    const double z_1 = p_1*p_1;
+    const double z_2 = p_2*p_2;
+    const double z_3 = 1.0 + z_1 + z_2 + z_0;
+    const double z_4 = 1.0/(z_3*z_3);
+    const double z_5 = z_0*z_4;
+    const double z_6 = z_4;
+    const double z_7 = z_6 + z_2*z_4;
+    const double z_8 = c_4*z_4;
+    const double z_9 = z_1*z_4;
     M[0] = m;
     M[5] = M[1] = 0.0;
     M[6] = m;
     M[10] = M[2] = 0.0;
     M[11] = M[7] = 0.0;
-    M[12] = (8.0/5.0)*(c_0*(z_10 + z_12));
+    M[12] = (8.0/5.0)*(c_0*(z_5 + z_7));
     M[15] = M[3] = 0.0;
     M[16] = M[8] = 0.0;
-    M[17] = M[13] = -z_14*(p_1*p_2);
-    M[18] = (8.0/5.0)*(c_0*(z_11 + z_10 + z_15));
+    M[17] = M[13] = -z_8*(p_1*p_2);
+    M[18] = (8.0/5.0)*(c_0*(z_6 + z_5 + z_9));
     M[20] = M[4] = 0.0;
     M[21] = M[9] = 0.0;
-    M[22] = M[14] = -z_14*(p_1*p_3);
-    M[23] = M[19] = -z_14*(p_2*p_3);
-    M[24] = (8.0/5.0)*(c_0*(z_15 + z_12));
+    M[22] = M[14] = -z_8*(p_1*p_3);
+    M[23] = M[19] = -z_8*(p_2*p_3);
+    M[24] = (8.0/5.0)*(c_0*(z_9 + z_7));
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t;
     const double c_0 = c[12];
     const double c_1 = c[13];
     const double c_5 = c[17];
     const double p_1 = x[2];
     const double p_2 = x[3];
     const double p_3 = x[4];
-    const double z_2 = p_1*p_1;
-    const double z_4 = p_2*p_2;
-    const double z_6 = p_3*p_3;
-    const double z_7 = 1.0 + z_2 + z_4 + z_6;
-    const double z_8 = z_7*z_7;
-    const double z_9 = 1.0/(z_7*z_8);
-    const double z_10 = p_1*z_9;
-    const double z_11 = z_10*z_4;
-    const double z_12 = z_10*z_6;
-    const double z_13 = 1.0/z_8;
-    const double z_14 = p_2*z_13;
-    const double z_15 = p_2*z_9;
-    const double z_16 = z_15*z_2;
-    const double z_18 = z_10*c_1;
-    const double z_19 = p_1*z_13;
-    const double z_20 = c_0*(z_19 - 2.0*z_10*z_2) - z_18;
-    const double z_21 = p_3*z_13;
-    const double z_22 = p_3*z_9;
-    const double z_23 = z_22*z_2;
-    const double z_25 = z_15*c_1;
-    const double z_26 = c_0*(z_14 - 2.0*z_15*z_4) - z_25;
-    const double z_27 = z_15*z_6;
-    const double z_28 = z_22*z_4;
-    const double z_29 = z_22*c_1;
-    const double z_30 = c_0*(z_21 - 2.0*z_22*z_6) - z_29;
-    dM[62] = ((-32.0/5.0))*(c_0*(z_10 + z_11 + z_12));
-    dM[67] = dM[63] = ((-8.0/5.0))*(c_0*(z_14 - 4.0*z_16));
-    dM[68] = ((-16.0/5.0))*(z_6*z_18 - z_20);
-    dM[72] = dM[64] = ((-8.0/5.0))*(c_0*(z_21 - 4.0*z_23));
-    dM[73] = dM[69] = z_10*c_5*(p_2*p_3);
-    dM[74] = ((-16.0/5.0))*(z_4*z_18 - z_20);
-    dM[87] = ((-16.0/5.0))*(z_6*z_25 - z_26);
-    dM[92] = dM[88] = ((-8.0/5.0))*(c_0*(-(4.0*z_11 - z_19)));
-    dM[93] = ((-32.0/5.0))*(c_0*(z_16 + z_15 + z_27));
-    dM[97] = dM[89] = z_10*c_5*(p_2*p_3);
-    dM[98] = dM[94] = ((-8.0/5.0))*(c_0*(z_21 - 4.0*z_28));
-    dM[99] = ((-16.0/5.0))*(z_2*z_25 - z_26);
-    dM[112] = ((-16.0/5.0))*(z_4*z_29 - z_30);
-    dM[117] = dM[113] = z_10*c_5*(p_2*p_3);
-    dM[118] = ((-16.0/5.0))*(z_2*z_29 - z_30);
-    dM[122] = dM[114] = ((-8.0/5.0))*(c_0*(-(4.0*z_12 - z_19)));
-    dM[123] = dM[119] = ((-8.0/5.0))*(c_0*(z_14 - 4.0*z_27));
-    dM[124] = ((-32.0/5.0))*(c_0*(z_23 + z_28 + z_22));
+    const double z_0 = p_1*p_1;
+    const double z_1 = p_2*p_2;
+    const double z_2 = p_3*p_3;
+    const double z_3 = 1.0 + z_0 + z_1 + z_2;
+    const double z_4 = z_3*z_3;
+    const double z_5 = 1.0/(z_3*z_4);
+    const double z_6 = p_1*z_5;
+    const double z_7 = z_6*z_1;
+    const double z_8 = z_6*z_2;
+    const double z_9 = 1.0/z_4;
+    const double z_10 = p_2*z_9;
+    const double z_11 = p_2*z_5;
+    const double z_12 = z_11*z_0;
+    const double z_13 = z_6*c_1;
+    const double z_14 = p_1*z_9;
+    const double z_15 = c_0*(z_14 - 2.0*z_6*z_0) - z_13;
+    const double z_16 = p_3*z_9;
+    const double z_17 = p_3*z_5;
+    const double z_18 = z_17*z_0;
+    const double z_19 = z_11*c_1;
+    const double z_20 = c_0*(z_10 - 2.0*z_11*z_1) - z_19;
+    const double z_21 = z_11*z_2;
+    const double z_22 = z_17*z_1;
+    const double z_23 = z_17*c_1;
+    const double z_24 = c_0*(z_16 - 2.0*z_17*z_2) - z_23;
+    dM[62] = ((-32.0/5.0))*(c_0*(z_6 + z_7 + z_8));
+    dM[67] = dM[63] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_12));
+    dM[68] = ((-16.0/5.0))*(z_2*z_13 - z_15);
+    dM[72] = dM[64] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_18));
+    dM[73] = dM[69] = z_6*c_5*(p_2*p_3);
+    dM[74] = ((-16.0/5.0))*(z_1*z_13 - z_15);
+    dM[87] = ((-16.0/5.0))*(z_2*z_19 - z_20);
+    dM[92] = dM[88] = ((-8.0/5.0))*(c_0*(-(4.0*z_7 - z_14)));
+    dM[93] = ((-32.0/5.0))*(c_0*(z_12 + z_11 + z_21));
+    dM[97] = dM[89] = z_6*c_5*(p_2*p_3);
+    dM[98] = dM[94] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_22));
+    dM[99] = ((-16.0/5.0))*(z_0*z_19 - z_20);
+    dM[112] = ((-16.0/5.0))*(z_1*z_23 - z_24);
+    dM[117] = dM[113] = z_6*c_5*(p_2*p_3);
+    dM[118] = ((-16.0/5.0))*(z_0*z_23 - z_24);
+    dM[122] = dM[114] = ((-8.0/5.0))*(c_0*(-(4.0*z_8 - z_14)));
+    dM[123] = dM[119] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_21));
+    dM[124] = ((-32.0/5.0))*(c_0*(z_18 + z_22 + z_17));
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                     double *restrict A, double *restrict b)
 {
-(void)t;
     const double c_3 = c[15];
     const double p_1 = x[2];
     const double p_2 = x[3];
     const double p_3 = x[4];
-    const double z_4 = c_3/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
+    const double z_0 = c_3/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
     A[0] = 1.0;
     A[1] = 0.0;
-    A[2] = -p_3*z_4;
-    A[3] = -z_4;
-    A[4] = p_1*z_4;
+    A[2] = -p_3*z_0;
+    A[3] = -z_0;
+    A[4] = p_1*z_0;
     A[5] = 0.0;
     A[6] = 1.0;
-    A[7] = z_4;
-    A[8] = -p_3*z_4;
-    A[9] = p_2*z_4;
+    A[7] = z_0;
+    A[8] = -p_3*z_0;
+    A[9] = p_2*z_0;
     b[0] = 0.0;
     b[1] = 0.0;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        double *restrict gamma)
 {
-(void)t, (void)u;
     const double R = c[1];
     const double c_0 = c[12];
     const double c_2 = c[14];
@@ -233,46 +240,46 @@ static void motion_bias(double t, const double *restrict x, const double *restri
     const double p_1 = x[2];
     const double p_2 = x[3];
     const double p_3 = x[4];
-    const double z_5 = 1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3;
-    const double z_6 = z_5*z_5;
-    const double z_7 = 1.0/z_6;
-    const double z_8 = c_0*z_7;
-    const double z_12 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
-    const double z_13 = p_2_dot*z_12;
-    const double z_14 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
-    const double z_15 = p_3_dot*z_14;
-    const double z_16 = 1.0/(z_5*z_6);
-    const double z_17 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
-    const double z_18 = c_0*(z_16*(z_12*z_12) + z_16*(z_14*z_14) + z_16*(z_17*z_17));
-    const double z_19 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
-    const double z_20 = z_19*z_16;
-    const double z_21 = z_12*z_20;
-    const double z_22 = z_14*z_20;
-    const double z_24 = z_17*z_20;
-    const double z_25 = p_1_dot*z_12;
-    const double z_26 = p_3_dot*z_17;
-    const double z_27 = p_1_dot*z_14;
-    const double z_28 = p_2_dot*z_17;
-    const double z_30 = 1.0/z_5;
-    const double z_31 = z_19*z_7;
-    const double z_32 = R*(p_3_dot*z_30 - 2.0*p_3*z_31);
-    const double z_34 = c_3*z_31;
+    const double z_0 = 1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3;
+    const double z_1 = z_0*z_0;
+    const double z_2 = 1.0/z_1;
+    const double z_3 = c_0*z_2;
+    const double z_4 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_5 = p_2_dot*z_4;
+    const double z_6 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_7 = p_3_dot*z_6;
+    const double z_8 = 1.0/(z_0*z_1);
+    const double z_9 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_10 = c_0*(z_8*(z_4*z_4) + z_8*(z_6*z_6) + z_8*(z_9*z_9));
+    const double z_11 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_12 = z_11*z_8;
+    const double z_13 = z_4*z_12;
+    const double z_14 = z_6*z_12;
+    const double z_15 = z_9*z_12;
+    const double z_16 = p_1_dot*z_4;
+    const double z_17 = p_3_dot*z_9;
+    const double z_18 = p_1_dot*z_6;
+    const double z_19 = p_2_dot*z_9;
+    const double z_20 = 1.0/z_0;
+    const double z_21 = z_11*z_2;
+    const double z_22 = R*(p_3_dot*z_20 - 2.0*p_3*z_21);
+    const double z_23 = c_3*z_21;
     bias[0] = c_2;
     bias[1] = 0.0;
-    bias[2] = (8.0/5.0)*((z_8*z_13 - z_8*z_15 - 2.0*p_1*z_18) + (c_0*(z_7*z_13 - 4.0*p_2*z_21) + c_6*z_24 -
-        c_0*(z_7*z_15 - 4.0*p_3*z_22)));
-    bias[3] = ((-8.0/5.0))*((z_8*z_25 + 2.0*p_2*z_18 - z_8*z_26) - (c_0*(z_7*z_26 - 4.0*p_3*z_24) + c_6*z_22 -
-        c_0*(z_7*z_25 - 4.0*p_1*z_21)));
-    bias[4] = (8.0/5.0)*((z_8*z_27 - z_8*z_28 - 2.0*p_3*z_18) + (c_0*(z_7*z_27 - 4.0*p_1*z_22) + c_6*z_21 -
-        c_0*(z_7*z_28 - 4.0*p_2*z_24)));
-    gamma[0] = (-2.0)*(p_1_dot*z_32 - p_3_dot*(R*(p_1_dot*z_30 - 2.0*p_1*z_31)) - p_2_dot*z_34);
-    gamma[1] = (-2.0)*(p_2_dot*z_32 + p_1_dot*z_34 - p_3_dot*(R*(p_2_dot*z_30 - 2.0*p_2*z_31)));
+    bias[2] = (8.0/5.0)*((z_3*z_5 - z_3*z_7 - 2.0*p_1*z_10) + (c_0*(z_2*z_5 - 4.0*p_2*z_13) + c_6*z_15 -
+        c_0*(z_2*z_7 - 4.0*p_3*z_14)));
+    bias[3] = ((-8.0/5.0))*((z_3*z_16 + 2.0*p_2*z_10 - z_3*z_17) - (c_0*(z_2*z_17 - 4.0*p_3*z_15) + c_6*z_14 -
+        c_0*(z_2*z_16 - 4.0*p_1*z_13)));
+    bias[4] = (8.0/5.0)*((z_3*z_18 - z_3*z_19 - 2.0*p_3*z_10) + (c_0*(z_2*z_18 - 4.0*p_1*z_14) + c_6*z_13 -
+        c_0*(z_2*z_19 - 4.0*p_2*z_15)));
+    gamma[0] = (-2.0)*(p_1_dot*z_22 - p_3_dot*(R*(p_1_dot*z_20 - 2.0*p_1*z_21)) - p_2_dot*z_23);
+    gamma[1] = (-2.0)*(p_2_dot*z_22 + p_1_dot*z_23 - p_3_dot*(R*(p_2_dot*z_20 - 2.0*p_2*z_21)));
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double c_0 = c[12];
     const double c_2 = c[14];
     const double c_7 = c[19];
@@ -285,47 +292,47 @@ static void energy(double t, const double *restrict x, const double *restrict v,
     const double p_1 = x[2];
     const double p_2 = x[3];
     const double p_3 = x[4];
-    const double z_3 = p_3*p_3;
-    const double z_5 = p_1*p_1;
-    const double z_7 = p_2*p_2;
-    const double z_8 = 1.0 + z_5 + z_7 + z_3;
-    const double z_9 = 1.0/(z_8*z_8);
-    const double z_10 = z_3*z_9;
-    const double z_11 = z_9;
-    const double z_12 = z_11 + z_7*z_9;
-    const double z_13 = c_0*z_9;
-    const double z_14 = p_1*z_13;
-    const double z_16 = p_2_dot*p_2;
-    const double z_18 = p_3_dot*p_3;
-    const double z_19 = p_1_dot*z_14;
-    const double z_20 = z_5*z_9;
-    e[0] = (1.0/10.0)*(8.0*p_1_dot*(p_1_dot*(c_0*(z_10 + z_12)) - z_14*z_16 - z_14*z_18) + c_7*(x_dot*x_dot) +
-        c_7*(y_dot*y_dot) - 8.0*p_2_dot*(p_2*z_19 + p_2*z_13*z_18 - p_2_dot*(c_0*(z_11 + z_10 + z_20))) -
-        8.0*p_3_dot*(p_3*z_19 + p_3*z_13*z_16 - p_3_dot*(c_0*(z_20 + z_12))));
+    const double z_0 = p_3*p_3;
+    const double z_1 = p_1*p_1;
+    const double z_2 = p_2*p_2;
+    const double z_3 = 1.0 + z_1 + z_2 + z_0;
+    const double z_4 = 1.0/(z_3*z_3);
+    const double z_5 = z_0*z_4;
+    const double z_6 = z_4;
+    const double z_7 = z_6 + z_2*z_4;
+    const double z_8 = c_0*z_4;
+    const double z_9 = p_1*z_8;
+    const double z_10 = p_2_dot*p_2;
+    const double z_11 = p_3_dot*p_3;
+    const double z_12 = p_1_dot*z_9;
+    const double z_13 = z_1*z_4;
+    e[0] = (1.0/10.0)*(8.0*p_1_dot*(p_1_dot*(c_0*(z_5 + z_7)) - z_9*z_10 - z_9*z_11) + c_7*(x_dot*x_dot) +
+        c_7*(y_dot*y_dot) - 8.0*p_2_dot*(p_2*z_12 + p_2*z_8*z_11 - p_2_dot*(c_0*(z_6 + z_5 + z_13))) -
+        8.0*p_3_dot*(p_3*z_12 + p_3*z_8*z_10 - p_3_dot*(c_0*(z_13 + z_7))));
     e[1] = 0.0;
     e[2] = 0.0;
     e[3] = -x_*c_2;
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
 }
 
 /* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
-static void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict y)
+static void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                  EM_UNUSED const double *restrict c, double *restrict y)
 {
-(void)t, (void)c;
     const double x_dot = v[0];
     const double y_dot = v[1];
     const double p_1_dot = v[2];
@@ -334,12 +341,83 @@ static void quasi(double t, const double *restrict x, const double *restrict v, 
     const double p_1 = x[2];
     const double p_2 = x[3];
     const double p_3 = x[4];
-    const double z_8 = 1.0/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
+    const double z_0 = 1.0/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
     y[0] = x_dot;
     y[1] = y_dot;
-    y[2] = 2.0*((p_1_dot + p_3_dot*p_2 - p_2_dot*p_3)*z_8);
-    y[3] = 2.0*((p_2_dot + p_1_dot*p_3 - p_3_dot*p_1)*z_8);
-    y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_8);
+    y[2] = 2.0*((p_1_dot + p_3_dot*p_2 - p_2_dot*p_3)*z_0);
+    y[3] = 2.0*((p_2_dot + p_1_dot*p_3 - p_3_dot*p_1)*z_0);
+    y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_0);
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot3[N3][N3], double f1[N1],
+                                  double f2[N2], double f3[N3], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
+                                  double A3[N_ROWS][N3], double gamma[N_ROWS])
+{
+    const double R = c[1];
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double c_2 = c[14];
+    const double c_3 = c[15];
+    const double p_1_dot = v[2];
+    const double p_2_dot = v[3];
+    const double p_3_dot = v[4];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_0 = p_1*p_1;
+    const double z_1 = p_2*p_2;
+    const double z_2 = p_3*p_3;
+    const double z_3 = 1.0 + z_0 + z_1 + z_2;
+    const double z_4 = z_3*z_3;
+    const double z_5 = 1.0/z_4;
+    const double z_6 = p_3_dot*z_5;
+    const double z_7 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_8 = 1.0/(z_3*z_4);
+    const double z_9 = z_7*z_8;
+    const double z_10 = c_0*(p_3*z_6 - 2.0*z_2*z_9);
+    const double z_11 = p_2_dot*z_5;
+    const double z_12 = c_1*z_9;
+    const double z_13 = c_0*(p_2*z_11 - 2.0*z_1*z_9) - z_12;
+    const double z_14 = p_1_dot*z_5;
+    const double z_15 = c_0*(p_1*z_14 - 2.0*z_0*z_9);
+    const double z_16 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_17 = c_0*z_5;
+    const double z_18 = p_2_dot*z_17;
+    const double z_19 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_20 = p_3_dot*z_17;
+    const double z_21 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_22 = c_0*(z_8*(z_16*z_16) + z_8*(z_19*z_19) + z_8*(z_21*z_21));
+    const double z_23 = p_1_dot*z_17;
+    const double z_24 = 1.0/z_3;
+    const double z_25 = c_3*z_24;
+    const double z_26 = z_7*z_5;
+    const double z_27 = R*(p_3_dot*z_24 - 2.0*p_3*z_26);
+    const double z_28 = c_3*z_26;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_10 - z_13);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_2*z_14 + p_1*z_11 - 4.0*z_9*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_12 - z_10 - z_15);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_14 + p_1*z_6 - 4.0*z_9*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_11 + p_2*z_6 - 4.0*z_9*(p_2*p_3)));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_15 - z_13);
+    f1[0] = c_2;
+    f2[0] = 0.0;
+    f3[0] = (8.0/5.0)*(z_16*z_18 - z_19*z_20 - 2.0*p_1*z_22);
+    f3[1] = ((-8.0/5.0))*(z_16*z_23 + 2.0*p_2*z_22 - z_21*z_20);
+    f3[2] = (8.0/5.0)*(z_19*z_23 - z_21*z_18 - 2.0*p_3*z_22);
+    A1[0][0] = 1.0;
+    A1[1][0] = 0.0;
+    A2[0][0] = 0.0;
+    A2[1][0] = 1.0;
+    A3[0][0] = -p_3*z_25;
+    A3[0][1] = -z_25;
+    A3[0][2] = p_1*z_25;
+    A3[1][0] = z_25;
+    A3[1][1] = -p_3*z_25;
+    A3[1][2] = p_2*z_25;
+    gamma[0] = (-2.0)*(p_1_dot*z_27 - p_3_dot*(R*(p_1_dot*z_24 - 2.0*p_1*z_26)) - p_2_dot*z_28);
+    gamma[1] = (-2.0)*(p_2_dot*z_27 + p_1_dot*z_28 - p_3_dot*(R*(p_2_dot*z_24 - 2.0*p_2*z_26)));
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -347,8 +425,7 @@ static void quasi(double t, const double *restrict x, const double *restrict v, 
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5] };
@@ -388,78 +465,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[3] = v3[1];
     dy[4] = v3[2];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double f2[N2];
-    double f3[N3];
-    double Mdot3[N3][N3];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double A3[N_ROWS][N3];
-    double gamma[N_ROWS];
-    const double R = c[1];
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double c_3 = c[15];
-    const double p_1_dot = v3[0];
-    const double p_2_dot = v3[1];
-    const double p_3_dot = v3[2];
-    const double p_1 = y[2];
-    const double p_2 = y[3];
-    const double p_3 = y[4];
-    const double z_4 = p_1*p_1;
-    const double z_6 = p_2*p_2;
-    const double z_7 = p_3*p_3;
-    const double z_8 = 1.0 + z_4 + z_6 + z_7;
-    const double z_9 = z_8*z_8;
-    const double z_10 = 1.0/z_9;
-    const double z_11 = p_3_dot*z_10;
-    const double z_14 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
-    const double z_15 = 1.0/(z_8*z_9);
-    const double z_16 = z_14*z_15;
-    const double z_17 = c_0*(p_3*z_11 - 2.0*z_7*z_16);
-    const double z_18 = p_2_dot*z_10;
-    const double z_20 = c_1*z_16;
-    const double z_21 = c_0*(p_2*z_18 - 2.0*z_6*z_16) - z_20;
-    const double z_22 = p_1_dot*z_10;
-    const double z_23 = c_0*(p_1*z_22 - 2.0*z_4*z_16);
-    const double z_25 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
-    const double z_26 = c_0*z_10;
-    const double z_27 = p_2_dot*z_26;
-    const double z_28 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
-    const double z_29 = p_3_dot*z_26;
-    const double z_30 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
-    const double z_31 = c_0*(z_15*(z_25*z_25) + z_15*(z_28*z_28) + z_15*(z_30*z_30));
-    const double z_32 = p_1_dot*z_26;
-    const double z_34 = 1.0/z_8;
-    const double z_35 = c_3*z_34;
-    const double z_37 = z_14*z_10;
-    const double z_38 = R*(p_3_dot*z_34 - 2.0*p_3*z_37);
-    const double z_39 = c_3*z_37;
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_21);
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_2*z_22 + p_1*z_18 - 4.0*z_16*(p_1*p_2)));
-    Mdot3[1][1] = ((-16.0/5.0))*(z_20 - z_17 - z_23);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_22 + p_1*z_11 - 4.0*z_16*(p_1*p_3)));
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_18 + p_2*z_11 - 4.0*z_16*(p_2*p_3)));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_23 - z_21);
-    f1[0] = c_2;
-    f2[0] = 0.0;
-    f3[0] = (8.0/5.0)*(z_25*z_27 - z_28*z_29 - 2.0*p_1*z_31);
-    f3[1] = ((-8.0/5.0))*(z_25*z_32 + 2.0*p_2*z_31 - z_30*z_29);
-    f3[2] = (8.0/5.0)*(z_28*z_32 - z_30*z_27 - 2.0*p_3*z_31);
-    A1[0][0] = 1.0;
-    A1[1][0] = 0.0;
-    A2[0][0] = 0.0;
-    A2[1][0] = 1.0;
-    A3[0][0] = -p_3*z_35;
-    A3[0][1] = -z_35;
-    A3[0][2] = p_1*z_35;
-    A3[1][0] = z_35;
-    A3[1][1] = -p_3*z_35;
-    A3[1][2] = p_2*z_35;
-    gamma[0] = (-2.0)*(p_1_dot*z_38 - p_3_dot*(R*(p_1_dot*z_34 - 2.0*p_1*z_37)) - p_2_dot*z_39);
-    gamma[1] = (-2.0)*(p_2_dot*z_38 + p_1_dot*z_39 - p_3_dot*(R*(p_2_dot*z_34 - 2.0*p_2*z_37)));
+    double Mdot3[N3][N3], f1[N1], f2[N2], f3[N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot3, f1, f2, f3, A1, A2, A3, gamma);
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
@@ -579,38 +586,124 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M3[N3][N3],
+                                 double shared[8])
+{
+    const double c_0 = c[12];
+    const double c_4 = c[16];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_0 = p_3*p_3;
+    const double z_1 = p_1*p_1;
+    const double z_2 = p_2*p_2;
+    const double z_3 = 1.0 + z_1 + z_2 + z_0;
+    const double z_4 = z_3*z_3;
+    const double z_5 = 1.0/z_4;
+    const double z_6 = z_0*z_5;
+    const double z_7 = z_5;
+    const double z_8 = z_7 + z_2*z_5;
+    const double z_9 = p_1*z_5;
+    const double z_10 = c_4*z_9;
+    const double z_11 = z_1*z_5;
+    const double z_12 = p_2*p_3;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
+    M3[1][0] = -p_2*z_10;
+    M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
+    M3[2][0] = -p_3*z_10;
+    M3[2][1] = -c_4*z_5*z_12;
+    M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
+    shared[0] = z_5;
+    shared[1] = z_0;
+    shared[2] = z_3;
+    shared[3] = z_4;
+    shared[4] = z_2;
+    shared[5] = z_9;
+    shared[6] = z_1;
+    shared[7] = z_12;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
+                                 const double shared[8], double Mdot3[N3][N3], double f1[N1], double f2[N2],
+                                 double f3[N3], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
+                                 double A3[N_ROWS][N3], double gamma[N_ROWS])
+{
+    const double R = c[1];
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double c_2 = c[14];
+    const double c_3 = c[15];
+    const double z_5 = shared[0];
+    const double z_0 = shared[1];
+    const double z_3 = shared[2];
+    const double z_4 = shared[3];
+    const double z_2 = shared[4];
+    const double z_9 = shared[5];
+    const double z_1 = shared[6];
+    const double z_12 = shared[7];
+    const double p_1_dot = v[2];
+    const double p_2_dot = v[3];
+    const double p_3_dot = v[4];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_13 = p_3*z_5;
+    const double z_14 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_15 = 1.0/(z_3*z_4);
+    const double z_16 = z_14*z_15;
+    const double z_17 = c_0*(p_3_dot*z_13 - 2.0*z_0*z_16);
+    const double z_18 = p_2*z_5;
+    const double z_19 = c_1*z_16;
+    const double z_20 = c_0*(p_2_dot*z_18 - 2.0*z_2*z_16) - z_19;
+    const double z_21 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
+    const double z_22 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_23 = c_0*z_5;
+    const double z_24 = p_2_dot*z_23;
+    const double z_25 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_26 = p_3_dot*z_23;
+    const double z_27 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_28 = c_0*(z_15*(z_22*z_22) + z_15*(z_25*z_25) + z_15*(z_27*z_27));
+    const double z_29 = p_1_dot*z_23;
+    const double z_30 = 1.0/z_3;
+    const double z_31 = c_3*z_30;
+    const double z_32 = z_14*z_5;
+    const double z_33 = R*(p_3_dot*z_30 - 2.0*p_3*z_32);
+    const double z_34 = c_3*z_32;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_20);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_18 + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_19 - z_17 - z_21);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_13 + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_13 + p_3_dot*z_18 - 4.0*z_16*z_12));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_21 - z_20);
+    f1[0] = c_2;
+    f2[0] = 0.0;
+    f3[0] = (8.0/5.0)*(z_22*z_24 - z_25*z_26 - 2.0*p_1*z_28);
+    f3[1] = ((-8.0/5.0))*(z_22*z_29 + 2.0*p_2*z_28 - z_27*z_26);
+    f3[2] = (8.0/5.0)*(z_25*z_29 - z_27*z_24 - 2.0*p_3*z_28);
+    A1[0][0] = 1.0;
+    A1[1][0] = 0.0;
+    A2[0][0] = 0.0;
+    A2[1][0] = 1.0;
+    A3[0][0] = -p_3*z_31;
+    A3[0][1] = -z_31;
+    A3[0][2] = p_1*z_31;
+    A3[1][0] = z_31;
+    A3[1][1] = -p_3*z_31;
+    A3[1][2] = p_2*z_31;
+    gamma[0] = (-2.0)*(p_1_dot*z_33 - p_3_dot*(R*(p_1_dot*z_30 - 2.0*p_1*z_32)) - p_2_dot*z_34);
+    gamma[1] = (-2.0)*(p_2_dot*z_33 + p_1_dot*z_34 - p_3_dot*(R*(p_2_dot*z_30 - 2.0*p_2*z_32)));
+}
+
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
  * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
-    double M3[N3][N3];
-    const double c_0 = c[12];
-    const double c_4 = c[16];
-    const double p_1 = y[2];
-    const double p_2 = y[3];
-    const double p_3 = y[4];
-    const double z_2 = p_3*p_3;
-    const double z_4 = p_1*p_1;
-    const double z_6 = p_2*p_2;
-    const double z_7 = 1.0 + z_4 + z_6 + z_2;
-    const double z_8 = z_7*z_7;
-    const double z_9 = 1.0/z_8;
-    const double z_10 = z_2*z_9;
-    const double z_11 = z_9;
-    const double z_12 = z_11 + z_6*z_9;
-    const double z_14 = p_1*z_9;
-    const double z_15 = c_4*z_14;
-    const double z_16 = z_4*z_9;
-    const double z_17 = p_2*p_3;
-    M3[0][0] = (8.0/5.0)*(c_0*(z_10 + z_12));
-    M3[1][0] = -p_2*z_15;
-    M3[1][1] = (8.0/5.0)*(c_0*(z_11 + z_10 + z_16));
-    M3[2][0] = -p_3*z_15;
-    M3[2][1] = -c_4*z_9*z_17;
-    M3[2][2] = (8.0/5.0)*(c_0*(z_16 + z_12));
+    (void)t, (void)u, (void)flags, (void)fault;
+    double M3[N3][N3], shared[8];
+    triangular_masses(y, c, M3, shared);
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5] };
@@ -649,67 +742,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[3] = v3[1];
     dy[4] = v3[2];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-    double f1[N1];
-    double f2[N2];
-    double f3[N3];
-    double Mdot3[N3][N3];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double A3[N_ROWS][N3];
-    double gamma[N_ROWS];
-    const double R = c[1];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double c_3 = c[15];
-    const double p_1_dot = v3[0];
-    const double p_2_dot = v3[1];
-    const double p_3_dot = v3[2];
-    const double z_19 = p_3*z_9;
-    const double z_22 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
-    const double z_23 = 1.0/(z_7*z_8);
-    const double z_24 = z_22*z_23;
-    const double z_25 = c_0*(p_3_dot*z_19 - 2.0*z_2*z_24);
-    const double z_26 = p_2*z_9;
-    const double z_28 = c_1*z_24;
-    const double z_29 = c_0*(p_2_dot*z_26 - 2.0*z_6*z_24) - z_28;
-    const double z_30 = c_0*(p_1_dot*z_14 - 2.0*z_4*z_24);
-    const double z_32 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
-    const double z_33 = c_0*z_9;
-    const double z_34 = p_2_dot*z_33;
-    const double z_35 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
-    const double z_36 = p_3_dot*z_33;
-    const double z_37 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
-    const double z_38 = c_0*(z_23*(z_32*z_32) + z_23*(z_35*z_35) + z_23*(z_37*z_37));
-    const double z_39 = p_1_dot*z_33;
-    const double z_41 = 1.0/z_7;
-    const double z_42 = c_3*z_41;
-    const double z_44 = z_22*z_9;
-    const double z_45 = R*(p_3_dot*z_41 - 2.0*p_3*z_44);
-    const double z_46 = c_3*z_44;
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_25 - z_29);
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_26 + p_2_dot*z_14 - 4.0*z_24*(p_1*p_2)));
-    Mdot3[1][1] = ((-16.0/5.0))*(z_28 - z_25 - z_30);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_19 + p_3_dot*z_14 - 4.0*z_24*(p_1*p_3)));
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_19 + p_3_dot*z_26 - 4.0*z_24*z_17));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_30 - z_29);
-    f1[0] = c_2;
-    f2[0] = 0.0;
-    f3[0] = (8.0/5.0)*(z_32*z_34 - z_35*z_36 - 2.0*p_1*z_38);
-    f3[1] = ((-8.0/5.0))*(z_32*z_39 + 2.0*p_2*z_38 - z_37*z_36);
-    f3[2] = (8.0/5.0)*(z_35*z_39 - z_37*z_34 - 2.0*p_3*z_38);
-    A1[0][0] = 1.0;
-    A1[1][0] = 0.0;
-    A2[0][0] = 0.0;
-    A2[1][0] = 1.0;
-    A3[0][0] = -p_3*z_42;
-    A3[0][1] = -z_42;
-    A3[0][2] = p_1*z_42;
-    A3[1][0] = z_42;
-    A3[1][1] = -p_3*z_42;
-    A3[1][2] = p_2*z_42;
-    gamma[0] = (-2.0)*(p_1_dot*z_45 - p_3_dot*(R*(p_1_dot*z_41 - 2.0*p_1*z_44)) - p_2_dot*z_46);
-    gamma[1] = (-2.0)*(p_2_dot*z_45 + p_1_dot*z_46 - p_3_dot*(R*(p_2_dot*z_41 - 2.0*p_2*z_44)));
+    double Mdot3[N3][N3], f1[N1], f2[N2], f3[N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], gamma[N_ROWS];
+    triangular_motion(y, dy, c, shared, Mdot3, f1, f2, f3, A1, A2, A3, gamma);
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
@@ -817,6 +851,94 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M3[N3][N3],
+                              double A1[N_ROWS][N1], double A2[N_ROWS][N2], double A3[N_ROWS][N3],
+                              double b[N_ROWS], double shared[8])
+{
+    const double c_0 = c[12];
+    const double c_3 = c[15];
+    const double c_4 = c[16];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_0 = p_3*p_3;
+    const double z_1 = p_1*p_1;
+    const double z_2 = p_2*p_2;
+    const double z_3 = 1.0 + z_1 + z_2 + z_0;
+    const double z_4 = z_3*z_3;
+    const double z_5 = 1.0/z_4;
+    const double z_6 = z_0*z_5;
+    const double z_7 = z_5;
+    const double z_8 = z_7 + z_2*z_5;
+    const double z_9 = p_1*z_5;
+    const double z_10 = c_4*z_9;
+    const double z_11 = z_1*z_5;
+    const double z_12 = p_2*p_3;
+    const double z_13 = c_3/z_3;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
+    M3[0][1] = M3[1][0] = -p_2*z_10;
+    M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
+    M3[0][2] = M3[2][0] = -p_3*z_10;
+    M3[1][2] = M3[2][1] = -c_4*z_5*z_12;
+    M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
+    A1[0][0] = 1.0;
+    A1[1][0] = 0.0;
+    A2[0][0] = 0.0;
+    A2[1][0] = 1.0;
+    A3[0][0] = -p_3*z_13;
+    A3[0][1] = -z_13;
+    A3[0][2] = p_1*z_13;
+    A3[1][0] = z_13;
+    A3[1][1] = -p_3*z_13;
+    A3[1][2] = p_2*z_13;
+    b[0] = 0.0;
+    b[1] = 0.0;
+    shared[0] = z_5;
+    shared[1] = z_0;
+    shared[2] = z_3;
+    shared[3] = z_4;
+    shared[4] = z_2;
+    shared[5] = z_9;
+    shared[6] = z_1;
+    shared[7] = z_12;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict x, const double *restrict v, const double *restrict c,
+                             const double shared[8], double Mdot3[N3][N3])
+{
+    const double c_0 = c[12];
+    const double c_1 = c[13];
+    const double z_5 = shared[0];
+    const double z_0 = shared[1];
+    const double z_3 = shared[2];
+    const double z_4 = shared[3];
+    const double z_2 = shared[4];
+    const double z_9 = shared[5];
+    const double z_1 = shared[6];
+    const double z_12 = shared[7];
+    const double p_1_dot = v[2];
+    const double p_2_dot = v[3];
+    const double p_3_dot = v[4];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_14 = p_3_dot*p_3;
+    const double z_15 = p_2_dot*p_2;
+    const double z_16 = (p_1_dot*p_1 + z_15 + z_14)/(z_3*z_4);
+    const double z_17 = c_0*(z_14*z_5 - 2.0*z_0*z_16);
+    const double z_18 = c_1*z_16;
+    const double z_19 = c_0*(z_15*z_5 - 2.0*z_2*z_16) - z_18;
+    const double z_20 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_19);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_2) + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_18 - z_17 - z_20);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_3) + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(z_5*(p_2_dot*p_3) + z_5*(p_3_dot*p_2) - 4.0*z_16*z_12));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_20 - z_19);
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -824,49 +946,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M3[N3][N3];
-    double A1[N_ROWS][N1];
-    double A2[N_ROWS][N2];
-    double A3[N_ROWS][N3];
-    double b[N_ROWS];
-    const double c_0 = c[12];
-    const double c_3 = c[15];
-    const double c_4 = c[16];
-    const double p_1 = y[2];
-    const double p_2 = y[3];
-    const double p_3 = y[4];
-    const double z_2 = p_3*p_3;
-    const double z_4 = p_1*p_1;
-    const double z_6 = p_2*p_2;
-    const double z_7 = 1.0 + z_4 + z_6 + z_2;
-    const double z_8 = z_7*z_7;
-    const double z_9 = 1.0/z_8;
-    const double z_10 = z_2*z_9;
-    const double z_11 = z_9;
-    const double z_12 = z_11 + z_6*z_9;
-    const double z_14 = p_1*z_9;
-    const double z_15 = c_4*z_14;
-    const double z_16 = z_4*z_9;
-    const double z_17 = p_2*p_3;
-    const double z_19 = c_3/z_7;
-    M3[0][0] = (8.0/5.0)*(c_0*(z_10 + z_12));
-    M3[0][1] = M3[1][0] = -p_2*z_15;
-    M3[1][1] = (8.0/5.0)*(c_0*(z_11 + z_10 + z_16));
-    M3[0][2] = M3[2][0] = -p_3*z_15;
-    M3[1][2] = M3[2][1] = -c_4*z_9*z_17;
-    M3[2][2] = (8.0/5.0)*(c_0*(z_16 + z_12));
-    A1[0][0] = 1.0;
-    A1[1][0] = 0.0;
-    A2[0][0] = 0.0;
-    A2[1][0] = 1.0;
-    A3[0][0] = -p_3*z_19;
-    A3[0][1] = -z_19;
-    A3[0][2] = p_1*z_19;
-    A3[1][0] = z_19;
-    A3[1][1] = -p_3*z_19;
-    A3[1][2] = p_2*z_19;
-    b[0] = 0.0;
-    b[1] = 0.0;
+    double M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
+    settled_masses(y, c, M3, A1, A2, A3, b, shared);
 
     /* x */
     double eta1[N1] = { y[5] };
@@ -892,12 +973,15 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             em_from_axes(N1, c + 4, c + 5, v1);
+            v[0] = v1[0];
             double v2[N2];
             memcpy(v2, eta2, sizeof v2);
             em_from_axes(N2, c + 8, c + 9, v2);
+            v[1] = v2[0];
             double v3[N3];
             memcpy(v3, eta3, sizeof v3);
             if (*mode) {
@@ -905,24 +989,12 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N3, M3[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N3, L, r, v3);
             } else
             em_from_axes(N3, C3, s3, v3);
-            double Mdot3[N3][N3], mu3[N3][N3];
-    const double c_1 = c[13];
-    const double p_1_dot = v3[0];
-    const double p_2_dot = v3[1];
-    const double p_3_dot = v3[2];
-    const double z_21 = p_3_dot*p_3;
-    const double z_24 = p_2_dot*p_2;
-    const double z_25 = (p_1_dot*p_1 + z_24 + z_21)/(z_7*z_8);
-    const double z_26 = c_0*(z_21*z_9 - 2.0*z_2*z_25);
-    const double z_28 = c_1*z_25;
-    const double z_29 = c_0*(z_24*z_9 - 2.0*z_6*z_25) - z_28;
-    const double z_30 = c_0*(p_1_dot*z_14 - 2.0*z_4*z_25);
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_26 - z_29);
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(z_9*(p_1_dot*p_2) + p_2_dot*z_14 - 4.0*z_25*(p_1*p_2)));
-    Mdot3[1][1] = ((-16.0/5.0))*(z_28 - z_26 - z_30);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(z_9*(p_1_dot*p_3) + p_3_dot*z_14 - 4.0*z_25*(p_1*p_3)));
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(z_9*(p_2_dot*p_3) + z_9*(p_3_dot*p_2) - 4.0*z_25*z_17));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_30 - z_29);
+            double mu3[N3][N3];
+            v[2] = v3[0];
+            v[3] = v3[1];
+            v[4] = v3[2];
+            double Mdot3[N3][N3];
+            settled_rates(y, v, c, shared, Mdot3);
             em_congruence(N3, C3, Mdot3[0], mu3[0]);
             time = fmin(time, em_time_to_crossing(N3, s3, mu3[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:fe8f0ec1f1768af3e072d886025437c51d52f47ab803bd50da8d715a2c7c4de2 */
+/* body sha256:0a2752065bbb17a3e36297dcca06341121cd1659ac40b07175bbabf0d6f54e23 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -53,72 +53,80 @@ enum {
 static const int block[N] = { 0, 0 };
 static const double scales[N] = { 1.0, 1.0 };
 
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double gap = parameters[0];
+    const double k_x = parameters[1];
+    const double k_z = parameters[2];
+    prepared[3] = 4.0*k_x;
+    prepared[4] = 2.0*k_z;
+    prepared[5] = 2.0*gap;
+}
+
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
-    const double gap_ = c[0];
-    const double k_x = c[1];
-    const double k_z = c[2];
-    c[3] = 4.0*k_x;
-    c[4] = 2.0*k_z;
-    c[5] = 2.0*gap_;
+    prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
 {
-(void)t;
-    const double gap_ = c[0];
+    const double gap = c[0];
     const double x_ = x[0];
     M[0] = 0.5*(x_ + 4.0);
-    M[2] = M[1] = gap_;
+    M[2] = M[1] = gap;
     M[3] = 0.5*(4.0 - x_);
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-static void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c, double *restrict dM)
+static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                 EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-(void)t, (void)x, (void)c;
     dM[0] = 0.5;
     dM[3] = -0.5;
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A, double *restrict b)
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
 {
-(void)t, (void)x, (void)c, (void)A, (void)b;
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi, double *restrict terms)
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
 {
-(void)t, (void)x, (void)c, (void)phi, (void)terms;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                        const double *restrict u, double *restrict bias, double *restrict gamma)
+static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                        EM_UNUSED double *restrict gamma)
 {
-(void)t, (void)u, (void)gamma;
     const double c_0 = c[3];
     const double c_1 = c[4];
     const double x_dot = v[0];
     const double z_dot = v[1];
     const double x_ = x[0];
     const double z = x[1];
-    const double z_1 = x_dot*x_dot;
-    bias[0] = (-0.25)*(2.0*z_1 - (z_1 - z_dot*z_dot - x_*c_0));
+    const double z_0 = x_dot*x_dot;
+    bias[0] = (-0.25)*(2.0*z_0 - (z_0 - z_dot*z_dot - x_*c_0));
     bias[1] = 0.5*(x_dot*z_dot - z*c_1);
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c, double *restrict e)
+static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                   const double *restrict c, double *restrict e)
 {
-(void)t;
     const double k_x = c[1];
     const double k_z = c[2];
     const double c_2 = c[5];
@@ -133,18 +141,35 @@ static void energy(double t, const double *restrict x, const double *restrict v,
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out)
+static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)a, (void)lambda, (void)out;
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                         const double *restrict u, double *restrict crossing)
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-(void)t, (void)x, (void)v, (void)c, (void)u, (void)crossing;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
+{
+    const double k_z = c[2];
+    const double c_0 = c[3];
+    const double x_dot = v[0];
+    const double z_dot = v[1];
+    const double x_ = x[0];
+    const double z = x[1];
+    Mdot1[0][0] = 0.5*x_dot;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = (-0.5)*x_dot;
+    f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
+    f1[1] = -k_z*z;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -152,8 +177,7 @@ static void model_events(double t, const double *restrict x, const double *restr
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)memory, (void)flags, (void)fault;
+    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, z: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2], y[3] };
@@ -170,20 +194,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     dy[0] = v1[0];
     dy[1] = v1[1];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double k_z = c[2];
-    const double c_0 = c[3];
-    const double x_dot = v1[0];
-    const double z_dot = v1[1];
-    const double x_ = y[0];
-    const double z = y[1];
-    Mdot1[0][0] = 0.5*x_dot;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = (-0.5)*x_dot;
-    f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
-    f1[1] = -k_z*z;
+    double Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* x, z: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1][N1], Omega1[N1][N1];
@@ -224,19 +236,41 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     return 0;
 }
 
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
+{
+    const double gap = c[0];
+    const double x_ = x[0];
+    M1[0][0] = 0.5*(x_ + 4.0);
+    M1[1][0] = gap;
+    M1[1][1] = 0.5*(4.0 - x_);
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
+                                 double Mdot1[N1][N1], double f1[N1])
+{
+    const double k_z = c[2];
+    const double c_0 = c[3];
+    const double x_dot = v[0];
+    const double z_dot = v[1];
+    const double x_ = x[0];
+    const double z = x[1];
+    Mdot1[0][0] = 0.5*x_dot;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = (-0.5)*x_dot;
+    f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
+    f1[1] = -k_z*z;
+}
+
 /* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
  * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-(void)t, (void)u;
-    (void)flags, (void)fault;
+    (void)t, (void)u, (void)flags, (void)fault;
     double M1[N1][N1];
-    const double gap_ = c[0];
-    const double x_ = y[0];
-    M1[0][0] = 0.5*(x_ + 4.0);
-    M1[1][0] = gap_;
-    M1[1][1] = 0.5*(4.0 - x_);
+    triangular_masses(y, c, M1);
 
     /* x, z: M = L L^T */
     double L1[N1][N1], r1[N1];
@@ -252,19 +286,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     dy[0] = v1[0];
     dy[1] = v1[1];
 
-    /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-    double f1[N1];
-    double Mdot1[N1][N1];
-    const double k_z = c[2];
-    const double c_0 = c[3];
-    const double x_dot = v1[0];
-    const double z_dot = v1[1];
-    const double z = y[1];
-    Mdot1[0][0] = 0.5*x_dot;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = (-0.5)*x_dot;
-    f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
-    f1[1] = -k_z*z;
+    double Mdot1[N1][N1], f1[N1];
+    triangular_motion(y, dy, c, Mdot1, f1);
 
     /* x, z: a = L^-1 f - Phi eta */
     double a1[N1];
@@ -295,6 +318,25 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 #define EM_APART 0.5
 #define EM_CLOSE 1e-3
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
+{
+    const double gap = c[0];
+    const double x_ = x[0];
+    M1[0][0] = 0.5*(x_ + 4.0);
+    M1[0][1] = M1[1][0] = gap;
+    M1[1][1] = 0.5*(4.0 - x_);
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, double Mdot1[N1][N1])
+{
+    const double x_dot = v[0];
+    Mdot1[0][0] = 0.5*x_dot;
+    Mdot1[0][1] = Mdot1[1][0] = 0.0;
+    Mdot1[1][1] = (-0.5)*x_dot;
+}
+
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -303,11 +345,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
-    const double gap_ = c[0];
-    const double x_ = y[0];
-    M1[0][0] = 0.5*(x_ + 4.0);
-    M1[0][1] = M1[1][0] = gap_;
-    M1[1][1] = 0.5*(4.0 - x_);
+    settled_masses(y, c, M1);
 
     /* x, z */
     double eta1[N1] = { y[2], y[3] };
@@ -327,6 +365,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (gap > EM_APART) wanted = 0;
         else {
             double time = INFINITY;
+            double v[N];
             double v1[N1];
             memcpy(v1, eta1, sizeof v1);
             if (*mode) {
@@ -334,11 +373,11 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
                 if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
             } else
             em_from_axes(N1, C1, s1, v1);
-            double Mdot1[N1][N1], mu1[N1][N1];
-    const double x_dot = v1[0];
-    Mdot1[0][0] = 0.5*x_dot;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = (-0.5)*x_dot;
+            double mu1[N1][N1];
+            v[0] = v1[0];
+            v[1] = v1[1];
+            double Mdot1[N1][N1];
+            settled_rates(v, Mdot1);
             em_congruence(N1, C1, Mdot1[0], mu1[0]);
             time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
             wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);

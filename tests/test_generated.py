@@ -12,8 +12,9 @@ import sympy
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.c import program as codegen_program
 from eigenmotion.codegen.c.emit import TEMPLATES, environment, undeclared
-from eigenmotion.codegen.c.printer import Body, Section, c_identifier, c_identifiers
-from eigenmotion.codegen.c.program import BlockView, Bodies, EventView, Place, Program, Slice
+from eigenmotion.codegen.c.kernel import Kernel
+from eigenmotion.codegen.c.names import c_identifier, c_identifiers
+from eigenmotion.codegen.c.program import BlockView, EventView, Kernels, Place, Program, Slice, Stages
 from eigenmotion.codegen.choices import Choices
 from jinja2 import nodes
 from sympy import Rational, cos, sin
@@ -63,16 +64,16 @@ def test_every_function_says_what_it_is(systems):
     """No function of generated code without a comment above it."""
     text = next(f.text for f in compiler.generate(model_of("dual_link")).files if f.name.endswith(".c"))
     lines = text.splitlines()
-    heads = [k for k, line in enumerate(lines) if re.match(r"static (int|void) \w+\(", line)]
-    assert len(heads) > 10
+    heads = [k for k, line in enumerate(lines) if re.match(r"(static int|static void|EM_INLINE void) \w+\(", line)]
+    assert len(heads) > 15
     bare = [lines[k] for k in heads if not lines[k - 1].rstrip().endswith("*/")]
     assert [line for line in bare if not re.match(r"static int (velocity|rhs|published_rate)\(", line)] == []
 
 
 # --- templates and the record they get --------------------------------------------------------------------------------
 
-RECORDS = {"program": Program, "b": BlockView, "bodies": Bodies, "p": Place, "body": Body, "section": Section,
-           "part": Slice, "event": EventView, "triangular": Body, "motion_section": Section}  # fmt: skip
+RECORDS = {"program": Program, "b": BlockView, "kernels": Kernels, "p": Place, "kernel": Kernel,
+           "part": Slice, "event": EventView, "triangular": Stages}  # fmt: skip
 OTHERS = tuple(kind for kind in vars(codegen_program).values() if is_dataclass(kind))
 
 
@@ -82,7 +83,7 @@ def attributes():
     found = {(node.node.name, node.attr) for tree in trees for node in tree.find_all(nodes.Getattr)
              if isinstance(node.node, nodes.Name)}  # fmt: skip
     chained = {(node.node.attr, node.attr) for tree in trees for node in tree.find_all(nodes.Getattr)
-               if isinstance(node.node, nodes.Getattr) and node.node.attr == "bodies"}  # fmt: skip
+               if isinstance(node.node, nodes.Getattr) and node.node.attr == "kernels"}  # fmt: skip
     return {(name, attribute) for name, attribute in found | chained if name != "loop"}
 
 
@@ -97,7 +98,7 @@ def test_templates_read_no_field_that_is_not_there():
         assert any(attribute in {field.name for field in fields(kind)} for kind in kinds), (variable, attribute)
 
 
-@pytest.mark.parametrize("record", [Program, BlockView, Bodies, Place])
+@pytest.mark.parametrize("record", [Program, BlockView, Kernels, Place])
 def test_templates_read_every_field(record):
     variables = {name for name, kind in RECORDS.items() if kind is record}
     read = {attribute for variable, attribute in attributes() if variable in variables or variable not in RECORDS}
@@ -119,16 +120,14 @@ HARD = (
     "double int inline restrict static register yield class None nogil sin cos tan exp log pow sqrt fabs gamma y0 "
     "jn i j k r row sum column product stretch turn isnan NAN INFINITY NULL I errno linux main memset size_t "
     "em_model em_fault c_0 c_1 c_2 z_0 z_1 z_2 sin_0 C1 s1 L1 M1 Mdot1 r1 w1 v1 f1 a1 q1 B1 A1 N1 Omega1 C1_dot "
-    "singular1 state rhs M N L C s f y dy c eta_dot gap_dot row_ M1_"
+    "singular1 state rhs M N L C s f y dy c eta_dot gap_dot row_ M1_ B2 mu1 eta1 N_ROWS memory shared det1 prepared "
+    "parameters mass_matrix eigenfactor_motion A b phi terms bias e out crossing dM fault mode t_"
 ).split()
-INNER = set("i j k L r sum row column product stretch turn".split())
-"""Declared in inner scopes only, where no symbol of the user's stands; those in HARD hide them and are hidden."""
 
 
-def words_of(paths):
-    """Return every word outside comments that is not a member of a structure."""
-    texts = [re.sub(r"/\*.*?\*/|(\.|->)[A-Za-z]\w*", " ", path.read_text(), flags=re.DOTALL) for path in paths]
-    return {word for text in texts for word in WORDS.findall(text)}
+def words_of(text):
+    """Return every word outside comments."""
+    return sorted(set(WORDS.findall(re.sub(r"/\*.*?\*/", " ", text, flags=re.DOTALL))))
 
 
 def folded(terms):
@@ -185,22 +184,31 @@ def test_any_name_will_do(formulation, harmless):
     assert relative(runs[0].x[:, -1], runs[1].x[:, -1]) < 1e-9
 
 
+def c_text(model, formulation):
+    return next(file.text for file in compiler.generate(model, Choices(formulation)).files if file.name.endswith(".c"))
+
+
 @pytest.mark.parametrize("formulation", FORMULATIONS)
-def test_no_symbol_gets_the_name_of_anything_in_the_file(formulation, tmp_path):
-    """Exhaustive where the test above samples: every word of a generated file that is not the user's own."""
-    sources = compiler.generate(named(("p1", "p2", "p3", "w"), ["k1", "k2"]), Choices(formulation))
-    path = tmp_path / "named.c"
-    path.write_text(next(file.text for file in sources.files if file.name.endswith(".c")))
-    own = re.compile(r"((sin|cos)_)?(p\d|k\d)(_d?dot)?|w|through|seen|named\w*|lambda_0")
-    words = {word for word in words_of([path]) if not own.fullmatch(word)}
-    assert sorted(word for word in words - words_in_strings(path) - INNER if c_identifier(word) in words) == []
+def test_any_word_of_the_file_is_a_name_to_have(formulation, tmp_path):
+    """Exhaustive where the test above samples: every word of a generated file at once, the names of C among them."""
+    plain = ("p1", "p2", "p3", "w")
+    words = [word for word in words_of(c_text(named(plain, ["k1", "k2"]), formulation)) if word not in (*plain, "t")]
+    assert len(words) > 200
+    (tmp_path / "named.h").write_text('#include "eigenmotion.h"\nextern const em_model named_model;\n')
+    (tmp_path / "named.c").write_text(c_text(named(plain, words), formulation))
+    command = [*toolchain().command, *STRICT, "-fsyntax-only", f"-I{INCLUDE}", "named.c"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[:2000]
 
 
-def words_in_strings(path):
-    """Return what stands between quotation marks, and the words of preprocessor lines, which clash with nothing."""
-    text = re.sub(r"/\*.*?\*/", " ", path.read_text(), flags=re.DOTALL)
-    quoted = " ".join(re.findall(r'"[^"\n]*"', text))
-    return set(WORDS.findall(quoted)) | {"define", "include", "endif", "ifndef", "undef"}
+def test_a_kernel_declares_each_name_once_and_hides_no_function_it_calls():
+    text = c_text(named(("eta", "gap", "lambda", "u"), HARD), "eigenfactor")
+    kernels = re.findall(r"^(?:static|EM_INLINE) void \w+\(([^)]*)\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL)
+    assert len(kernels) > 10
+    for head, inside in kernels:
+        declared = re.findall(r"(\w+)(?:\[\w+\])*(?:,|$)", head) + re.findall(r"const double (\w+) =", inside)
+        assert len(set(declared)) == len(declared)
+        assert not set(declared) & set(re.findall(r"(\w+)\(", inside))
 
 
 def test_no_symbol_gets_the_name_of_a_macro_or_function_of_the_runtime():

@@ -5,7 +5,7 @@ import subprocess
 import pytest
 import sympy
 from eigenmotion.codegen.c.emit import commented, quoted
-from eigenmotion.codegen.c.printer import c_identifier
+from eigenmotion.codegen.c.names import c_identifier
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.compiler import generate
 

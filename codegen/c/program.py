@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .printer import Body
+from ..graph.schedule import Cost
+from .kernel import Kernel
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,24 +89,48 @@ class EventView:
 
 
 @dataclass(frozen=True, slots=True)
-class Bodies:
-    """The model-specific straight-line part of each function."""
+class Stages:
+    """Kernels of one function: the second needs velocities that follow from the first. None: there is nothing to do."""
 
-    prepare: Body
-    mass_matrix: Body
-    mass_matrix_gradient: Body
-    factored: Body
-    factored_gradient: Body
-    pfaffian: Body
-    position: Body
-    bias: Body
-    energy: Body
-    outputs: Body
-    events: Body
-    quasi: Body
-    published: Body
-    triangular: Body
-    settle: Body
+    masses: Kernel | None
+    motion: Kernel | None
+
+    @property
+    def cost(self) -> Cost:
+        """Operations of both."""
+        return sum((kernel.cost for kernel in (self.masses, self.motion) if kernel), Cost())
+
+
+@dataclass(frozen=True, slots=True)
+class Factored:
+    """M + A^T W A, and its gradient."""
+
+    matrix: Kernel
+    gradient: Kernel
+
+
+@dataclass(frozen=True, slots=True)
+class Kernels:
+    """The model-specific straight-line part of each function.
+
+    published, triangular : of the right-hand sides; settled : of what follows an accepted step
+    factored : None where it is M
+    """
+
+    prepared: Kernel
+    mass_matrix: Kernel
+    mass_matrix_gradient: Kernel
+    factored: Factored | None
+    pfaffian: Kernel
+    position: Kernel
+    bias: Kernel
+    energy: Kernel
+    outputs: Kernel
+    events: Kernel
+    quasi: Kernel
+    published: Stages
+    triangular: Stages
+    settled: Stages
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,7 +161,7 @@ class Program:
     bounded: bool
     delta_eigenfactors: bool
     extrapolate: bool
-    extrapolated: int
+    extrapolated: int | None
     needs_mass: bool
     settles: bool
     augmented: bool
@@ -167,4 +192,4 @@ class Program:
     left_out: tuple[str, ...]
     conserves_energy: bool
     costs: tuple[str, ...]
-    bodies: Bodies
+    kernels: Kernels

@@ -1,0 +1,251 @@
+"""Kernels: straight-line functions, arrays in and out, each with the user's names in a scope of its own."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..graph.graph import Graph, Kind, Node
+from ..graph.schedule import Constants, Cost, Schedule, operands_of, schedule
+from .names import c_identifiers, free
+from .printer import Printer
+
+WIDTH = 110
+INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
+"""What a kernel may read, in the order of its arguments; all but the time are arrays."""
+SHARED = "shared"
+"""The array of what one kernel computed and the next one needs, too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """What a kernel assigns; shape is C text, as [N1][N1]."""
+
+    name: str
+    shape: str
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """An assignment: the places of an array, as [0][1], that get the value of a node."""
+
+    array: Array
+    places: tuple[str, ...]
+    node: Node
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A kernel before it is written.
+
+    arguments : their names, where others rely on them; else they are what the kernel reads and assigns
+    actual : what the caller calls them, where that differs
+    """
+
+    name: str
+    entries: Sequence[Entry]
+    arguments: tuple[str, ...] = ()
+    actual: Mapping[str, str] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """A straight-line function as C text.
+
+    head : its first line; declared, call : how its caller declares what it assigns (if it must), and calls it
+    loads, temporaries, outputs : its statements
+    """
+
+    head: str
+    declared: str
+    call: str
+    loads: tuple[str, ...]
+    temporaries: tuple[str, ...]
+    outputs: tuple[str, ...]
+    cost: Cost
+
+
+@dataclass(frozen=True, slots=True)
+class Symbols:
+    """Where symbols and constants live.
+
+    places : symbol -> (argument, place in it); the place of what is no array is None
+    first_constant : the place of the first constant in the prepared parameters
+    """
+
+    places: Mapping[str, tuple[str, int | None]]
+    first_constant: int
+
+
+def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: Constants | None) -> list[Kernel]:
+    """Write kernels that are called one after the other: what they have in common is computed once and handed on.
+
+    The first one tells the cost of all. Without `constants` what is made of parameters only is computed in place.
+    """
+    plan = schedule(graph, [entry.node for draft in drafts for entry in draft.entries], hoist=constants is not None)
+    arrays = {entry.array.name for draft in drafts for entry in draft.entries}
+    taken = {*INPUTS, *arrays, SHARED, *(name for draft in drafts for name in draft.arguments)}
+    writer = _Writer(graph, plan, symbols, constants, taken)
+    scopes = [writer.scope(draft) for draft in drafts]
+    return [_kernel(scope, len(writer.handed), plan.cost if scope is scopes[0] else Cost()) for scope in scopes]
+
+
+class _Scope:
+    """The inside of one kernel while it is written."""
+
+    def __init__(self, draft: Draft, plan: Schedule) -> None:
+        self.draft = draft
+        self.names: dict[int, str] = {}
+        self.printer = Printer(plan, self.names)
+        self.read: dict[str, list[tuple[int, str]]] = {}
+        self.temporaries: list[str] = []
+        self.shares: list[str] = []
+
+    def load(self, array: str, place: int | None, identifier: str) -> None:
+        """Give a number of an array its name here."""
+        loads = self.read.setdefault(array, [])
+        if place is not None:
+            loads.append((place, f"const double {identifier} = {array}[{place}];"))
+
+
+class _Writer:
+    """Remembers across kernels what has a name already."""
+
+    def __init__(self, graph: Graph, plan: Schedule, symbols: Symbols, constants: Constants | None, taken: set[str]
+                 ) -> None:  # fmt: skip
+        self.graph, self.plan, self.symbols, self.constants = graph, plan, symbols, constants
+        self.identifiers = c_identifiers(symbols.places, taken) | {"t": "t"}
+        self.taken = {*taken, *self.identifiers.values()}
+        self.known: dict[int, tuple[str, _Scope]] = {}
+        self.handed: dict[int, int] = {}
+        self.here: _Scope
+
+    def scope(self, draft: Draft) -> _Scope:
+        """Write one kernel."""
+        self.here = _Scope(draft, self.plan)
+        for entry in draft.entries:
+            self._need(self.plan.roots[entry.node])
+        return self.here
+
+    def _need(self, root: int) -> None:
+        """Name every value behind root that wants a name, operands first."""
+        stack = [(root, False)]
+        seen: set[int] = set()
+        while stack:
+            value, ready = stack.pop()
+            if value in self.here.names or value in seen and not ready:
+                continue
+            if ready or value in self.known:
+                self._name(value)
+                continue
+            seen.add(value)
+            stack.append((value, True))
+            stack.extend((operand, False) for operand in reversed(list(operands_of(self.plan.operations[value]))))
+
+    def _name(self, value: int) -> None:
+        kind, operands = self.plan.operations[value]
+        if value in self.known:
+            self._take(value)
+        elif kind == "leaf":
+            self._load(value, operands[0])
+        elif kind == "constant":
+            self._load_constant(value, operands[0])
+        elif kind != "number" and (self.plan.uses[value] > 1 or self._is_sine(value)):
+            self._compute(value)
+
+    def _take(self, value: int) -> None:
+        """Take over what the kernel before has computed."""
+        name, before = self.known[value]
+        if value not in self.handed:
+            self.handed[value] = len(self.handed)
+            before.shares.append(f"{SHARED}[{self.handed[value]}] = {name};")
+        self.here.load(SHARED, self.handed[value], name)
+        self.here.names[value] = name
+
+    def _load(self, value: int, symbol: str) -> None:
+        self.here.load(*self.symbols.places[symbol], self.identifiers[symbol])
+        self.here.names[value] = self.identifiers[symbol]
+
+    def _load_constant(self, value: int, node: Node) -> None:
+        kind, operands = self.graph.records[node]
+        if kind is Kind.SYMBOL:
+            self._load(value, operands[0])
+            return
+        assert self.constants is not None
+        index = self.constants.index(node)
+        name = free(f"c_{index}", self.identifiers.values())
+        self.here.load("c", self.symbols.first_constant + index, name)
+        self.here.names[value] = name
+
+    def _compute(self, value: int) -> None:
+        name = free(self._named_after(value), self.taken)
+        self.taken.add(name)
+        self.here.temporaries.append(_wrap(f"const double {name} = {self.here.printer.bare(value)};"))
+        self.here.names[value] = name
+        self.known[value] = name, self.here
+
+    def _named_after(self, value: int) -> str:
+        if not self._is_sine(value):
+            return f"z_{len(self.known)}"
+        function, angle = self.plan.operations[value].operands
+        return f"{function}_{self.here.names.get(angle, len(self.known))}"
+
+    def _is_sine(self, value: int) -> bool:
+        kind, operands = self.plan.operations[value]
+        return kind == "call" and operands[0] in ("sin", "cos")
+
+
+def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
+    draft, plan = scope.draft, scope.printer.plan
+    results = list(dict.fromkeys(entry.array for entry in draft.entries))
+    if scope.shares:
+        results.append(Array(SHARED, f"[{handed}]"))
+    read = [name for name in (*INPUTS, SHARED) if name in scope.read]
+    names = [*read, *(array.name for array in results)]
+    actual = draft.actual or {}
+    outputs = tuple(
+        _wrap(f"{_targets(entry)} = {scope.printer.bare(plan.roots[entry.node])};") for entry in draft.entries
+    )
+    return Kernel(
+        head=_head(draft, names) if draft.arguments else _inner_head(draft, read, results, handed),
+        declared=_folded("double ", [one.name + one.shape for one in results if one.name not in actual], ";"),
+        call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
+        loads=tuple(load for array in sorted(scope.read) for _, load in sorted(scope.read[array])),
+        temporaries=tuple(scope.temporaries), outputs=(*outputs, *scope.shares), cost=cost,
+    )  # fmt: skip
+
+
+def _targets(entry: Entry) -> str:
+    return " = ".join(entry.array.name + place for place in entry.places)
+
+
+def _head(draft: Draft, used: Sequence[str]) -> str:
+    """Of a function that others call: its arguments are given, and marked where it does not use them."""
+    given = [("" if name in used else "EM_UNUSED ") + (_input(name) if name in INPUTS else f"double *restrict {name}")
+             for name in draft.arguments]  # fmt: skip
+    return _folded(f"static void {draft.name}(", given, ")")
+
+
+def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:
+    given = [_input(name) if name != SHARED else f"const double {SHARED}[{handed}]" for name in read]
+    return _folded(f"EM_INLINE void {draft.name}(", [*given, *(f"double {a.name}{a.shape}" for a in results)], ")")
+
+
+def _input(name: str) -> str:
+    return f"double {name}" if name == "t" else f"const double *restrict {name}"
+
+
+def _folded(before: str, items: Sequence[str], after: str) -> str:
+    """Write a list into lines, without a break inside an item; nothing for no items."""
+    if not items:
+        return ""
+    text = before + ", ".join(item.replace(" ", "\0") for item in items) + after
+    return "\n".join(textwrap.wrap(text, WIDTH, subsequent_indent=" " * len(before), break_long_words=False)).replace(
+        "\0", " "
+    )
+
+
+def _wrap(statement: str) -> str:
+    """Break a long statement into lines."""
+    return "\n".join(textwrap.wrap(statement, WIDTH, subsequent_indent="    ", break_long_words=False) or [""])
