@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:9ea83f7873e1223654f9d934994e5f981b629f8aa6fe74c8596908e5f46c033b */
+/* body sha256:3be26612fd083885dab0fd544d51e4525d157c4996b564b8a5a849a81df9a437 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -26,7 +26,9 @@
  */
 #include "double_pendulum.h"
 
-#include "em_linear.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
+#include "em_takeover.h"
 
 enum {
     N = 2,            /* coordinates */
@@ -229,16 +231,9 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* theta1, theta2: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2], y[3] };
-    const double (*const C1)[N1] = (const double (*)[N1])(y + 4);
-    const double *const s1 = y + 8;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    double v1[N1] = {0.0};
-    for (int i = 0; i < N1; ++i)
-        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    const double *const C1 = y + 4, *const s1 = y + 8;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];
 
@@ -246,37 +241,15 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* theta1, theta2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1][N1], Omega1[N1][N1];
-    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
-    for (int i = 0; i < N1; ++i) {
-        Omega1[i][i] = 0.0;
-        for (int j = 0; j < i; ++j) {
-            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]*(1.0/gap);
-            Omega1[j][i] = -Omega1[i][j];
-        }
-    }
+    double mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 4);
-    double *const s1_dot = dy + 8;
-    for (int i = 0; i < N1; ++i) {
-        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
-        for (int j = 0; j < N1; ++j) {
-            double sum = 0.0;
-            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
-            C1_dot[i][j] = sum;
-        }
-    }
+    double *const C1_dot = dy + 4, *const s1_dot = dy + 8;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
-    for (int i = 0; i < N1; ++i) {
-        double push = 0.0, drag = s1_dot[i]*eta1[i];
-        for (int j = 0; j < N1; ++j) {
-            push += C1[i][j]*f1[j];
-            drag += Omega1[i][j]*(s1[j]*eta1[j]);
-        }
-        a1[i] = r1[i]*(push - drag);
-    }
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
 
     /* etadot = a - B^T lambda (45) */
     dy[2] = a1[0];
@@ -347,7 +320,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[2], y[3] };
     double v1[N1];
-    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    memcpy(v1, eta1, sizeof v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];
@@ -356,16 +329,8 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     triangular_motion(dy, c, shared, Mdot1, f1);
 
     /* theta1, theta2: a = L^-1 f - Phi eta */
-    double a1[N1];
-    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
-    em_forward(N1, L1[0], r1, a1);
-    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
-    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
-    for (int i = 0; i < N1; ++i)
-        for (int j = 0; j <= i; ++j) {
-            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
-            a1[i] -= Phi*eta1[j];
-        }
+    double a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
 
     /* etadot = a - B^T lambda (45) */
     dy[2] = a1[0];
@@ -375,14 +340,6 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 }
 
 #include "em_mechanics.h"
-
-/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
- * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
- * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
-#define EM_NEAR 1.0
-#define EM_FAR 1.4
-#define EM_APART 0.5
-#define EM_CLOSE 1e-3
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -437,57 +394,41 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     /* theta1, theta2 */
     double eta1[N1] = { y[2], y[3] };
     double *const C1 = y + 4, *const s1 = y + 8;
+    static const int coordinate1[N1] = { 0, 1 };
     if (*mode || (flags & EM_STABILISE)) {
         const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
-        static const int coordinate[N1] = { 0, 1 };
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular], -1, 0.0);
         changed = 1;
     }
 
-    double gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    int wanted = *mode;
-    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
-    else if (!(flags & EM_KEEP_MODE)) {
-        if (gap > EM_APART) wanted = 0;
-        else {
-            double time = INFINITY;
-            double v[N];
-            double v1[N1];
-            memcpy(v1, eta1, sizeof v1);
-            if (*mode) {
-                double L[N1*N1], r[N1];
-                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
-            } else
-            em_from_axes(N1, C1, s1, v1);
-            double mu1[N1][N1];
-            v[0] = v1[0];
-            v[1] = v1[1];
-            double Mdot1[N1][N1];
-            settled_rates(v, c, shared, Mdot1);
-            em_congruence(N1, C1, Mdot1[0], mu1[0]);
-            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
-            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
-        }
+    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    if (wanted == EM_LOOK) {
+        double v[N];
+        double v1[N1];
+        memcpy(v1, eta1, sizeof v1);
+        if (!*mode) em_velocity_of_eta(N1, C1, s1, v1);
+        else em_velocity_of_triangular(N1, M1[0], v1);
+        v[0] = v1[0];
+        v[1] = v1[1];
+        double Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        double mu1[N1*N1];
+        em_congruence(N1, C1, Mdot1[0], mu1);
+        double time = INFINITY;
+        time = fmin(time, em_time_to_crossing(N1, s1, mu1));
+        wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode || wanted) {
-        const int moving = *mode != wanted;
-        changed |= moving;
-        {
-            double *const L = memory + 0, *const r = memory + 4;
-            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
-            static const int coordinate[N1] = { 0, 1 };
-            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
-            if (moving && wanted) { /* S C xdot -> L^T xdot */
-                em_from_axes(N1, C1, s1, eta1);
-                em_transposed(N1, L, eta1);
-            } else if (moving) { /* and back */
-                em_backward(N1, L, r, eta1);
-                em_onto_axes(N1, C1, s1, eta1);
-            }
-        }
+        double *const L1 = memory + 0, *const r1 = memory + 4;
+        const int singular1 = em_cholesky(N1, M1[0], L1, r1, EM_SINGULAR_PIVOT);
+        if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
+        if (*mode != wanted) em_change_root(N1, wanted, C1, s1, L1, r1, eta1);
+        changed |= *mode != wanted;
         *mode = wanted;
     }
+
     y[2] = eta1[0];
     y[3] = eta1[1];
     return changed;
@@ -516,12 +457,12 @@ static double model_factor_error(double t, const double *y, const double *c, int
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -536,7 +477,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
             static const int coordinate[N1] = { 0, 1 };
             if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
         } else
-            em_from_axes(N1, y + 4, y + 8, eta);
+            em_velocity_of_eta(N1, y + 4, y + 8, eta);
         v[0] = eta[0];
         v[1] = eta[1];
     }
@@ -550,7 +491,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     {
         double eta[N1] = { e[0], e[1] };
         if (mode) em_backward(N1, memory + 0, memory + 4, eta);
-        else em_from_axes(N1, y + 4, y + 8, eta);
+        else em_velocity_of_eta(N1, y + 4, y + 8, eta);
         ev[0] = eta[0];
         ev[1] = eta[1];
     }
@@ -569,7 +510,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
         double eta[N1];
         eta[0] = v[0];
         eta[1] = v[1];
-        em_onto_axes(N1, y + 4, y + 8, eta);
+        em_eta_of_velocity(N1, y + 4, y + 8, eta);
         row[2] = eta[0];
         row[3] = eta[1];
     }
@@ -580,25 +521,15 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
-    C[0*N + 0] = y[4 + 0*N1 + 0];
-    C[0*N + 1] = y[4 + 0*N1 + 1];
-    C[1*N + 0] = y[4 + 1*N1 + 0];
-    C[1*N + 1] = y[4 + 1*N1 + 1];
+    double C[N*N] = {0.0}, s[N], eta[N];
+    static const int coordinate1[N1] = { 0, 1 };
+    em_spread(N, N1, coordinate1, y + 4, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
-    y[4 + 0*N1 + 0] = C[0*N + 0];
-    y[4 + 0*N1 + 1] = C[0*N + 1];
-    y[8 + 0] = s[0];
-    y[4 + 1*N1 + 0] = C[1*N + 0];
-    y[4 + 1*N1 + 1] = C[1*N + 1];
-    y[8 + 1] = s[1];
+    em_gather(N, N1, coordinate1, C, y + 4);
+    for (int i = 0; i < N1; ++i) y[8 + i] = s[coordinate1[i]];
     memcpy(y, x, N * sizeof *y);
     return 0;
 }

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:b2a9edda5e3f81b1f39a5d9751d1183c839eac6239d496aba847c35b3e8e168c */
+/* body sha256:3857a6d727d76de89fb41d52fef77593614649a285c732170a1905153e1452dc */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -27,8 +27,8 @@
  */
 #include "driven_pendulum.h"
 
-#include "em_linear.h"
-#include "em_rank.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
 
 enum {
     N = 2,            /* coordinates */
@@ -239,24 +239,16 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
-    const double *const s1 = c + 6;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    const double *const v1 = w1;
+    const double *const C1 = c + 5, *const s1 = c + 6;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* y: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[3] };
-    const double *const s2 = c + 10;
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double *const C2 = c + 9, *const s2 = c + 10;
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
 
     double f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
@@ -264,63 +256,34 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
-    for (int i = 0; i < N1; ++i) {
-        a1[i] = r1[i]*f1[i];
-    }
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
     /* y: constant factors, a = S^-1 C f (41) */
     double a2[N2];
-    for (int i = 0; i < N2; ++i) {
-        a2[i] = r2[i]*f2[i];
-    }
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* x: B = A C^T S^-1 (28) */
     double B1[N_ROWS][N1];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N1; ++i) {
-            B1[row][i] = r1[i]*A1[row][i];
-        }
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
     /* y: B = A C^T S^-1 (28) */
     double B2[N_ROWS][N2];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N2; ++i) {
-            B2[row][i] = r2[i]*A2[row][i];
-        }
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row][column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+    /* lambda <- B a + Bdot eta + bdot (46) */
+    double lambda[N_ROWS];
+    memcpy(lambda, gamma, sizeof lambda);
+    em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
+    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+    double Delta[N_ROWS*N_ROWS] = {0.0};
+    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
-    {
-        double eta_dot[N1];
-        for (int i = 0; i < N1; ++i) {
-            double sum = a1[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[2] = eta_dot[0];
-    }
-    {
-        double eta_dot[N2];
-        for (int i = 0; i < N2; ++i) {
-            double sum = a2[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[3] = eta_dot[0];
-    }
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[2] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[3] = a2[0];
     return 0;
 }
 
@@ -357,55 +320,43 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     /* x */
     double eta1[N1] = { y[2] };
+    const double *const C1 = c + 5, *const s1 = c + 6;
 
     /* y */
     double eta2[N2] = { y[3] };
+    const double *const C2 = c + 9, *const s2 = c + 10;
 
-    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
-        double B1[N_ROWS][N1];
-        memcpy(B1, A1, sizeof B1);
-        for (int row = 0; row < N_ROWS; ++row) {
-            em_to_axes(N1, c + 5, c + 6, B1[row]);
-        }
-        double *const a1 = eta1;
-        double B2[N_ROWS][N2];
-        memcpy(B2, A2, sizeof B2);
-        for (int row = 0; row < N_ROWS; ++row) {
-            em_to_axes(N2, c + 9, c + 10, B2[row]);
-        }
-        double *const a2 = eta2;
-    /* Delta = B B^T (43), Delta lambda = B a (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row][column] = product;
-        }
+        double B1[N_ROWS][N1], *const a1 = eta1;
+        em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
+        double B2[N_ROWS][N2], *const a2 = eta2;
+        em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
+        /* lambda <- B a (46) */
+        double lambda[N_ROWS];
+        memcpy(lambda, gamma, sizeof lambda);
+        em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
+        em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+        /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+        double Delta[N_ROWS*N_ROWS] = {0.0};
+        em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+        em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+        if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
+        em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);
     }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
-            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
-        for (int i = 0; (flags & EM_STABILISE) && i < N2; ++i)
-            for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
-    }
+
     y[2] = eta1[0];
     y[3] = eta2[0];
     return changed;
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -414,12 +365,12 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
     (void)mode, (void)t, (void)c, (void)fault;
     {
         double eta[N1] = { y[2] };
-        em_from_axes(N1, c + 5, c + 6, eta);
+        em_velocity_of_eta(N1, c + 5, c + 6, eta);
         v[0] = eta[0];
     }
     {
         double eta[N2] = { y[3] };
-        em_from_axes(N2, c + 9, c + 10, eta);
+        em_velocity_of_eta(N2, c + 9, c + 10, eta);
         v[1] = eta[0];
     }
     return 0;
@@ -431,12 +382,12 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     (void)mode, (void)y, (void)c, (void)memory;
     {
         double eta[N1] = { e[0] };
-        em_from_axes(N1, c + 5, c + 6, eta);
+        em_velocity_of_eta(N1, c + 5, c + 6, eta);
         ev[0] = eta[0];
     }
     {
         double eta[N2] = { e[1] };
-        em_from_axes(N2, c + 9, c + 10, eta);
+        em_velocity_of_eta(N2, c + 9, c + 10, eta);
         ev[1] = eta[0];
     }
 }
@@ -454,14 +405,10 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
     memcpy(y, x, N * sizeof *y);
     return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:e90abc2f63a6341ac1e7bf34083cc05a9ba33e0a032f9a115c494b78e60bb055 */
+/* body sha256:6b43eee7b10d02b92df7f239ccdcd662674a1bbcb972a83c62b37e92c9afa4ad */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -28,7 +28,8 @@
  */
 #include "elastic_pendulum.h"
 
-#include "em_linear.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
 
 enum {
     N = 2,            /* coordinates */
@@ -213,38 +214,28 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
     if (!(M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1[0][0]);
-    const double s1[1] = { sqrt(M1[0][0]) };
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    const double *const v1 = w1;
+    const double C1[1] = { 1.0 }, s1[1] = { sqrt(M1[0][0]) };
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* r: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[3] };
-    const double *const s2 = c + 5;
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double *const C2 = c + 4, *const s2 = c + 5;
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
 
     double Mdot1[N1][N1], f1[N1], f2[N2];
     eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
 
     /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
-    const double s1_dot = 0.5*Mdot1[0][0]*r1[0];
-    const double a1[1] = { r1[0]*(f1[0] - s1_dot*eta1[0]) };
+    const double s1_dot[1] = { 0.5*Mdot1[0][0]*r1[0] };
+    double a1[1] = { r1[0]*(f1[0] - s1_dot[0]*eta1[0]) };
 
     /* r: constant factors, a = S^-1 C f (41) */
     double a2[N2];
-    for (int i = 0; i < N2; ++i) {
-        a2[i] = r2[i]*f2[i];
-    }
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* etadot = a - B^T lambda (45) */
     dy[2] = a1[0];
@@ -273,15 +264,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1);
     if (!(M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1[0][0]);
     memory[1] = 1.0/sqrt(M1[0][0]);
+
     return changed;
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -298,7 +290,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
     }
     {
         double eta[N2] = { y[3] };
-        em_from_axes(N2, c + 4, c + 5, eta);
+        em_velocity_of_eta(N2, c + 4, c + 5, eta);
         v[1] = eta[0];
     }
     return 0;
@@ -315,7 +307,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     }
     {
         double eta[N2] = { e[1] };
-        em_from_axes(N2, c + 4, c + 5, eta);
+        em_velocity_of_eta(N2, c + 4, c + 5, eta);
         ev[1] = eta[0];
     }
 }
@@ -333,14 +325,10 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
     memcpy(y, x, N * sizeof *y);
     return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:7307138deb3e13ea48016371aea81a04b657d95560346865157310cc4aa1a4ef */
+/* body sha256:8b81c5751c12856459fa7005ea60ed7304b9a5998e6845ee2844344b75741b5d */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -24,7 +24,8 @@
  */
 #include "pendulum.h"
 
-#include "em_linear.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
 
 enum {
     N = 1,            /* coordinates */
@@ -167,13 +168,9 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[1] };
-    const double *const s1 = c + 4;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    const double *const v1 = w1;
+    const double *const C1 = c + 3, *const s1 = c + 4;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     double f1[N1];
@@ -181,9 +178,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* theta: constant factors, a = S^-1 C f (41) */
     double a1[N1];
-    for (int i = 0; i < N1; ++i) {
-        a1[i] = r1[i]*f1[i];
-    }
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
     /* etadot = a - B^T lambda (45) */
     dy[1] = a1[0];
@@ -199,15 +194,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+
     return changed;
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -216,7 +212,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
     (void)mode, (void)t, (void)c, (void)fault;
     {
         double eta[N1] = { y[1] };
-        em_from_axes(N1, c + 3, c + 4, eta);
+        em_velocity_of_eta(N1, c + 3, c + 4, eta);
         v[0] = eta[0];
     }
     return 0;
@@ -228,7 +224,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     (void)mode, (void)y, (void)c, (void)memory;
     {
         double eta[N1] = { e[0] };
-        em_from_axes(N1, c + 3, c + 4, eta);
+        em_velocity_of_eta(N1, c + 3, c + 4, eta);
         ev[0] = eta[0];
     }
 }
@@ -246,14 +242,10 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
     memcpy(y, x, N * sizeof *y);
     return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:0733dd6ad9918f8915f62e1adc0d2c7f411c5ba95d94c23b26acdfde17814a15 */
+/* body sha256:ad8c5f6b00823a90fd345eec058009b0ac077adc7fa93cc633f24a160ad30d03 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -28,7 +28,8 @@
  */
 #include "polar_particle.h"
 
-#include "em_linear.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
 
 enum {
     N = 2,            /* coordinates */
@@ -199,25 +200,17 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* r: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
-    const double *const s1 = c + 3;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    const double *const v1 = w1;
+    const double *const C1 = c + 2, *const s1 = c + 3;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[3] };
     if (!(M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2[0][0]);
-    const double s2[1] = { sqrt(M2[0][0]) };
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double C2[1] = { 1.0 }, s2[1] = { sqrt(M2[0][0]) };
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
 
     double Mdot2[N2][N2], f1[N1], f2[N2];
@@ -225,13 +218,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* r: constant factors, a = S^-1 C f (41) */
     double a1[N1];
-    for (int i = 0; i < N1; ++i) {
-        a1[i] = r1[i]*f1[i];
-    }
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
     /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
-    const double s2_dot = 0.5*Mdot2[0][0]*r2[0];
-    const double a2[1] = { r2[0]*(f2[0] - s2_dot*eta2[0]) };
+    const double s2_dot[1] = { 0.5*Mdot2[0][0]*r2[0] };
+    double a2[1] = { r2[0]*(f2[0] - s2_dot[0]*eta2[0]) };
 
     /* etadot = a - B^T lambda (45) */
     dy[2] = a1[0];
@@ -260,15 +251,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M2);
     if (!(M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2[0][0]);
     memory[1] = 1.0/sqrt(M2[0][0]);
+
     return changed;
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -279,7 +271,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
     mass_matrix(t, y, c, M);
     {
         double eta[N1] = { y[2] };
-        em_from_axes(N1, c + 2, c + 3, eta);
+        em_velocity_of_eta(N1, c + 2, c + 3, eta);
         v[0] = eta[0];
     }
     {
@@ -297,7 +289,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     (void)mode, (void)y, (void)c, (void)memory;
     {
         double eta[N1] = { e[0] };
-        em_from_axes(N1, c + 2, c + 3, eta);
+        em_velocity_of_eta(N1, c + 2, c + 3, eta);
         ev[0] = eta[0];
     }
     {
@@ -320,14 +312,10 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
     memcpy(y, x, N * sizeof *y);
     return 0;

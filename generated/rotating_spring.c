@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:bdbefd1f63c2e6df0319080d4eb5642eb53915eec003a3a8790c5c2c797b87cc */
+/* body sha256:f961f4f4e538df983fe7b06e2298eb16d89b7439f139f0b2361498c4e31712db */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -25,7 +25,8 @@
  */
 #include "rotating_spring.h"
 
-#include "em_linear.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
 
 enum {
     N = 2,            /* coordinates */
@@ -202,24 +203,16 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
-    const double *const s1 = c + 5;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    const double *const v1 = w1;
+    const double *const C1 = c + 4, *const s1 = c + 5;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* y: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[3] };
-    const double *const s2 = c + 9;
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double *const C2 = c + 8, *const s2 = c + 9;
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
 
     double f1[N1], f2[N2];
@@ -227,15 +220,11 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
-    for (int i = 0; i < N1; ++i) {
-        a1[i] = r1[i]*f1[i];
-    }
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
     /* y: constant factors, a = S^-1 C f (41) */
     double a2[N2];
-    for (int i = 0; i < N2; ++i) {
-        a2[i] = r2[i]*f2[i];
-    }
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* etadot = a - B^T lambda (45) */
     dy[2] = a1[0];
@@ -252,15 +241,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+
     return changed;
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -269,12 +259,12 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
     (void)mode, (void)t, (void)c, (void)fault;
     {
         double eta[N1] = { y[2] };
-        em_from_axes(N1, c + 4, c + 5, eta);
+        em_velocity_of_eta(N1, c + 4, c + 5, eta);
         v[0] = eta[0];
     }
     {
         double eta[N2] = { y[3] };
-        em_from_axes(N2, c + 8, c + 9, eta);
+        em_velocity_of_eta(N2, c + 8, c + 9, eta);
         v[1] = eta[0];
     }
     return 0;
@@ -286,12 +276,12 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     (void)mode, (void)y, (void)c, (void)memory;
     {
         double eta[N1] = { e[0] };
-        em_from_axes(N1, c + 4, c + 5, eta);
+        em_velocity_of_eta(N1, c + 4, c + 5, eta);
         ev[0] = eta[0];
     }
     {
         double eta[N2] = { e[1] };
-        em_from_axes(N2, c + 8, c + 9, eta);
+        em_velocity_of_eta(N2, c + 8, c + 9, eta);
         ev[1] = eta[0];
     }
 }
@@ -309,14 +299,10 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
+    double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
     memcpy(y, x, N * sizeof *y);
     return 0;

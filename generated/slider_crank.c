@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:2a88703bb2302c4de2d53f14e3fce90a531e339409b337fb1becc3811c6ab8aa */
+/* body sha256:125644f7b773cc9b77b2118bc36aba8ab5968935ca9912c485d7d52c89629123 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -30,8 +30,9 @@
  */
 #include "slider_crank.h"
 
-#include "em_linear.h"
-#include "em_rank.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
+#include "em_takeover.h"
 
 enum {
     N = 3,            /* coordinates */
@@ -314,124 +315,62 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* theta, phi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4] };
-    const double (*const C1)[N1] = (const double (*)[N1])(y + 6);
-    const double *const s1 = y + 10;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    double v1[N1] = {0.0};
-    for (int i = 0; i < N1; ++i)
-        for (int j = 0; j < N1; ++j) v1[j] += C1[i][j]*w1[i];
+    const double *const C1 = y + 6, *const s1 = y + 10;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[5] };
-    const double *const s2 = c + 7;
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double *const C2 = c + 6, *const s2 = c + 7;
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[2] = v2[0];
 
     double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
     eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, A2, gamma);
 
     /* theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1][N1], Omega1[N1][N1];
-    em_congruence(N1, C1[0], Mdot1[0], mu1[0]);
-    for (int i = 0; i < N1; ++i) {
-        Omega1[i][i] = 0.0;
-        for (int j = 0; j < i; ++j) {
-            const double gap = (s1[j] - s1[i])*(s1[j] + s1[i]);
-            Omega1[i][j] = mu1[i][j]*(1.0/gap);
-            Omega1[j][i] = -Omega1[i][j];
-        }
-    }
+    double mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double (*const C1_dot)[N1] = (double (*)[N1])(dy + 6);
-    double *const s1_dot = dy + 10;
-    for (int i = 0; i < N1; ++i) {
-        s1_dot[i] = 0.5*mu1[i][i]*r1[i];
-        for (int j = 0; j < N1; ++j) {
-            double sum = 0.0;
-            for (int k = 0; k < N1; ++k) sum -= Omega1[i][k]*C1[k][j];
-            C1_dot[i][j] = sum;
-        }
-    }
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
-    double a1[N1], q1[N1];
-    for (int i = 0; i < N1; ++i) {
-        double push = 0.0, drag = s1_dot[i]*eta1[i], turn = 0.0;
-        for (int j = 0; j < N1; ++j) {
-            push += C1[i][j]*f1[j];
-            drag += Omega1[i][j]*(s1[j]*eta1[j]);
-            turn += Omega1[i][j]*w1[j];
-        }
-        a1[i] = r1[i]*(push - drag);
-        q1[i] = s1[i]*turn - s1_dot[i]*w1[i];
-    }
+    double *const C1_dot = dy + 6, *const s1_dot = dy + 10;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
+    double a1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
+    double q1[N1];
+    em_turning_rows(N1, s1, Omega1, s1_dot, w1, q1);
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a2[N2];
-    for (int i = 0; i < N2; ++i) {
-        a2[i] = r2[i]*f2[i];
-    }
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* theta, phi: B = A C^T S^-1 (28) */
     double B1[N_ROWS][N1];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N1; ++i) {
-            double sum = 0.0;
-            for (int j = 0; j < N1; ++j) sum += A1[row][j]*C1[i][j];
-            B1[row][i] = r1[i]*sum;
-        }
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
     /* x: B = A C^T S^-1 (28) */
     double B2[N_ROWS][N2];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N2; ++i) {
-            B2[row][i] = r2[i]*A2[row][i];
-        }
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row][column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+    /* lambda <- B a + Bdot eta + bdot (46) */
+    double lambda[N_ROWS];
+    memcpy(lambda, gamma, sizeof lambda);
+    em_add_turning_load(N_ROWS, N1, B1[0], a1, q1, lambda);
+    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+    double Delta[N_ROWS*N_ROWS] = {0.0};
+    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
-    {
-        double eta_dot[N1];
-        for (int i = 0; i < N1; ++i) {
-            double sum = a1[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[3] = eta_dot[0];
-        dy[4] = eta_dot[1];
-    }
-    {
-        double eta_dot[N2];
-        for (int i = 0; i < N2; ++i) {
-            double sum = a2[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[5] = eta_dot[0];
-    }
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[5] = a2[0];
     return 0;
 }
 
@@ -516,106 +455,57 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[3], y[4] };
     double v1[N1];
-    for (int i = 0; i < N1; ++i) v1[i] = eta1[i];
+    memcpy(v1, eta1, sizeof v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[5] };
-    const double *const s2 = c + 7;
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double *const C2 = c + 6, *const s2 = c + 7;
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[2] = v2[0];
 
     double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
     triangular_motion(dy, c, shared, Mdot1, f1, f2, A1, A2, gamma);
 
-    /* theta, phi: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
-    double a1[N1];
-    for (int i = 0; i < N1; ++i) a1[i] = f1[i];
-    em_forward(N1, L1[0], r1, a1);
-    double q1[N1] = {0.0};
-    for (int j = 0; j < N1; ++j) em_forward(N1, L1[0], r1, Mdot1[j]);
-    em_forward_columns(N1, L1[0], r1, Mdot1[0]);
-    for (int i = 0; i < N1; ++i)
-        for (int j = 0; j <= i; ++j) {
-            const double Phi = (i == j ? 0.5 : 1.0)*Mdot1[i][j];
-            a1[i] -= Phi*eta1[j];
-            q1[j] -= Phi*eta1[i];
-        }
+    /* theta, phi: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
+    double a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a2[N2];
-    for (int i = 0; i < N2; ++i) {
-        a2[i] = r2[i]*f2[i];
-    }
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* theta, phi: B = A L^-T */
     double B1[N_ROWS][N1];
-    for (int row = 0; row < N_ROWS; ++row) {
-        for (int i = 0; i < N1; ++i) B1[row][i] = A1[row][i];
-        em_forward(N1, L1[0], r1, B1[row]);
-    }
+    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
     /* x: B = A C^T S^-1 (28) */
     double B2[N_ROWS][N2];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N2; ++i) {
-            B2[row][i] = r2[i]*A2[row][i];
-        }
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*(a1[i] + q1[i]);
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row][column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+    /* lambda <- B a + Bdot eta + bdot (46) */
+    double lambda[N_ROWS];
+    memcpy(lambda, gamma, sizeof lambda);
+    em_add_turning_load(N_ROWS, N1, B1[0], a1, q1, lambda);
+    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+    double Delta[N_ROWS*N_ROWS] = {0.0};
+    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
-    {
-        double eta_dot[N1];
-        for (int i = 0; i < N1; ++i) {
-            double sum = a1[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[3] = eta_dot[0];
-        dy[4] = eta_dot[1];
-    }
-    {
-        double eta_dot[N2];
-        for (int i = 0; i < N2; ++i) {
-            double sum = a2[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[5] = eta_dot[0];
-    }
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[5] = a2[0];
     for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
     return 0;
 }
 
 #include "em_mechanics.h"
-
-/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
- * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
- * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
-#define EM_NEAR 1.0
-#define EM_FAR 1.4
-#define EM_APART 0.5
-#define EM_CLOSE 1e-3
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -682,100 +572,70 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     /* theta, phi */
     double eta1[N1] = { y[3], y[4] };
     double *const C1 = y + 6, *const s1 = y + 10;
+    static const int coordinate1[N1] = { 0, 1 };
     if (*mode || (flags & EM_STABILISE)) {
         const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
-        static const int coordinate[N1] = { 0, 1 };
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular], -1, 0.0);
         changed = 1;
     }
 
     /* x */
     double eta2[N2] = { y[5] };
+    const double *const C2 = c + 6, *const s2 = c + 7;
 
-    double gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
     gap = fmin(gap, em_gap(N1, s1));
-    int wanted = *mode;
-    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
-    else if (!(flags & EM_KEEP_MODE)) {
-        if (gap > EM_APART) wanted = 0;
-        else {
-            double time = INFINITY;
-            double v[N];
-            double v1[N1];
-            memcpy(v1, eta1, sizeof v1);
-            if (*mode) {
-                double L[N1*N1], r[N1];
-                if (em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N1, L, r, v1);
-            } else
-            em_from_axes(N1, C1, s1, v1);
-            double mu1[N1][N1];
-            v[0] = v1[0];
-            v[1] = v1[1];
-            double v2[N2];
-            memcpy(v2, eta2, sizeof v2);
-            em_from_axes(N2, c + 6, c + 7, v2);
-            v[2] = v2[0];
-            double Mdot1[N1][N1];
-            settled_rates(v, c, shared, Mdot1);
-            em_congruence(N1, C1, Mdot1[0], mu1[0]);
-            time = fmin(time, em_time_to_crossing(N1, s1, mu1[0]));
-            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
-        }
+    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    if (wanted == EM_LOOK) {
+        double v[N];
+        double v1[N1];
+        memcpy(v1, eta1, sizeof v1);
+        if (!*mode) em_velocity_of_eta(N1, C1, s1, v1);
+        else em_velocity_of_triangular(N1, M1[0], v1);
+        v[0] = v1[0];
+        v[1] = v1[1];
+        double v2[N2];
+        memcpy(v2, eta2, sizeof v2);
+        em_velocity_of_eta(N2, C2, s2, v2);
+        v[2] = v2[0];
+        double Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        double mu1[N1*N1];
+        em_congruence(N1, C1, Mdot1[0], mu1);
+        double time = INFINITY;
+        time = fmin(time, em_time_to_crossing(N1, s1, mu1));
+        wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode || wanted) {
-        const int moving = *mode != wanted;
-        changed |= moving;
-        {
-            double *const L = memory + 0, *const r = memory + 4;
-            const int singular = em_cholesky(N1, M1[0], L, r, EM_SINGULAR_PIVOT);
-            static const int coordinate[N1] = { 0, 1 };
-            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
-            if (moving && wanted) { /* S C xdot -> L^T xdot */
-                em_from_axes(N1, C1, s1, eta1);
-                em_transposed(N1, L, eta1);
-            } else if (moving) { /* and back */
-                em_backward(N1, L, r, eta1);
-                em_onto_axes(N1, C1, s1, eta1);
-            }
-        }
+        double *const L1 = memory + 0, *const r1 = memory + 4;
+        const int singular1 = em_cholesky(N1, M1[0], L1, r1, EM_SINGULAR_PIVOT);
+        if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
+        if (*mode != wanted) em_change_root(N1, wanted, C1, s1, L1, r1, eta1);
+        changed |= *mode != wanted;
         *mode = wanted;
     }
 
-    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
-        double B1[N_ROWS][N1];
-        memcpy(B1, A1, sizeof B1);
-        for (int row = 0; row < N_ROWS; ++row) {
-            if (*mode) em_forward(N1, memory + 0, memory + 4, B1[row]);
-            else em_to_axes(N1, C1, s1, B1[row]);
-        }
-        double *const a1 = eta1;
-        double B2[N_ROWS][N2];
-        memcpy(B2, A2, sizeof B2);
-        for (int row = 0; row < N_ROWS; ++row) {
-            em_to_axes(N2, c + 6, c + 7, B2[row]);
-        }
-        double *const a2 = eta2;
-    /* Delta = B B^T (43), Delta lambda = B a (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row][column] = product;
-        }
+        double B1[N_ROWS][N1], *const a1 = eta1;
+        if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 4, A1[0], B1[0]);
+        else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
+        double B2[N_ROWS][N2], *const a2 = eta2;
+        em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
+        /* lambda <- B a (46) */
+        double lambda[N_ROWS];
+        memcpy(lambda, gamma, sizeof lambda);
+        em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
+        em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+        /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+        double Delta[N_ROWS*N_ROWS] = {0.0};
+        em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+        em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+        if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
+        em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);
     }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
-            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
-        for (int i = 0; (flags & EM_STABILISE) && i < N2; ++i)
-            for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
-    }
+
     y[3] = eta1[0];
     y[4] = eta1[1];
     y[5] = eta2[0];
@@ -805,12 +665,12 @@ static double model_factor_error(double t, const double *y, const double *c, int
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -825,13 +685,13 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
             static const int coordinate[N1] = { 0, 1 };
             if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
         } else
-            em_from_axes(N1, y + 6, y + 10, eta);
+            em_velocity_of_eta(N1, y + 6, y + 10, eta);
         v[0] = eta[0];
         v[1] = eta[1];
     }
     {
         double eta[N2] = { y[5] };
-        em_from_axes(N2, c + 6, c + 7, eta);
+        em_velocity_of_eta(N2, c + 6, c + 7, eta);
         v[2] = eta[0];
     }
     return 0;
@@ -844,13 +704,13 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     {
         double eta[N1] = { e[0], e[1] };
         if (mode) em_backward(N1, memory + 0, memory + 4, eta);
-        else em_from_axes(N1, y + 6, y + 10, eta);
+        else em_velocity_of_eta(N1, y + 6, y + 10, eta);
         ev[0] = eta[0];
         ev[1] = eta[1];
     }
     {
         double eta[N2] = { e[2] };
-        em_from_axes(N2, c + 6, c + 7, eta);
+        em_velocity_of_eta(N2, c + 6, c + 7, eta);
         ev[2] = eta[0];
     }
 }
@@ -868,7 +728,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
         double eta[N1];
         eta[0] = v[0];
         eta[1] = v[1];
-        em_onto_axes(N1, y + 6, y + 10, eta);
+        em_eta_of_velocity(N1, y + 6, y + 10, eta);
         row[3] = eta[0];
         row[4] = eta[1];
     }
@@ -879,25 +739,15 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
-    C[0*N + 0] = y[6 + 0*N1 + 0];
-    C[0*N + 1] = y[6 + 0*N1 + 1];
-    C[1*N + 0] = y[6 + 1*N1 + 0];
-    C[1*N + 1] = y[6 + 1*N1 + 1];
+    double C[N*N] = {0.0}, s[N], eta[N];
+    static const int coordinate1[N1] = { 0, 1 };
+    em_spread(N, N1, coordinate1, y + 6, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
-    y[6 + 0*N1 + 0] = C[0*N + 0];
-    y[6 + 0*N1 + 1] = C[0*N + 1];
-    y[10 + 0] = s[0];
-    y[6 + 1*N1 + 0] = C[1*N + 0];
-    y[6 + 1*N1 + 1] = C[1*N + 1];
-    y[10 + 1] = s[1];
+    em_gather(N, N1, coordinate1, C, y + 6);
+    for (int i = 0; i < N1; ++i) y[10 + i] = s[coordinate1[i]];
     memcpy(y, x, N * sizeof *y);
     return 0;
 }

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:d18a8dcb5c3674e0ff52ef0aff9e9a13b57a0a2f785ca6b11fc5107d80e08177 */
+/* body sha256:eb50363badbe2c01f2814c4323f68be984110aeef13ff0663b2867e3435144a6 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -32,8 +32,9 @@
  */
 #include "sphere.h"
 
-#include "em_linear.h"
-#include "em_rank.h"
+#include "em_functions.h"
+#include "em_multipliers.h"
+#include "em_takeover.h"
 
 enum {
     N = 5,            /* coordinates */
@@ -429,38 +430,23 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5] };
-    const double *const s1 = c + 5;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    const double *const v1 = w1;
+    const double *const C1 = c + 4, *const s1 = c + 5;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* y: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[6] };
-    const double *const s2 = c + 9;
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double *const C2 = c + 8, *const s2 = c + 9;
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
 
     /* p_1, p_2, p_3: xdot = C^T S^-1 eta (20) */
     const double eta3[N3] = { y[7], y[8], y[9] };
-    const double (*const C3)[N3] = (const double (*)[N3])(y + 10);
-    const double *const s3 = y + 19;
-    double r3[N3], w3[N3];
-    for (int i = 0; i < N3; ++i) {
-        r3[i] = 1.0/s3[i];
-        w3[i] = r3[i]*eta3[i];
-    }
-    double v3[N3] = {0.0};
-    for (int i = 0; i < N3; ++i)
-        for (int j = 0; j < N3; ++j) v3[j] += C3[i][j]*w3[i];
+    const double *const C3 = y + 10, *const s3 = y + 19;
+    double r3[N3], w3[N3], v3[N3];
+    em_velocity(N3, C3, s3, eta3, r3, w3, v3);
     dy[2] = v3[0];
     dy[3] = v3[1];
     dy[4] = v3[2];
@@ -470,119 +456,56 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
-    for (int i = 0; i < N1; ++i) {
-        a1[i] = r1[i]*f1[i];
-    }
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
     /* y: constant factors, a = S^-1 C f (41) */
     double a2[N2];
-    for (int i = 0; i < N2; ++i) {
-        a2[i] = r2[i]*f2[i];
-    }
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* p_1, p_2, p_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu3[N3][N3], Omega3[N3][N3];
-    em_congruence(N3, C3[0], Mdot3[0], mu3[0]);
-    for (int i = 0; i < N3; ++i) {
-        Omega3[i][i] = 0.0;
-        for (int j = 0; j < i; ++j) {
-            const double gap = (s3[j] - s3[i])*(s3[j] + s3[i]);
-            Omega3[i][j] = mu3[i][j]*(1.0/gap);
-            Omega3[j][i] = -Omega3[i][j];
-        }
-    }
+    double mu3[N3*N3], Omega3[N3*N3];
+    em_congruence(N3, C3, Mdot3[0], mu3);
+    em_omega_apart(N3, s3, mu3, Omega3);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double (*const C3_dot)[N3] = (double (*)[N3])(dy + 10);
-    double *const s3_dot = dy + 19;
-    for (int i = 0; i < N3; ++i) {
-        s3_dot[i] = 0.5*mu3[i][i]*r3[i];
-        for (int j = 0; j < N3; ++j) {
-            double sum = 0.0;
-            for (int k = 0; k < N3; ++k) sum -= Omega3[i][k]*C3[k][j];
-            C3_dot[i][j] = sum;
-        }
-    }
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  q = S Omega S^-1 eta - S^-1 Sdot eta: Bdot eta = Adot xdot + B q (40) */
-    double a3[N3], q3[N3];
-    for (int i = 0; i < N3; ++i) {
-        double push = 0.0, drag = s3_dot[i]*eta3[i], turn = 0.0;
-        for (int j = 0; j < N3; ++j) {
-            push += C3[i][j]*f3[j];
-            drag += Omega3[i][j]*(s3[j]*eta3[j]);
-            turn += Omega3[i][j]*w3[j];
-        }
-        a3[i] = r3[i]*(push - drag);
-        q3[i] = s3[i]*turn - s3_dot[i]*w3[i];
-    }
+    double *const C3_dot = dy + 10, *const s3_dot = dy + 19;
+    em_factor_rates(N3, C3, r3, mu3, Omega3, C3_dot, s3_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
+    double a3[N3];
+    em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, f3, a3);
+    double q3[N3];
+    em_turning_rows(N3, s3, Omega3, s3_dot, w3, q3);
 
     /* x: B = A C^T S^-1 (28) */
     double B1[N_ROWS][N1];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N1; ++i) {
-            B1[row][i] = r1[i]*A1[row][i];
-        }
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
     /* y: B = A C^T S^-1 (28) */
     double B2[N_ROWS][N2];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N2; ++i) {
-            B2[row][i] = r2[i]*A2[row][i];
-        }
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
     /* p_1, p_2, p_3: B = A C^T S^-1 (28) */
     double B3[N_ROWS][N3];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N3; ++i) {
-            double sum = 0.0;
-            for (int j = 0; j < N3; ++j) sum += A3[row][j]*C3[i][j];
-            B3[row][i] = r3[i]*sum;
-        }
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        for (int i = 0; i < N3; ++i) sum += B3[row][i]*(a3[i] + q3[i]);
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-            Delta[row][column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+    em_rows_on_eta(N_ROWS, N3, C3, r3, A3[0], B3[0]);
+    /* lambda <- B a + Bdot eta + bdot (46) */
+    double lambda[N_ROWS];
+    memcpy(lambda, gamma, sizeof lambda);
+    em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
+    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+    em_add_turning_load(N_ROWS, N3, B3[0], a3, q3, lambda);
+    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+    double Delta[N_ROWS*N_ROWS] = {0.0};
+    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    em_add_to_delta(N_ROWS, N3, B3[0], B3[0], Delta);
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
-    {
-        double eta_dot[N1];
-        for (int i = 0; i < N1; ++i) {
-            double sum = a1[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[5] = eta_dot[0];
-    }
-    {
-        double eta_dot[N2];
-        for (int i = 0; i < N2; ++i) {
-            double sum = a2[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[6] = eta_dot[0];
-    }
-    {
-        double eta_dot[N3];
-        for (int i = 0; i < N3; ++i) {
-            double sum = a3[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B3[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[7] = eta_dot[0];
-        dy[8] = eta_dot[1];
-        dy[9] = eta_dot[2];
-    }
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[5] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[6] = a2[0];
+    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
+    dy[7] = a3[0];
+    dy[8] = a3[1];
+    dy[9] = a3[2];
     return 0;
 }
 
@@ -707,24 +630,16 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5] };
-    const double *const s1 = c + 5;
-    double r1[N1], w1[N1];
-    for (int i = 0; i < N1; ++i) {
-        r1[i] = 1.0/s1[i];
-        w1[i] = r1[i]*eta1[i];
-    }
-    const double *const v1 = w1;
+    const double *const C1 = c + 4, *const s1 = c + 5;
+    double r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
     dy[0] = v1[0];
 
     /* y: xdot = C^T S^-1 eta (20) */
     const double eta2[N2] = { y[6] };
-    const double *const s2 = c + 9;
-    double r2[N2], w2[N2];
-    for (int i = 0; i < N2; ++i) {
-        r2[i] = 1.0/s2[i];
-        w2[i] = r2[i]*eta2[i];
-    }
-    const double *const v2 = w2;
+    const double *const C2 = c + 8, *const s2 = c + 9;
+    double r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
     dy[1] = v2[0];
 
     /* p_1, p_2, p_3: M = L L^T */
@@ -736,7 +651,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta3[N3] = { y[7], y[8], y[9] };
     double v3[N3];
-    for (int i = 0; i < N3; ++i) v3[i] = eta3[i];
+    memcpy(v3, eta3, sizeof v3);
     em_backward(N3, L3[0], r3, v3);
     dy[2] = v3[0];
     dy[3] = v3[1];
@@ -747,109 +662,52 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
 
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
-    for (int i = 0; i < N1; ++i) {
-        a1[i] = r1[i]*f1[i];
-    }
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
     /* y: constant factors, a = S^-1 C f (41) */
     double a2[N2];
-    for (int i = 0; i < N2; ++i) {
-        a2[i] = r2[i]*f2[i];
-    }
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* p_1, p_2, p_3: a = L^-1 f - Phi eta;  q = -Phi^T eta: Bdot eta = Adot xdot + B q */
-    double a3[N3];
-    for (int i = 0; i < N3; ++i) a3[i] = f3[i];
-    em_forward(N3, L3[0], r3, a3);
-    double q3[N3] = {0.0};
-    for (int j = 0; j < N3; ++j) em_forward(N3, L3[0], r3, Mdot3[j]);
-    em_forward_columns(N3, L3[0], r3, Mdot3[0]);
-    for (int i = 0; i < N3; ++i)
-        for (int j = 0; j <= i; ++j) {
-            const double Phi = (i == j ? 0.5 : 1.0)*Mdot3[i][j];
-            a3[i] -= Phi*eta3[j];
-            q3[j] -= Phi*eta3[i];
-        }
+    /* p_1, p_2, p_3: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
+    double a3[N3], q3[N3];
+    em_triangular_push(N3, L3[0], r3, Mdot3[0], eta3, f3, a3, q3);
 
     /* x: B = A C^T S^-1 (28) */
     double B1[N_ROWS][N1];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N1; ++i) {
-            B1[row][i] = r1[i]*A1[row][i];
-        }
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
     /* y: B = A C^T S^-1 (28) */
     double B2[N_ROWS][N2];
-    for (int row = 0; row < N_ROWS; ++row)
-        for (int i = 0; i < N2; ++i) {
-            B2[row][i] = r2[i]*A2[row][i];
-        }
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
     /* p_1, p_2, p_3: B = A L^-T */
     double B3[N_ROWS][N3];
-    for (int row = 0; row < N_ROWS; ++row) {
-        for (int i = 0; i < N3; ++i) B3[row][i] = A3[row][i];
-        em_forward(N3, L3[0], r3, B3[row]);
-    }
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        for (int i = 0; i < N3; ++i) sum += B3[row][i]*(a3[i] + q3[i]);
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-            Delta[row][column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
+    em_rows_of_root(N_ROWS, N3, L3[0], r3, A3[0], B3[0]);
+    /* lambda <- B a + Bdot eta + bdot (46) */
+    double lambda[N_ROWS];
+    memcpy(lambda, gamma, sizeof lambda);
+    em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
+    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+    em_add_turning_load(N_ROWS, N3, B3[0], a3, q3, lambda);
+    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+    double Delta[N_ROWS*N_ROWS] = {0.0};
+    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    em_add_to_delta(N_ROWS, N3, B3[0], B3[0], Delta);
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
-    {
-        double eta_dot[N1];
-        for (int i = 0; i < N1; ++i) {
-            double sum = a1[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B1[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[5] = eta_dot[0];
-    }
-    {
-        double eta_dot[N2];
-        for (int i = 0; i < N2; ++i) {
-            double sum = a2[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B2[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[6] = eta_dot[0];
-    }
-    {
-        double eta_dot[N3];
-        for (int i = 0; i < N3; ++i) {
-            double sum = a3[i];
-            for (int row = 0; row < N_ROWS; ++row) sum -= B3[row][i]*lambda[row];
-            eta_dot[i] = sum;
-        }
-        dy[7] = eta_dot[0];
-        dy[8] = eta_dot[1];
-        dy[9] = eta_dot[2];
-    }
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[5] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[6] = a2[0];
+    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
+    dy[7] = a3[0];
+    dy[8] = a3[1];
+    dy[9] = a3[2];
     for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
     return 0;
 }
 
 #include "em_mechanics.h"
-
-/* Where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, the triangular
- * root takes over from the published system, until it is farther than EM_FAR times that. Eigenvalues farther apart
- * than EM_APART, relative to the larger, are not looked at; closer than EM_CLOSE they never count as far. */
-#define EM_NEAR 1.0
-#define EM_FAR 1.4
-#define EM_APART 0.5
-#define EM_CLOSE 1e-3
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M3[N3][N3],
@@ -951,119 +809,85 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 
     /* x */
     double eta1[N1] = { y[5] };
+    const double *const C1 = c + 4, *const s1 = c + 5;
 
     /* y */
     double eta2[N2] = { y[6] };
+    const double *const C2 = c + 8, *const s2 = c + 9;
 
     /* p_1, p_2, p_3 */
     double eta3[N3] = { y[7], y[8], y[9] };
     double *const C3 = y + 10, *const s3 = y + 19;
+    static const int coordinate3[N3] = { 2, 3, 4 };
     if (*mode || (flags & EM_STABILISE)) {
         const int singular = em_refresh(N3, M3[0], C3, s3, *mode ? NULL : eta3);
-        static const int coordinate[N3] = { 2, 3, 4 };
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
+        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate3[singular], -1, 0.0);
         changed = 1;
     }
 
-    double gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
     gap = fmin(gap, em_gap(N3, s3));
-    int wanted = *mode;
-    if (flags & EM_BEGIN) wanted = gap < EM_CLOSE;
-    else if (!(flags & EM_KEEP_MODE)) {
-        if (gap > EM_APART) wanted = 0;
-        else {
-            double time = INFINITY;
-            double v[N];
-            double v1[N1];
-            memcpy(v1, eta1, sizeof v1);
-            em_from_axes(N1, c + 4, c + 5, v1);
-            v[0] = v1[0];
-            double v2[N2];
-            memcpy(v2, eta2, sizeof v2);
-            em_from_axes(N2, c + 8, c + 9, v2);
-            v[1] = v2[0];
-            double v3[N3];
-            memcpy(v3, eta3, sizeof v3);
-            if (*mode) {
-                double L[N3*N3], r[N3];
-                if (em_cholesky(N3, M3[0], L, r, EM_SINGULAR_PIVOT) < 0) em_backward(N3, L, r, v3);
-            } else
-            em_from_axes(N3, C3, s3, v3);
-            double mu3[N3][N3];
-            v[2] = v3[0];
-            v[3] = v3[1];
-            v[4] = v3[2];
-            double Mdot3[N3][N3];
-            settled_rates(y, v, c, shared, Mdot3);
-            em_congruence(N3, C3, Mdot3[0], mu3[0]);
-            time = fmin(time, em_time_to_crossing(N3, s3, mu3[0]));
-            wanted = *mode ? gap < EM_CLOSE || time < EM_FAR*fabs(pace) : time < EM_NEAR*fabs(pace);
-        }
+    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    if (wanted == EM_LOOK) {
+        double v[N];
+        double v1[N1];
+        memcpy(v1, eta1, sizeof v1);
+        em_velocity_of_eta(N1, C1, s1, v1);
+        v[0] = v1[0];
+        double v2[N2];
+        memcpy(v2, eta2, sizeof v2);
+        em_velocity_of_eta(N2, C2, s2, v2);
+        v[1] = v2[0];
+        double v3[N3];
+        memcpy(v3, eta3, sizeof v3);
+        if (!*mode) em_velocity_of_eta(N3, C3, s3, v3);
+        else em_velocity_of_triangular(N3, M3[0], v3);
+        v[2] = v3[0];
+        v[3] = v3[1];
+        v[4] = v3[2];
+        double Mdot3[N3][N3];
+        settled_rates(y, v, c, shared, Mdot3);
+        double mu3[N3*N3];
+        em_congruence(N3, C3, Mdot3[0], mu3);
+        double time = INFINITY;
+        time = fmin(time, em_time_to_crossing(N3, s3, mu3));
+        wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode || wanted) {
-        const int moving = *mode != wanted;
-        changed |= moving;
-        {
-            double *const L = memory + 0, *const r = memory + 9;
-            const int singular = em_cholesky(N3, M3[0], L, r, EM_SINGULAR_PIVOT);
-            static const int coordinate[N3] = { 2, 3, 4 };
-            if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
-            if (moving && wanted) { /* S C xdot -> L^T xdot */
-                em_from_axes(N3, C3, s3, eta3);
-                em_transposed(N3, L, eta3);
-            } else if (moving) { /* and back */
-                em_backward(N3, L, r, eta3);
-                em_onto_axes(N3, C3, s3, eta3);
-            }
-        }
+        double *const L3 = memory + 0, *const r3 = memory + 9;
+        const int singular3 = em_cholesky(N3, M3[0], L3, r3, EM_SINGULAR_PIVOT);
+        if (singular3 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate3[singular3], -1, 0.0);
+        if (*mode != wanted) em_change_root(N3, wanted, C3, s3, L3, r3, eta3);
+        changed |= *mode != wanted;
         *mode = wanted;
     }
 
-    if ((flags & EM_STABILISE)) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
         const double *const gamma = b;
-        double B1[N_ROWS][N1];
-        memcpy(B1, A1, sizeof B1);
-        for (int row = 0; row < N_ROWS; ++row) {
-            em_to_axes(N1, c + 4, c + 5, B1[row]);
-        }
-        double *const a1 = eta1;
-        double B2[N_ROWS][N2];
-        memcpy(B2, A2, sizeof B2);
-        for (int row = 0; row < N_ROWS; ++row) {
-            em_to_axes(N2, c + 8, c + 9, B2[row]);
-        }
-        double *const a2 = eta2;
-        double B3[N_ROWS][N3];
-        memcpy(B3, A3, sizeof B3);
-        for (int row = 0; row < N_ROWS; ++row) {
-            if (*mode) em_forward(N3, memory + 0, memory + 9, B3[row]);
-            else em_to_axes(N3, C3, s3, B3[row]);
-        }
-        double *const a3 = eta3;
-    /* Delta = B B^T (43), Delta lambda = B a (46) */
-    double Delta[N_ROWS][N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double sum = gamma[row];
-        for (int i = 0; i < N1; ++i) sum += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) sum += B2[row][i]*a2[i];
-        for (int i = 0; i < N3; ++i) sum += B3[row][i]*a3[i];
-        lambda[row] = sum;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-            Delta[row][column] = product;
-        }
+        double B1[N_ROWS][N1], *const a1 = eta1;
+        em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
+        double B2[N_ROWS][N2], *const a2 = eta2;
+        em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
+        double B3[N_ROWS][N3], *const a3 = eta3;
+        if (*mode) em_rows_of_root(N_ROWS, N3, memory + 0, memory + 9, A3[0], B3[0]);
+        else em_rows_of_factors(N_ROWS, N3, C3, s3, A3[0], B3[0]);
+        /* lambda <- B a (46) */
+        double lambda[N_ROWS];
+        memcpy(lambda, gamma, sizeof lambda);
+        em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
+        em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
+        em_add_to_load(N_ROWS, N3, B3[0], a3, lambda);
+        /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
+        double Delta[N_ROWS*N_ROWS] = {0.0};
+        em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+        em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+        em_add_to_delta(N_ROWS, N3, B3[0], B3[0], Delta);
+        if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
+        em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);
+        em_subtract_reactions(N_ROWS, N3, B3[0], lambda, eta3);
     }
-    if (em_solve_delta(N_ROWS, Delta[0], lambda, flags, fault)) return -1;
-        for (int i = 0; (flags & EM_STABILISE) && i < N1; ++i)
-            for (int row = 0; row < N_ROWS; ++row) eta1[i] -= B1[row][i]*lambda[row];
-        for (int i = 0; (flags & EM_STABILISE) && i < N2; ++i)
-            for (int row = 0; row < N_ROWS; ++row) eta2[i] -= B2[row][i]*lambda[row];
-        for (int i = 0; (flags & EM_STABILISE) && i < N3; ++i)
-            for (int row = 0; row < N_ROWS; ++row) eta3[i] -= B3[row][i]*lambda[row];
-    }
+
     y[5] = eta1[0];
     y[6] = eta2[0];
     y[7] = eta3[0];
@@ -1095,12 +919,12 @@ static double model_factor_error(double t, const double *y, const double *c, int
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
+static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
     (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, (double *)memory, flags, dy, fault); /* notes there that it extrapolated */
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -1111,12 +935,12 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
     mass_matrix(t, y, c, M);
     {
         double eta[N1] = { y[5] };
-        em_from_axes(N1, c + 4, c + 5, eta);
+        em_velocity_of_eta(N1, c + 4, c + 5, eta);
         v[0] = eta[0];
     }
     {
         double eta[N2] = { y[6] };
-        em_from_axes(N2, c + 8, c + 9, eta);
+        em_velocity_of_eta(N2, c + 8, c + 9, eta);
         v[1] = eta[0];
     }
     {
@@ -1125,7 +949,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
             static const int coordinate[N3] = { 2, 3, 4 };
             if (em_velocity_of_root(N3, coordinate, M, eta, fault)) return -1;
         } else
-            em_from_axes(N3, y + 10, y + 19, eta);
+            em_velocity_of_eta(N3, y + 10, y + 19, eta);
         v[2] = eta[0];
         v[3] = eta[1];
         v[4] = eta[2];
@@ -1139,18 +963,18 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     (void)mode, (void)y, (void)c, (void)memory;
     {
         double eta[N1] = { e[0] };
-        em_from_axes(N1, c + 4, c + 5, eta);
+        em_velocity_of_eta(N1, c + 4, c + 5, eta);
         ev[0] = eta[0];
     }
     {
         double eta[N2] = { e[1] };
-        em_from_axes(N2, c + 8, c + 9, eta);
+        em_velocity_of_eta(N2, c + 8, c + 9, eta);
         ev[1] = eta[0];
     }
     {
         double eta[N3] = { e[2], e[3], e[4] };
         if (mode) em_backward(N3, memory + 0, memory + 9, eta);
-        else em_from_axes(N3, y + 10, y + 19, eta);
+        else em_velocity_of_eta(N3, y + 10, y + 19, eta);
         ev[2] = eta[0];
         ev[3] = eta[1];
         ev[4] = eta[2];
@@ -1171,7 +995,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
         eta[0] = v[2];
         eta[1] = v[3];
         eta[2] = v[4];
-        em_onto_axes(N3, y + 10, y + 19, eta);
+        em_eta_of_velocity(N3, y + 10, y + 19, eta);
         row[7] = eta[0];
         row[8] = eta[1];
         row[9] = eta[2];
@@ -1183,36 +1007,15 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
-    double C[N*N] = {0.0}, s[N], scaled[N], eta[N];
-    C[2*N + 2] = y[10 + 0*N3 + 0];
-    C[2*N + 3] = y[10 + 0*N3 + 1];
-    C[2*N + 4] = y[10 + 0*N3 + 2];
-    C[3*N + 2] = y[10 + 1*N3 + 0];
-    C[3*N + 3] = y[10 + 1*N3 + 1];
-    C[3*N + 4] = y[10 + 1*N3 + 2];
-    C[4*N + 2] = y[10 + 2*N3 + 0];
-    C[4*N + 3] = y[10 + 2*N3 + 1];
-    C[4*N + 4] = y[10 + 2*N3 + 2];
+    double C[N*N] = {0.0}, s[N], eta[N];
+    static const int coordinate3[N3] = { 2, 3, 4 };
+    em_spread(N, N3, coordinate3, y + 10, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
-    for (int k = 0; k < N; ++k) scaled[k] = v[k]/scales[k];
-    for (int i = 0; i < N; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < N; ++j) sum += C[i*N + j]*scaled[j];
-        eta[i] = s[i]*sum;
-    }
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
     memcpy(y + N, eta, sizeof eta);
-    y[10 + 0*N3 + 0] = C[2*N + 2];
-    y[10 + 0*N3 + 1] = C[2*N + 3];
-    y[10 + 0*N3 + 2] = C[2*N + 4];
-    y[19 + 0] = s[2];
-    y[10 + 1*N3 + 0] = C[3*N + 2];
-    y[10 + 1*N3 + 1] = C[3*N + 3];
-    y[10 + 1*N3 + 2] = C[3*N + 4];
-    y[19 + 1] = s[3];
-    y[10 + 2*N3 + 0] = C[4*N + 2];
-    y[10 + 2*N3 + 1] = C[4*N + 3];
-    y[10 + 2*N3 + 2] = C[4*N + 4];
-    y[19 + 2] = s[4];
+    em_gather(N, N3, coordinate3, C, y + 10);
+    for (int i = 0; i < N3; ++i) y[19 + i] = s[coordinate3[i]];
     memcpy(y, x, N * sizeof *y);
     return 0;
 }

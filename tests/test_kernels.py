@@ -1,4 +1,4 @@
-"""em_linear.h and em_rank.h as users compile it, against NumPy: every kernel, every size, every compiler there is.
+"""The dense algebra of the headers as users compile it, against NumPy: every function, every size, every compiler.
 
 GCC 12 once ranked the rows of each Delta of four rows wrongly where it vectorised straight-line code for AVX-512.
 """
@@ -118,7 +118,11 @@ def test_products_and_measures(compiled):
         X, Lambda = random.normal(size=(n, n)), np.zeros((n, n))
         run("congruence", X, M, Lambda)
         near(Lambda, X @ M @ X.T)
-        for name, matrix in (("from_axes", C.T / s), ("to_axes", (C.T / s).T), ("onto_axes", (C.T * s).T)):
+        for name, matrix in (
+            ("velocity_of_eta", C.T / s),
+            ("force_on_eta", (C.T / s).T),
+            ("eta_of_velocity", (C.T * s).T),
+        ):
             b = random.normal(size=n)
             found = b.copy()
             run(name, C, s, found)
@@ -162,6 +166,110 @@ def test_rates_of_eigenfactors(compiled):
         found = rate.copy()
         run("add_delta_rate", Adot, Y, mu, found)
         near(found, rate + Adot @ Y.T + Y @ Adot.T - Y @ mu @ Y.T)
+
+
+def test_velocities_and_rows(compiled):
+    """m = n + 1 rows; A on the velocities xdot is B on eta, under either root of M."""
+    run, n = compiled
+    for random, M, C, s in cases(n, 20):
+        eta, A = random.normal(size=n), random.normal(size=(n + 1, n))
+        r, w, v = np.zeros(n), np.zeros(n), np.zeros(n)
+        run("velocity", C, s, eta, r, w, v)
+        near(r, 1 / s), near(w, eta / s), near(v, C.T @ (eta / s))
+        L, pivots = triangular(M)
+        for name, factors, right in (("rows_on_eta", (C, r), A @ C.T / s), ("rows_of_factors", (C, s), A @ C.T / s),
+                                     ("rows_of_root", (L, pivots), A @ np.linalg.inv(L).T)):  # fmt: skip
+            B = np.zeros((n + 1, n))
+            run(name, *factors, A, B)
+            near(B, right)
+        Y = np.zeros((n + 1, n))
+        run("product", A, C, Y)
+        near(Y, A @ C.T)
+        found = eta.copy()
+        run("change_root", 1, C, s, L, pivots, found)
+        near(found, L.T @ v)
+        run("velocity_of_triangular", M, found)
+        near(found, v)
+        found = L.T @ v
+        run("change_root", 0, C, s, L, pivots, found)
+        near(found, eta)
+
+
+def test_rates_of_roots(compiled):
+    """The rates of C^T S and L, whose products with themselves are Mdot, and what they make of quasi-velocities."""
+    run, n = compiled
+    for random, M, C, s in cases(n, 20):
+        Mdot, (eta, f) = random.normal(size=(n, n)), random.normal(size=(2, n))
+        Mdot += Mdot.T
+        mu, Omega, C_dot, s_dot, r = C @ Mdot @ C.T, np.ones((n, n)), np.zeros((n, n)), np.zeros(n), 1 / s
+        run("omega_apart", s, mu, Omega)
+        near(Omega, mu / (s**2 - s[:, None] ** 2 + np.eye(n)) * (1 - np.eye(n)))
+        run("factor_rates", C, r, mu, Omega, C_dot, s_dot)
+        root, rate = C.T * s, C_dot.T * s + C.T * s_dot
+        near(rate @ root.T + root @ rate.T, Mdot)
+        a, q = np.zeros(n), np.zeros(n)
+        run("turning_push", C, s, r, Omega, s_dot, eta, f, a)
+        near(a, (C @ f - Omega @ (s * eta) - s_dot * eta) / s)
+        run("turning_rows", s, Omega, s_dot, eta / s, q)
+        inverse_rate = -np.linalg.solve(root, rate) @ np.linalg.inv(root)
+        near(np.linalg.inv(root).T @ q, inverse_rate.T @ eta)
+        L, pivots = triangular(M)
+        inner = np.tril(np.linalg.solve(L, np.linalg.solve(L, Mdot).T))
+        Phi = inner - np.diag(np.diag(inner)) / 2
+        near(L @ Phi @ L.T + L @ Phi.T @ L.T, Mdot)
+        run("triangular_push", L, pivots, Mdot.copy(), eta, f, a, q)
+        near(a, np.linalg.solve(L, f) - Phi @ eta), near(q, -Phi.T @ eta)
+
+
+def test_delta_block_by_block(compiled):
+    run, n = compiled
+    for random, _, C, s in cases(n, 20):
+        B, Y, A, A_dot = random.normal(size=(4, n + 1, n))
+        C_dot, (s_dot, a, q) = random.normal(size=(n, n)), random.normal(size=(3, n))
+        Delta, load = random.normal(size=(n + 1, n + 1)), random.normal(size=n + 1)
+        found = Delta.copy()
+        run("add_to_delta", B, Y, found)
+        near(found, Delta + np.tril(B @ Y.T))
+        for name, given, right in (("add_to_load", (a,), B @ a), ("add_turning_load", (a, q), B @ (a + q))):
+            sums = load.copy()
+            run(name, B, *given, sums)
+            near(sums, load + right)
+        less = a.copy()
+        run("subtract_reactions", B, load, less)
+        near(less, a - B.T @ load)
+        B_dot = np.zeros((n + 1, n))
+        run("row_rates", C, 1 / s, C_dot, s_dot, A, A_dot, B, B_dot)
+        near(B_dot, (A_dot @ C.T + A @ C_dot.T - B * s_dot) / s)
+        rows = np.sort(random.permutation(n + 1)[:n]).astype(np.intc)
+        part, rate = np.zeros((n, n)), np.zeros((n, n))
+        run("part_of_delta", rows, np.tril(Delta), part)
+        whole = np.tril(Delta) + np.tril(Delta, -1).T
+        near(part, whole[np.ix_(rows, rows)])
+        run("add_to_delta_rate", rows, B, B_dot, rate)
+        near(rate, (B_dot @ B.T + B @ B_dot.T)[np.ix_(rows, rows)])
+        spread, back = np.zeros((n + 1, n + 1)), np.zeros((n, n))
+        run("spread", rows, C, spread), run("gather", rows, spread, back)
+        near(spread[np.ix_(rows, rows)], C), near(back, C)
+
+
+def test_when_the_triangular_root_takes_over(compiled):
+    """Begin and keep come first, then Delta, then gaps, then times; what took over gives back later."""
+    run, _ = compiled
+    keep, begin, look = 2, 8, -1
+
+    def by_gaps(*given):
+        return run("mode_by_gaps", *given[:2], *map(ctypes.c_double, given[2:]))
+
+    def by_time(mode, *given):
+        return run("mode_by_time", mode, *map(ctypes.c_double, given))
+
+    assert [by_gaps(mode, begin, gap, 0.0) for mode in (0, 1) for gap in (5e-4, 2e-3)] == [1, 0, 1, 0]
+    assert [by_gaps(mode, keep, 1e-9, 0.0) for mode in (0, 1)] == [0, 1]
+    assert [by_gaps(mode, 0, 0.9, 0.07) for mode in (0, 1)] == [0, 1]
+    assert [by_gaps(0, 0, gap, np.inf) for gap in (0.6, 0.4)] == [0, look]
+    assert [by_time(0, 0.1, time, -1.0) for time in (0.9, 1.1)] == [1, 0]
+    assert [by_time(1, 0.1, time, -1.0) for time in (1.3, 1.5)] == [1, 0]
+    assert by_time(1, 5e-4, 9.0, 1.0) == 1
 
 
 def ranked(Delta):

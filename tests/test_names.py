@@ -73,7 +73,12 @@ def test_texts_are_escaped():
 
 def test_no_macro_of_the_headers_takes_a_users_name():
     """A macro is replaced wherever its name stands; what begins with an underscore is the compiler's."""
-    text = "".join(f'#include "{name}"\n' for name in ("eigenmotion.h", "em_linear.h")) + "#include <stdlib.h>\n"
+    text = (
+        "".join(
+            f'#include "{name}"\n' for name in ("eigenmotion.h", "em_functions.h", "em_multipliers.h", "em_takeover.h")
+        )
+        + "#include <stdlib.h>\n"
+    )
     command = (*toolchain().command, "-std=c11", f"-I{INCLUDE}", "-dM", "-E", "-")
     said = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
     macros = {line.split()[1] for line in said.splitlines()}

@@ -6,7 +6,7 @@
  * DELTA: delta, in units of M. PACED: delta grows by PACED times what the eigenvalues approach in the time on which
  * the motion varies. DIAGONALISED: C is turned onto the eigenvectors after each step. Errors of C count, as in the
  * published system. */
-#include "em_linear.h"
+#include "em_eigenfactors.h"
 
 #ifndef DELTA
 #define DELTA 1.0
@@ -144,7 +144,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     const int singular = em_eigenfactors(N, M, y + 2 * N, s);
     if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, singular, -1, 0.0);
     memcpy(y + N, v, N * sizeof *y);
-    em_onto_axes(N, y + 2 * N, s, y + N);
+    em_eta_of_velocity(N, y + 2 * N, s, y + N);
     return 0;
 }
 

@@ -6,6 +6,7 @@
 #define EM_MECHANICS_H
 
 #include "em_differentiate.h"
+#include "em_eigenfactors.h"
 #include "em_rank.h"
 
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };

@@ -99,7 +99,7 @@ static int em_blame(em_walk *w, double t, const double *y);
 static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
 
 /* dy <- f(t, y) with the signals at t. */
-EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, const double *memory, double *dy) {
+EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, double *memory, double *dy) {
     em_run *run = w->run;
     if (N_INPUTS > 0) em_signals(w, t);
     ++run->n_rhs;

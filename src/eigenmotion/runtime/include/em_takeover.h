@@ -1,0 +1,76 @@
+/* em_takeover.h: when the triangular root takes over from the published system, and when it gives back.
+ *
+ * It does where a crossing of eigenvalues comes nearer than EM_NEAR times the time on which the motion varies, until it
+ * is farther than EM_FAR times that. Eigenvalues farther apart than EM_APART, relative to the larger, are not looked at;
+ * closer than EM_CLOSE they never count as far. Eigenvalues of Delta count by their relative gap: meanwhile Delta is
+ * factored numerically. */
+#ifndef EM_TAKEOVER_H
+#define EM_TAKEOVER_H
+
+#include "em_eigenfactors.h"
+
+#define EM_NEAR 1.0
+#define EM_FAR 1.4
+#define EM_APART 0.5
+#define EM_CLOSE 1e-3
+#define EM_DELTA_CLOSE 0.05
+#define EM_DELTA_APART 0.1
+
+enum { EM_LOOK = -1 }; /* it takes the time to the nearest crossing to tell */
+
+/* The smallest distance of two eigenvalues, relative to the larger. */
+EM_INLINE double em_gap(int n, const double *restrict s) {
+    double gap = INFINITY;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double larger = fmax(s[i], s[j]);
+            gap = fmin(gap, fabs((s[i] - s[j]) * (s[i] + s[j])) / (larger * larger));
+        }
+    return gap;
+}
+
+/* How far in time the nearest crossing is: with M(t + z) = M + z Mdot the eigenvalues i, j meet at a complex z of
+ * size |l_i - l_j| / sqrt((mu_ii - mu_jj)^2 + 4 mu_ij^2). A step that is not well inside sees a spike in Omega. */
+EM_INLINE double em_time_to_crossing(int n, const double *restrict s, const double *restrict mu) {
+    double least = INFINITY;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < i; ++j) {
+            const double apart = mu[i * n + i] - mu[j * n + j], across = 2.0 * mu[i * n + j];
+            const double speed = sqrt(apart * apart + across * across);
+            least = fmin(least, fabs((s[i] - s[j]) * (s[i] + s[j])) / fmax(speed, DBL_MIN));
+        }
+    return least;
+}
+
+/* The mode to come, by the relative gaps of the eigenvalues of M and of Delta; or EM_LOOK. */
+EM_INLINE int em_mode_by_gaps(int mode, int flags, double gap, double delta_gap) {
+    if (flags & EM_BEGIN) return gap < EM_CLOSE;
+    if (flags & EM_KEEP_MODE) return mode;
+    if (delta_gap < (mode ? EM_DELTA_APART : EM_DELTA_CLOSE)) return 1;
+    return gap > EM_APART ? 0 : EM_LOOK;
+}
+
+/* The same by the time to the nearest crossing; pace: the time on which the motion varies. */
+EM_INLINE int em_mode_by_time(int mode, double gap, double time, double pace) {
+    return mode ? gap < EM_CLOSE || time < EM_FAR * fabs(pace) : time < EM_NEAR * fabs(pace);
+}
+
+/* eta <- L^-T eta, the velocities, of M = L L^T; left where M is singular. */
+EM_INLINE void em_velocity_of_triangular(int n, const double *restrict M, double *restrict eta) {
+    double L[n * n], r[n];
+    if (em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) < 0) em_backward(n, L, r, eta);
+}
+
+/* eta <- the same velocities under the other root: L^T xdot where `triangular`, else S C xdot. */
+EM_INLINE void em_change_root(int n, int triangular, const double *restrict C, const double *restrict s,
+                              const double *restrict L, const double *restrict r, double *restrict eta) {
+    if (triangular) {
+        em_velocity_of_eta(n, C, s, eta);
+        em_transposed(n, L, eta);
+    } else {
+        em_backward(n, L, r, eta);
+        em_eta_of_velocity(n, C, s, eta);
+    }
+}
+
+#endif
