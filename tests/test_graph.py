@@ -7,9 +7,10 @@ import pytest
 import sympy
 from eigenmotion.codegen.graph.convert import FromSympy, ToSympy
 from eigenmotion.codegen.graph.derivatives import Tangent, gradient
-from eigenmotion.codegen.graph.graph import Graph, Kind
+from eigenmotion.codegen.graph.graph import Graph
 from eigenmotion.codegen.graph.rewrite import Rewriter, Substitution
 from eigenmotion.codegen.graph.schedule import schedule
+from eigenmotion.codegen.graph.store import Kind
 from eigenmotion.codegen.graph.trigonometry import expansion
 from eigenmotion.codegen.graph.zeros import Zeros
 from hypothesis import given, settings

@@ -13,7 +13,9 @@ import sympy
 from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.compiler import generate
 from eigenmotion.codegen.graph import convert
-from eigenmotion.codegen.graph.graph import Graph, Kind, exact
+from eigenmotion.codegen.graph.graph import Graph
+from eigenmotion.codegen.graph.numbers import exact
+from eigenmotion.codegen.graph.store import Kind
 from eigenmotion.codegen.graph.zeros import Zeros
 from sympy.physics.mechanics import dynamicsymbols
 

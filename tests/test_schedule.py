@@ -6,8 +6,10 @@ from fractions import Fraction
 
 import pytest
 from eigenmotion.codegen.graph.convert import FromSympy
-from eigenmotion.codegen.graph.graph import Graph, Kind
-from eigenmotion.codegen.graph.schedule import Cost, operands_of, schedule
+from eigenmotion.codegen.graph.graph import Graph
+from eigenmotion.codegen.graph.operations import Cost, operands_of
+from eigenmotion.codegen.graph.schedule import schedule
+from eigenmotion.codegen.graph.store import Kind
 from eigenmotion.codegen.physics.derive import derive
 from eigenmotion.codegen.physics.specialise import specialise
 from eigenmotion.codegen.physics.terms import Terms

@@ -9,7 +9,8 @@ from typing import Any
 
 import mpmath
 import sympy
-from eigenmotion.codegen.graph.graph import Graph, Kind, Node
+from eigenmotion.codegen.graph.graph import Graph
+from eigenmotion.codegen.graph.store import Kind, Node
 
 from .oracles.principal import Tree, number
 

@@ -6,8 +6,10 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..graph.graph import Graph, Kind, Node
-from ..graph.schedule import Constants, Cost, Schedule, operands_of, schedule
+from ..graph.graph import Graph
+from ..graph.operations import Cost, operands_of
+from ..graph.schedule import Constants, Schedule, schedule
+from ..graph.store import Kind, Node
 from .names import c_identifiers, free
 from .printer import Printer
 

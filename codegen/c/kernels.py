@@ -7,9 +7,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from ..choices import Choices
-from ..graph.graph import Node
 from ..graph.inverse import LARGEST, inverse
 from ..graph.schedule import Constants
+from ..graph.store import Node
 from ..model.model import ModelError
 from ..physics.specialise import Scene
 from ..physics.terms import Rows, Terms

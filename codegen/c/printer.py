@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from ..graph.graph import Number, magnitude
-from ..graph.schedule import Operation, Schedule
+from ..graph.numbers import Number, magnitude
+from ..graph.operations import Operation
+from ..graph.schedule import Schedule
 
 SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""

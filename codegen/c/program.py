@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..graph.schedule import Cost
+from ..graph.operations import Cost
 from .kernel import Kernel
 
 

@@ -6,12 +6,13 @@ import math
 from collections.abc import Mapping
 
 import sympy
-from sympy.core.function import AppliedUndef
 from sympy.functions.elementary.piecewise import ExprCondPair, Piecewise
 from sympy.logic.boolalg import ITE, And, Boolean, BooleanFalse, BooleanTrue, Not, Or
 
 from ..model.model import ModelError
-from .graph import Graph, Kind, Node, Number, exact
+from .graph import Graph
+from .numbers import Number, exact
+from .store import Kind, Node
 
 FUNCTIONS: dict[type[sympy.Basic], str] = {
     sympy.sin: "sin", sympy.cos: "cos", sympy.tan: "tan", sympy.asin: "asin", sympy.acos: "acos", sympy.atan: "atan",
@@ -178,8 +179,3 @@ def _from_number(value: Number) -> sympy.Number:
     if isinstance(value, float):
         return sympy.Float(value)
     return sympy.Rational(value.numerator, value.denominator)
-
-
-def is_undefined(expression: sympy.Basic) -> bool:
-    """Whether an expression still holds a function of time that nothing defines."""
-    return bool(expression.atoms(AppliedUndef, sympy.Derivative))

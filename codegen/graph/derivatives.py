@@ -9,7 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 
-from .graph import Graph, Kind, Node, Number
+from .graph import Graph
+from .numbers import Number
+from .store import Kind, Node
 
 CHOICES = frozenset({"select", "min", "max"})
 STEPS = frozenset({"sign", "floor", "ceil", "step", "<", "<=", ">", ">=", "==", "!=", "and", "or", "not"})

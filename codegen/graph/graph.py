@@ -19,36 +19,11 @@ Powers are the principal ones, so that a rewrite holds for arguments of either s
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from enum import Enum
-from fractions import Fraction
-from math import floor, gcd, lcm
-from typing import NamedTuple
+from collections.abc import Iterable
+from math import floor
 
-Number = int | Fraction | float
-Node = int
-Terms = tuple[tuple[Node, Number], ...]
-
-
-class Kind(Enum):
-    """What a record is."""
-
-    NUMBER = "number"
-    SYMBOL = "symbol"
-    SUM = "sum"
-    PRODUCT = "product"
-    CALL = "call"
-
-
-class Record(NamedTuple):
-    """One node: its kind and its operands.
-
-    operands : number -> (value,); symbol -> (name,); sum and product -> ((node, number), ...);
-    call -> (function, node, ...).
-    """
-
-    kind: Kind
-    operands: tuple  # type: ignore[type-arg]
+from .numbers import Number, content, is_whole, ratio, whole_power
+from .store import Kind, Node, Store
 
 
 def _merge(pairs: Iterable[tuple[Node, Number]]) -> dict[Node, Number]:
@@ -58,99 +33,8 @@ def _merge(pairs: Iterable[tuple[Node, Number]]) -> dict[Node, Number]:
     return {node: number for node, number in sorted(merged.items()) if number != 0}
 
 
-def exact(numerator: int, denominator: int = 1) -> Number:
-    """Return a quotient of integers, as an integer where it is one: they are quicker."""
-    return numerator // denominator if numerator % denominator == 0 else Fraction(numerator, denominator)
-
-
-def ratio(first: Number, second: Number) -> Number:
-    """Return first / second, exactly unless one of them is a floating-point number."""
-    if second == 1:
-        return first
-    if second == -1:
-        return -first
-    if isinstance(first, float) or isinstance(second, float):
-        return float(first) / float(second)
-    quotient = Fraction(first) / Fraction(second)
-    return exact(quotient.numerator, quotient.denominator)
-
-
-def magnitude(number: Number) -> Number:
-    """Return |number|."""
-    return -number if number < 0 else number
-
-
-def is_whole(number: Number) -> bool:
-    """Whether a number is an integer."""
-    return isinstance(number, int) or number == int(number)
-
-
-def _whole_power(base: Number, exponent: int) -> Number:
-    if isinstance(base, float):
-        return base**exponent
-    power = Fraction(base) ** exponent
-    return exact(power.numerator, power.denominator)
-
-
-def _content(numbers: Sequence[Number]) -> Number:
-    """Return the factor that leaves coprime integers, or coefficients of 1, with a positive first one."""
-    first = numbers[0]
-    sign = -1 if first < 0 else 1
-    if all(abs(number) == abs(first) for number in numbers):
-        return first
-    if any(isinstance(number, float) for number in numbers):
-        return sign
-    fractions = [Fraction(number) for number in numbers]
-    return exact(sign * gcd(*(f.numerator for f in fractions)), lcm(*(f.denominator for f in fractions)))
-
-
-class Graph:
-    """A growing store of shared expressions.
-
-    Parameters
-    ----------
-    parameters
-        Names of the symbols that are constant during a run; all other symbols count as varying.
-    """
-
-    def __init__(self, parameters: Iterable[str] = ()) -> None:
-        self.records: list[Record] = []
-        self._index: dict[Record, Node] = {}
-        self._depends: list[int] = []
-        self._bits: dict[str, int] = {}
-        self._parameters = frozenset(parameters)
-        self.zero = self.number(0)
-        self.one = self.number(1)
-
-    # -- making nodes ------------------------------------------------------------------------------------------
-
-    def _intern(self, kind: Kind, operands: tuple, depends: int) -> Node:  # type: ignore[type-arg]
-        record = Record(kind, operands)
-        node = self._index.get(record)
-        if node is None:
-            node = self._index[record] = len(self.records)
-            self.records.append(record)
-            self._depends.append(depends)
-        return node
-
-    def number(self, value: Number) -> Node:
-        """Return the node of a number; exact and floating numbers of one value are one node."""
-        if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
-            value = int(value)
-        elif isinstance(value, Fraction):
-            value = exact(value.numerator, value.denominator)
-        return self._intern(Kind.NUMBER, (value, isinstance(value, float)), 0)
-
-    def symbol(self, name: str) -> Node:
-        """Return the node of a named quantity."""
-        bit = 0
-        if name not in self._parameters:
-            bit = self._bits.setdefault(name, 1 << len(self._bits))
-        return self._intern(Kind.SYMBOL, (name,), bit)
-
-    def call(self, function: str, *operands: Node) -> Node:
-        """Return function(operands)."""
-        return self._intern(Kind.CALL, (function, *operands), self._union(operands))
+class Graph(Store):
+    """Expressions in canonical form."""
 
     def sum(self, terms: Iterable[tuple[Node, Number]]) -> Node:
         """Return sum of coefficient x node."""
@@ -180,6 +64,19 @@ class Graph:
         """Return the product of node^exponent."""
         coefficient, merged = self._merged_factors(factors)
         return self._scaled(self._canonical_product(merged), coefficient) if coefficient else self.zero
+
+    def split(self, node: Node) -> tuple[Node, Node]:
+        """Return (constant, varying) with node = constant x varying."""
+        if not self._depends[node]:
+            return node, self.one
+        kind, operands = self.records[node]
+        if kind is not Kind.PRODUCT:
+            return self.one, node
+        constant = {factor: power for factor, power in operands if not self._depends[factor]}
+        if not constant:
+            return self.one, node
+        varying = {factor: power for factor, power in operands if self._depends[factor]}
+        return self._canonical_product(constant), self._canonical_product(varying)
 
     # -- canonical forms ---------------------------------------------------------------------------------------
 
@@ -246,9 +143,9 @@ class Graph:
         if len(terms) == 1:
             ((node, coefficient),) = terms.items()
             return self._scaled(node, coefficient)
-        content = _content(tuple(terms.values()))
-        primitive = tuple((node, ratio(coefficient, content)) for node, coefficient in terms.items())
-        return self._scaled(self._intern(Kind.SUM, primitive, self._union(terms)), content)
+        common = content(tuple(terms.values()))
+        primitive = tuple((node, ratio(coefficient, common)) for node, coefficient in terms.items())
+        return self._scaled(self._intern(Kind.SUM, primitive, self._union(terms)), common)
 
     def _scaled(self, node: Node, factor: Number) -> Node:
         """Return factor x node for a node that carries no factor of its own."""
@@ -290,10 +187,10 @@ class Graph:
         if is_whole(exponent):
             exponent = int(exponent)
             if kind is Kind.NUMBER:
-                return _whole_power(operands[0], exponent), ()
+                return whole_power(operands[0], exponent), ()
             if kind is Kind.SUM and len(operands) == 1:
                 ((inner, factor),) = operands
-                return _whole_power(factor, exponent), self._factors(inner, exponent)[1]
+                return whole_power(factor, exponent), self._factors(inner, exponent)[1]
             if kind is Kind.PRODUCT:
                 return 1, tuple((inner, power * exponent) for inner, power in operands)
         elif kind is Kind.NUMBER:
@@ -312,7 +209,7 @@ class Graph:
         if value in (0, 1):
             return value, ()
         whole = 0 if isinstance(value, float) else floor(exponent)
-        return _whole_power(value, whole), ((node, exponent - whole),)
+        return whole_power(value, whole), ((node, exponent - whole),)
 
     def _canonical_product(self, factors: dict[Node, Number]) -> Node:
         if not factors:
@@ -322,52 +219,3 @@ class Graph:
             if exponent == 1:
                 return node
         return self._intern(Kind.PRODUCT, tuple(factors.items()), self._union(factors))
-
-    # -- asking about nodes ------------------------------------------------------------------------------------
-
-    def _union(self, nodes: Iterable[Node]) -> int:
-        mask = 0
-        for node in nodes:
-            mask |= self._depends[node]
-        return mask
-
-    def varies(self, node: Node) -> bool:
-        """Whether node holds any symbol that is not a parameter."""
-        return self._depends[node] != 0
-
-    def depends(self, node: Node, name: str) -> bool:
-        """Whether node holds the symbol, which is not a parameter."""
-        return bool(self._depends[node] & self._bits.get(name, 0))
-
-    def split(self, node: Node) -> tuple[Node, Node]:
-        """Return (constant, varying) with node = constant x varying."""
-        if not self._depends[node]:
-            return node, self.one
-        kind, operands = self.records[node]
-        if kind is not Kind.PRODUCT:
-            return self.one, node
-        constant = {factor: power for factor, power in operands if not self._depends[factor]}
-        if not constant:
-            return self.one, node
-        varying = {factor: power for factor, power in operands if self._depends[factor]}
-        return self._canonical_product(constant), self._canonical_product(varying)
-
-    def children(self, node: Node) -> tuple[Node, ...]:
-        """Return the operands of node that are nodes."""
-        kind, operands = self.records[node]
-        if kind in (Kind.NUMBER, Kind.SYMBOL):
-            return ()
-        if kind is Kind.CALL:
-            return tuple(operands[1:])
-        return tuple(child for child, _ in operands)
-
-    def reachable(self, roots: Iterable[Node]) -> list[Node]:
-        """Return every node that roots need, in order of evaluation."""
-        seen: set[Node] = set()
-        stack = list(roots)
-        while stack:
-            node = stack.pop()
-            if node not in seen:
-                seen.add(node)
-                stack.extend(self.children(node))
-        return sorted(seen)

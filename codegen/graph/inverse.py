@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 
-from .graph import Graph, Node
+from .graph import Graph
+from .store import Node
 
 LARGEST = 6
 """The size up to which an algebraic inverse is formed; the number of its minors grows like 4^n."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from .graph import Graph, Kind, Node
+from .graph import Graph
+from .store import Kind, Node
 
 
 class Rewriter:

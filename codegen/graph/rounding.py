@@ -14,7 +14,9 @@ and s = |a| of a symbol or number, so that s >= |a| throughout. eps s is right w
 from __future__ import annotations
 
 from .derivatives import STEPS, partial
-from .graph import Graph, Kind, Node, is_whole, magnitude
+from .graph import Graph
+from .numbers import is_whole, magnitude
+from .store import Kind, Node
 
 
 class Rounding:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from .graph import Graph, Kind, Node, Number, magnitude
+from .graph import Graph
+from .numbers import Number, magnitude
 from .rewrite import Rewriter
+from .store import Kind, Node
 
 SINE_AND_COSINE = 20
 """What sin and cos of one angle cost, in multiplications."""

@@ -12,11 +12,13 @@ from __future__ import annotations
 import cmath
 import math
 import random
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from fractions import Fraction
 from itertools import product
 
-from .graph import Graph, Kind, Node, Number, is_whole
+from .graph import Graph
+from .numbers import Number, is_whole
+from .store import Kind, Node
 
 NEAR, FAR = 3, 2
 """Random points at which an expression must vanish to count as zero: with values about 1, and of 1e-3 to 1e3."""
@@ -149,10 +151,6 @@ class Zeros:
         if node == self.graph.zero:
             return True
         return all(_vanishes(point, node) for point in self._points) and self._on_every_branch(node)
-
-    def all(self, nodes: Iterable[Node]) -> bool:
-        """Whether all nodes are zero."""
-        return all(map(self, nodes))
 
     def equal(self, first: Node, second: Node) -> bool:
         """Whether two nodes have the same values wherever they are defined, on all their branches."""

@@ -14,8 +14,9 @@ import random
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from ..graph.graph import Graph, Kind, Node
+from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
+from ..graph.store import Kind, Node
 
 Rows = Sequence[Sequence[Node]]
 Numbers = list[list[float]]

@@ -10,8 +10,9 @@ import sympy
 
 from ..graph.convert import FromSympy, ToSympy
 from ..graph.derivatives import Tangent, gradient
-from ..graph.graph import Graph, Node
+from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
+from ..graph.store import Node
 from ..graph.zeros import Zeros
 from ..model.model import Model, ModelError, multiplier, t
 from ..model.normalise import name_of

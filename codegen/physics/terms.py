@@ -11,10 +11,11 @@ import sympy
 
 from ..graph.convert import FromSympy
 from ..graph.derivatives import Tangent, gradient
-from ..graph.graph import Graph, Node
+from ..graph.graph import Graph
 from ..graph.rewrite import Rewriter
 from ..graph.rounding import Rounding
 from ..graph.schedule import weight
+from ..graph.store import Node
 from ..graph.trigonometry import expansion
 from .specialise import Scene
 

@@ -1,0 +1,116 @@
+"""Expressions as a growing store of nodes, in which every subexpression stands once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from enum import Enum
+from fractions import Fraction
+from typing import NamedTuple
+
+from .numbers import Number, exact
+
+Node = int
+
+
+class Kind(Enum):
+    """What a record is."""
+
+    NUMBER = "number"
+    SYMBOL = "symbol"
+    SUM = "sum"
+    PRODUCT = "product"
+    CALL = "call"
+
+
+class Record(NamedTuple):
+    """One node: its kind and its operands.
+
+    operands : number -> (value,); symbol -> (name,); sum and product -> ((node, number), ...);
+    call -> (function, node, ...).
+    """
+
+    kind: Kind
+    operands: tuple  # type: ignore[type-arg]
+
+
+class Store:
+    """Numbers, symbols and calls; and what can be asked of any node.
+
+    Parameters
+    ----------
+    parameters
+        Names of the symbols that are constant during a run; all other symbols count as varying.
+    """
+
+    def __init__(self, parameters: Iterable[str] = ()) -> None:
+        self.records: list[Record] = []
+        self._index: dict[Record, Node] = {}
+        self._depends: list[int] = []
+        self._bits: dict[str, int] = {}
+        self._parameters = frozenset(parameters)
+        self.zero = self.number(0)
+        self.one = self.number(1)
+
+    def _intern(self, kind: Kind, operands: tuple, depends: int) -> Node:  # type: ignore[type-arg]
+        record = Record(kind, operands)
+        node = self._index.get(record)
+        if node is None:
+            node = self._index[record] = len(self.records)
+            self.records.append(record)
+            self._depends.append(depends)
+        return node
+
+    def number(self, value: Number) -> Node:
+        """Return the node of a number; exact and floating numbers of one value are one node."""
+        if isinstance(value, float) and value.is_integer() and abs(value) < 2**53:
+            value = int(value)
+        elif isinstance(value, Fraction):
+            value = exact(value.numerator, value.denominator)
+        return self._intern(Kind.NUMBER, (value, isinstance(value, float)), 0)
+
+    def symbol(self, name: str) -> Node:
+        """Return the node of a named quantity."""
+        bit = 0
+        if name not in self._parameters:
+            bit = self._bits.setdefault(name, 1 << len(self._bits))
+        return self._intern(Kind.SYMBOL, (name,), bit)
+
+    def call(self, function: str, *operands: Node) -> Node:
+        """Return function(operands)."""
+        return self._intern(Kind.CALL, (function, *operands), self._union(operands))
+
+    # -- asking about nodes ------------------------------------------------------------------------------------
+
+    def _union(self, nodes: Iterable[Node]) -> int:
+        mask = 0
+        for node in nodes:
+            mask |= self._depends[node]
+        return mask
+
+    def varies(self, node: Node) -> bool:
+        """Whether node holds any symbol that is not a parameter."""
+        return self._depends[node] != 0
+
+    def depends(self, node: Node, name: str) -> bool:
+        """Whether node holds the symbol, which is not a parameter."""
+        return bool(self._depends[node] & self._bits.get(name, 0))
+
+    def children(self, node: Node) -> tuple[Node, ...]:
+        """Return the operands of node that are nodes."""
+        kind, operands = self.records[node]
+        if kind in (Kind.NUMBER, Kind.SYMBOL):
+            return ()
+        if kind is Kind.CALL:
+            return tuple(operands[1:])
+        return tuple(child for child, _ in operands)
+
+    def reachable(self, roots: Iterable[Node]) -> list[Node]:
+        """Return every node that roots need, in order of evaluation."""
+        seen: set[Node] = set()
+        stack = list(roots)
+        while stack:
+            node = stack.pop()
+            if node not in seen:
+                seen.add(node)
+                stack.extend(self.children(node))
+        return sorted(seen)
