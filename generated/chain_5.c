@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:12f44766d9e5bc1748dac07a261ac4db25338588a75cb62b84f07ff20fad9f52 */
+/* body sha256:bf570c0fda0d3819b560ebf4aca1a75bd413a4979ca6936bce3ea4b4330b64b7 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -527,7 +527,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta_1, theta_2, theta_3, theta_4, theta_5: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -552,7 +552,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* etadot = a - B^T lambda (45) */
     dy[5] = a1[0];
@@ -715,7 +715,7 @@ EM_INLINE void triangular_motion(const double *restrict v, const double *restric
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     double M1[N1][N1], shared[10];
     triangular_masses(y, c, M1, shared);
 
@@ -728,7 +728,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
     double v1[N1];
-    memcpy(v1, eta1, sizeof v1);
+    em_copy(N1, eta1, v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];

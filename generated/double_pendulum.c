@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:3be26612fd083885dab0fd544d51e4525d157c4996b564b8a5a849a81df9a437 */
+/* body sha256:c394b2b0394bb8ad212ba267df9dd9c75569d2513bcac00f16966d2092989878 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -227,7 +227,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta1, theta2: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2], y[3] };
@@ -249,7 +249,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* etadot = a - B^T lambda (45) */
     dy[2] = a1[0];
@@ -307,7 +307,7 @@ EM_INLINE void triangular_motion(const double *restrict v, const double *restric
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     double M1[N1][N1], shared[4];
     triangular_masses(y, c, M1, shared);
 
@@ -320,7 +320,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[2], y[3] };
     double v1[N1];
-    memcpy(v1, eta1, sizeof v1);
+    em_copy(N1, eta1, v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];

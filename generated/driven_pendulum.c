@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:3857a6d727d76de89fb41d52fef77593614649a285c732170a1905153e1452dc */
+/* body sha256:6309547ccf7af9f19a0e4bd0b72562d11e5bf43d532803c5d72a30fcf64d9422 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -235,7 +235,7 @@ EM_INLINE void eigenfactor_motion(double t, const double *restrict x, const doub
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2] };
@@ -254,6 +254,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
     eigenfactor_motion(t, y, dy, c, f1, f2, A1, A2, gamma);
 
+    /* x: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* y: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
     em_rows_on_eta(1, N1, C1, r1, f1, a1);
@@ -262,21 +270,20 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* x: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-    /* y: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* lambda <- B a + Bdot eta + bdot (46) */
-    double lambda[N_ROWS];
-    memcpy(lambda, gamma, sizeof lambda);
-    em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
-    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-    double Delta[N_ROWS*N_ROWS] = {0.0};
-    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
@@ -332,15 +339,20 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
         double B2[N_ROWS][N2], *const a2 = eta2;
         em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
-        /* lambda <- B a (46) */
-        double lambda[N_ROWS];
-        memcpy(lambda, gamma, sizeof lambda);
-        em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
-        em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-        /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-        double Delta[N_ROWS*N_ROWS] = {0.0};
-        em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-        em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        for (int row = 0; row < N_ROWS; ++row) {
+            double load = gamma[row];
+            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+            for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+            lambda[row] = load;
+            for (int column = 0; column <= row; ++column) {
+                double product = 0.0;
+                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+                for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+                Delta[row*N_ROWS + column] = product;
+            }
+        }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
         em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
         em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);

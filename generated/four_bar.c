@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:cd9cfeff0b6649dd139b5e8eb5d8664b186d7992f3ced3ac53c34bef7ce2d153 */
+/* body sha256:9cd0e9f68dd6612aea628f98efb29ce629086e6ed781b48cedd58d393dd0cf0a */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -350,7 +350,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* q1, q2: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4] };
@@ -370,6 +370,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
     eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, A2, gamma);
 
+    /* q1, q2: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* q3: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+
     /* q1, q2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1*N1], Omega1[N1*N1];
     em_congruence(N1, C1, Mdot1[0], mu1);
@@ -378,30 +386,27 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double *const C1_dot = dy + 6, *const s1_dot = dy + 10;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
-    double q1[N1];
-    em_turning_rows(N1, s1, Omega1, s1_dot, w1, q1);
+    double a1[N1], q1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
     /* q3: constant factors, a = S^-1 C f (41) */
     double a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* q1, q2: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-    /* q3: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* lambda <- B a + Bdot eta + bdot (46) */
-    double lambda[N_ROWS];
-    memcpy(lambda, gamma, sizeof lambda);
-    em_add_turning_load(N_ROWS, N1, B1[0], a1, q1, lambda);
-    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-    double Delta[N_ROWS*N_ROWS] = {0.0};
-    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
@@ -490,7 +495,7 @@ EM_INLINE void triangular_motion(const double *restrict x, const double *restric
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     double M1[N1][N1], shared[4];
     triangular_masses(y, c, M1, shared);
 
@@ -503,7 +508,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[3], y[4] };
     double v1[N1];
-    memcpy(v1, eta1, sizeof v1);
+    em_copy(N1, eta1, v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];
@@ -532,15 +537,20 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     /* q3: B = A C^T S^-1 (28) */
     double B2[N_ROWS][N2];
     em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* lambda <- B a + Bdot eta + bdot (46) */
-    double lambda[N_ROWS];
-    memcpy(lambda, gamma, sizeof lambda);
-    em_add_turning_load(N_ROWS, N1, B1[0], a1, q1, lambda);
-    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-    double Delta[N_ROWS*N_ROWS] = {0.0};
-    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
@@ -674,15 +684,20 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
         double B2[N_ROWS][N2], *const a2 = eta2;
         em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
-        /* lambda <- B a (46) */
-        double lambda[N_ROWS];
-        memcpy(lambda, gamma, sizeof lambda);
-        em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
-        em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-        /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-        double Delta[N_ROWS*N_ROWS] = {0.0};
-        em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-        em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
+        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        for (int row = 0; row < N_ROWS; ++row) {
+            double load = gamma[row];
+            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+            for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+            lambda[row] = load;
+            for (int column = 0; column <= row; ++column) {
+                double product = 0.0;
+                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+                for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+                Delta[row*N_ROWS + column] = product;
+            }
+        }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
         em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
         em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);

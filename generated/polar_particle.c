@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:ad8c5f6b00823a90fd345eec058009b0ac077adc7fa93cc633f24a160ad30d03 */
+/* body sha256:07d4827b8241aafb323b81a1635581a0ae5fc1a62c1197559886b01e3e5366ac */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -194,7 +194,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
     double M2[N2][N2], shared[1];
     eigenfactor_masses(y, c, M2, shared);
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:6689703f11f7b4a1712b1c7893eb39dbfdf7d33f2c2fd984e944a3fe5f19bae9 */
+/* body sha256:707b94a89a6046b0de6a0c16f7f471d378fb1b2f163cba5843948f9b2315df2c */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -356,7 +356,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -372,6 +372,10 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
     eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
 
+    /* x, y, phi, theta, psi: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
     /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
     double mu1[N1*N1], Omega1[N1*N1];
     em_congruence(N1, C1, Mdot1[0], mu1);
@@ -380,21 +384,21 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double *const C1_dot = dy + 10, *const s1_dot = dy + 35;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
-    double q1[N1];
-    em_turning_rows(N1, s1, Omega1, s1_dot, w1, q1);
+    double a1[N1], q1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
-    /* x, y, phi, theta, psi: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-    /* lambda <- B a + Bdot eta + bdot (46) */
-    double lambda[N_ROWS];
-    memcpy(lambda, gamma, sizeof lambda);
-    em_add_turning_load(N_ROWS, N1, B1[0], a1, q1, lambda);
-    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-    double Delta[N_ROWS*N_ROWS] = {0.0};
-    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
@@ -517,7 +521,7 @@ EM_INLINE void triangular_motion(const double *restrict v, const double *restric
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     double M1[N1][N1], shared[4];
     triangular_masses(y, c, M1, shared);
 
@@ -530,7 +534,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
     double v1[N1];
-    memcpy(v1, eta1, sizeof v1);
+    em_copy(N1, eta1, v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];
@@ -548,13 +552,18 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     /* x, y, phi, theta, psi: B = A L^-T */
     double B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* lambda <- B a + Bdot eta + bdot (46) */
-    double lambda[N_ROWS];
-    memcpy(lambda, gamma, sizeof lambda);
-    em_add_turning_load(N_ROWS, N1, B1[0], a1, q1, lambda);
-    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-    double Delta[N_ROWS*N_ROWS] = {0.0};
-    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
@@ -711,13 +720,18 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], *const a1 = eta1;
         if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 25, A1[0], B1[0]);
         else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
-        /* lambda <- B a (46) */
-        double lambda[N_ROWS];
-        memcpy(lambda, gamma, sizeof lambda);
-        em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
-        /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-        double Delta[N_ROWS*N_ROWS] = {0.0};
-        em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
+        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        for (int row = 0; row < N_ROWS; ++row) {
+            double load = gamma[row];
+            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+            lambda[row] = load;
+            for (int column = 0; column <= row; ++column) {
+                double product = 0.0;
+                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+                Delta[row*N_ROWS + column] = product;
+            }
+        }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
         em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:f9ee114f434a669144819e85dfdd5ef4a9b221dd39a737439a43cf6e4e44cee1 */
+/* body sha256:ddee221742d963c29d86f5fce66afd2716dfc40c2f0de44e78bd34e8a3f6b7de */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -502,7 +502,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[3], y[4], y[5] };
@@ -525,7 +525,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* etadot = a - B^T lambda (45) */
     dy[3] = a1[0];
@@ -692,7 +692,7 @@ EM_INLINE void triangular_motion(const double *restrict v, const double *restric
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     double M1[N1][N1], shared[13];
     triangular_masses(y, c, M1, shared);
 
@@ -705,7 +705,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[3], y[4], y[5] };
     double v1[N1];
-    memcpy(v1, eta1, sizeof v1);
+    em_copy(N1, eta1, v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];

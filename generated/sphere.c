@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:eb50363badbe2c01f2814c4323f68be984110aeef13ff0663b2867e3435144a6 */
+/* body sha256:59c75d9b774ae566860ca18933f6e56d64be799991e8842cbaa26ef47e6ae4db */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -426,7 +426,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[5] };
@@ -454,6 +454,18 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double Mdot3[N3][N3], f1[N1], f2[N2], f3[N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], gamma[N_ROWS];
     eigenfactor_motion(y, dy, c, Mdot3, f1, f2, f3, A1, A2, A3, gamma);
 
+    /* x: B = A C^T S^-1 (28) */
+    double B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* y: B = A C^T S^-1 (28) */
+    double B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+
+    /* p_1, p_2, p_3: B = A C^T S^-1 (28) */
+    double B3[N_ROWS][N3];
+    em_rows_on_eta(N_ROWS, N3, C3, r3, A3[0], B3[0]);
+
     /* x: constant factors, a = S^-1 C f (41) */
     double a1[N1];
     em_rows_on_eta(1, N1, C1, r1, f1, a1);
@@ -470,31 +482,25 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double *const C3_dot = dy + 10, *const s3_dot = dy + 19;
     em_factor_rates(N3, C3, r3, mu3, Omega3, C3_dot, s3_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a3[N3];
-    em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, f3, a3);
-    double q3[N3];
-    em_turning_rows(N3, s3, Omega3, s3_dot, w3, q3);
+    double a3[N3], q3[N3];
+    em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
 
-    /* x: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-    /* y: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* p_1, p_2, p_3: B = A C^T S^-1 (28) */
-    double B3[N_ROWS][N3];
-    em_rows_on_eta(N_ROWS, N3, C3, r3, A3[0], B3[0]);
-    /* lambda <- B a + Bdot eta + bdot (46) */
-    double lambda[N_ROWS];
-    memcpy(lambda, gamma, sizeof lambda);
-    em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
-    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-    em_add_turning_load(N_ROWS, N3, B3[0], a3, q3, lambda);
-    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-    double Delta[N_ROWS*N_ROWS] = {0.0};
-    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
-    em_add_to_delta(N_ROWS, N3, B3[0], B3[0], Delta);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
@@ -624,7 +630,7 @@ EM_INLINE void triangular_motion(const double *restrict x, const double *restric
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     double M3[N3][N3], shared[8];
     triangular_masses(y, c, M3, shared);
 
@@ -651,7 +657,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta3[N3] = { y[7], y[8], y[9] };
     double v3[N3];
-    memcpy(v3, eta3, sizeof v3);
+    em_copy(N3, eta3, v3);
     em_backward(N3, L3[0], r3, v3);
     dy[2] = v3[0];
     dy[3] = v3[1];
@@ -681,17 +687,22 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     /* p_1, p_2, p_3: B = A L^-T */
     double B3[N_ROWS][N3];
     em_rows_of_root(N_ROWS, N3, L3[0], r3, A3[0], B3[0]);
-    /* lambda <- B a + Bdot eta + bdot (46) */
-    double lambda[N_ROWS];
-    memcpy(lambda, gamma, sizeof lambda);
-    em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
-    em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-    em_add_turning_load(N_ROWS, N3, B3[0], a3, q3, lambda);
-    /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-    double Delta[N_ROWS*N_ROWS] = {0.0};
-    em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-    em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
-    em_add_to_delta(N_ROWS, N3, B3[0], B3[0], Delta);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        double load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            double product = 0.0;
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
 
     /* etadot = a - B^T lambda (45) */
@@ -871,17 +882,22 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B3[N_ROWS][N3], *const a3 = eta3;
         if (*mode) em_rows_of_root(N_ROWS, N3, memory + 0, memory + 9, A3[0], B3[0]);
         else em_rows_of_factors(N_ROWS, N3, C3, s3, A3[0], B3[0]);
-        /* lambda <- B a (46) */
-        double lambda[N_ROWS];
-        memcpy(lambda, gamma, sizeof lambda);
-        em_add_to_load(N_ROWS, N1, B1[0], a1, lambda);
-        em_add_to_load(N_ROWS, N2, B2[0], a2, lambda);
-        em_add_to_load(N_ROWS, N3, B3[0], a3, lambda);
-        /* Delta = B B^T (43), lambda <- Delta^-1 lambda */
-        double Delta[N_ROWS*N_ROWS] = {0.0};
-        em_add_to_delta(N_ROWS, N1, B1[0], B1[0], Delta);
-        em_add_to_delta(N_ROWS, N2, B2[0], B2[0], Delta);
-        em_add_to_delta(N_ROWS, N3, B3[0], B3[0], Delta);
+        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        for (int row = 0; row < N_ROWS; ++row) {
+            double load = gamma[row];
+            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+            for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+            for (int i = 0; i < N3; ++i) load += B3[row][i]*a3[i];
+            lambda[row] = load;
+            for (int column = 0; column <= row; ++column) {
+                double product = 0.0;
+                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+                for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+                for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+                Delta[row*N_ROWS + column] = product;
+            }
+        }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
         em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
         em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);

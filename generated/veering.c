@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:5cf84dc2a5f838081f5769bd78e22affd9fc5ba219766e58fa5fd479cfd6ae84 */
+/* body sha256:2a581c905124498dffa0ed398e3865c9bafd15e558927ca9e90460cfb0bacbff */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -179,7 +179,7 @@ EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restri
 static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                            double *memory, int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)memory, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, z: xdot = C^T S^-1 eta (20) */
     const double eta1[N1] = { y[2], y[3] };
@@ -201,7 +201,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, f1, a1);
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* etadot = a - B^T lambda (45) */
     dy[2] = a1[0];
@@ -241,7 +241,7 @@ EM_INLINE void triangular_motion(const double *restrict x, const double *restric
 static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
                         int flags, double *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)u, (void)flags, (void)fault;
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     double M1[N1][N1];
     triangular_masses(y, c, M1);
 
@@ -254,7 +254,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     }
     const double eta1[N1] = { y[2], y[3] };
     double v1[N1];
-    memcpy(v1, eta1, sizeof v1);
+    em_copy(N1, eta1, v1);
     em_backward(N1, L1[0], r1, v1);
     dy[0] = v1[0];
     dy[1] = v1[1];

@@ -208,9 +208,8 @@ def test_rates_of_roots(compiled):
         root, rate = C.T * s, C_dot.T * s + C.T * s_dot
         near(rate @ root.T + root @ rate.T, Mdot)
         a, q = np.zeros(n), np.zeros(n)
-        run("turning_push", C, s, r, Omega, s_dot, eta, f, a)
+        run("turning_push", C, s, r, Omega, s_dot, eta, eta / s, f, a, q)
         near(a, (C @ f - Omega @ (s * eta) - s_dot * eta) / s)
-        run("turning_rows", s, Omega, s_dot, eta / s, q)
         inverse_rate = -np.linalg.solve(root, rate) @ np.linalg.inv(root)
         near(np.linalg.inv(root).T @ q, inverse_rate.T @ eta)
         L, pivots = triangular(M)
@@ -224,15 +223,12 @@ def test_rates_of_roots(compiled):
 def test_delta_block_by_block(compiled):
     run, n = compiled
     for random, _, C, s in cases(n, 20):
-        B, Y, A, A_dot = random.normal(size=(4, n + 1, n))
+        B, A, A_dot = random.normal(size=(3, n + 1, n))
         C_dot, (s_dot, a, q) = random.normal(size=(n, n)), random.normal(size=(3, n))
         Delta, load = random.normal(size=(n + 1, n + 1)), random.normal(size=n + 1)
-        found = Delta.copy()
-        run("add_to_delta", B, Y, found)
-        near(found, Delta + np.tril(B @ Y.T))
-        for name, given, right in (("add_to_load", (a,), B @ a), ("add_turning_load", (a, q), B @ (a + q))):
+        for turning, right in ((None, B @ a), (q, B @ (a + q))):
             sums = load.copy()
-            run(name, B, *given, sums)
+            run("add_to_load", B, a, turning, sums)
             near(sums, load + right)
         less = a.copy()
         run("subtract_reactions", B, load, less)

@@ -54,19 +54,14 @@ void factor_rates(const double *C, const double *r, const double *mu, const doub
     em_factor_rates(n, C, r, mu, Omega, C_dot, s_dot);
 }
 void turning_push(const double *C, const double *s, const double *r, const double *Omega, const double *s_dot,
-                  const double *eta, const double *f, double *a) {
-    em_turning_push(n, C, s, r, Omega, s_dot, eta, f, a);
-}
-void turning_rows(const double *s, const double *Omega, const double *s_dot, const double *w, double *q) {
-    em_turning_rows(n, s, Omega, s_dot, w, q);
+                  const double *eta, const double *w, const double *f, double *a, double *q) {
+    em_turning_push(n, C, s, r, Omega, s_dot, eta, w, f, a, q);
 }
 void triangular_push(const double *L, const double *r, double *Mdot, const double *eta, const double *f, double *a, double *q) {
     em_triangular_push(n, L, r, Mdot, eta, f, a, q);
 }
-void add_to_delta(const double *B, const double *Y, double *Delta) { em_add_to_delta(m, n, B, Y, Delta); }
-void add_to_load(const double *B, const double *a, double *load) { em_add_to_load(m, n, B, a, load); }
-void add_turning_load(const double *B, const double *a, const double *q, double *load) {
-    em_add_turning_load(m, n, B, a, q, load);
+void add_to_load(const double *B, const double *a, const double *q, double *load) {
+    for (int row = 0; row < m; ++row) em_add_to_load(n, row, B, a, q, load);
 }
 void subtract_reactions(const double *B, const double *lambda, double *a) { em_subtract_reactions(m, n, B, lambda, a); }
 void row_rates(const double *C, const double *r, const double *C_dot, const double *s_dot, const double *A,

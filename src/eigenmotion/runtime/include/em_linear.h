@@ -88,6 +88,11 @@ EM_INLINE void em_transposed(int n, const double *restrict L, double *restrict v
     }
 }
 
+/* b <- a, number by number: memcpy would read wider words than were just written, and wait for them. */
+EM_INLINE void em_copy(int n, const double *restrict a, double *restrict b) {
+    for (int i = 0; i < n; ++i) b[i] = a[i];
+}
+
 /* Y (m, n) <- A W^T */
 EM_INLINE void em_product(int m, int n, const double *restrict A, const double *restrict W, double *restrict Y) {
     for (int row = 0; row < m; ++row)

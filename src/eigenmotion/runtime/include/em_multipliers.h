@@ -8,42 +8,33 @@
 /* B (m, n) <- A L^-T */
 EM_INLINE void em_rows_of_root(int m, int n, const double *restrict L, const double *restrict r,
                                const double *restrict A, double *restrict B) {
-    memcpy(B, A, sizeof *B * (size_t)(m * n));
+    em_copy(m * n, A, B);
     for (int row = 0; row < m; ++row) em_forward(n, L, r, B + row * n);
 }
 
 /* B (m, n) <- A C^T S^-1 (28) */
 EM_INLINE void em_rows_of_factors(int m, int n, const double *restrict C, const double *restrict s,
                                   const double *restrict A, double *restrict B) {
-    memcpy(B, A, sizeof *B * (size_t)(m * n));
+    em_copy(m * n, A, B);
     for (int row = 0; row < m; ++row) em_force_on_eta(n, C, s, B + row * n);
 }
 
-/* Delta (m, m) += B Y^T, of one block, by its lower triangle; (43) with Y = B. */
-EM_INLINE void em_add_to_delta(int m, int n, const double *B, const double *Y, double *restrict Delta) {
-    for (int row = 0; row < m; ++row)
-        for (int column = 0; column <= row; ++column)
-            for (int i = 0; i < n; ++i) Delta[row * m + column] += B[row * n + i] * Y[column * n + i];
-}
-
-/* load (m) += B a, of one block: of what stands on the right of (46). */
-EM_INLINE void em_add_to_load(int m, int n, const double *restrict B, const double *restrict a, double *restrict load) {
-    for (int row = 0; row < m; ++row)
-        for (int i = 0; i < n; ++i) load[row] += B[row * n + i] * a[i];
-}
-
-/* load (m) += B (a + q): the same where B turns. */
-EM_INLINE void em_add_turning_load(int m, int n, const double *restrict B, const double *restrict a,
-                                   const double *restrict q, double *restrict load) {
-    for (int row = 0; row < m; ++row)
-        for (int i = 0; i < n; ++i) load[row] += B[row * n + i] * (a[i] + q[i]);
+/* load[row] += B (a + q), of one block: what stands on the right of (46). q NULL where B rests. */
+EM_INLINE void em_add_to_load(int n, int row, const double *restrict B, const double *restrict a,
+                              const double *restrict q, double *restrict load) {
+    double sum = load[row];
+    for (int i = 0; i < n; ++i) sum += B[row * n + i] * (q ? a[i] + q[i] : a[i]);
+    load[row] = sum;
 }
 
 /* a (n) -= B^T lambda (45) */
 EM_INLINE void em_subtract_reactions(int m, int n, const double *restrict B, const double *restrict lambda,
                                      double *restrict a) {
-    for (int i = 0; i < n; ++i)
-        for (int row = 0; row < m; ++row) a[i] -= B[row * n + i] * lambda[row];
+    for (int i = 0; i < n; ++i) {
+        double sum = a[i];
+        for (int row = 0; row < m; ++row) sum -= B[row * n + i] * lambda[row];
+        a[i] = sum;
+    }
 }
 
 /* part (g, g) <- the rows and columns listed of the lower triangle of Delta (m, m) */

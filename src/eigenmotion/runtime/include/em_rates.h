@@ -65,27 +65,21 @@ EM_INLINE void em_factor_rates(int n, const double *restrict C, const double *re
     }
 }
 
-/* a <- S^-1 (C f - Omega S eta - Sdot eta) (41) */
+/* a <- S^-1 (C f - Omega S eta - Sdot eta) (41), and q (NULL: not asked) <- S Omega S^-1 eta - S^-1 Sdot eta:
+ * Bdot eta = Adot xdot + B q (40); w = S^-1 eta. */
 EM_INLINE void em_turning_push(int n, const double *restrict C, const double *restrict s, const double *restrict r,
                                const double *restrict Omega, const double *restrict s_dot, const double *restrict eta,
-                               const double *restrict f, double *restrict a) {
+                               const double *restrict w, const double *restrict f, double *restrict a,
+                               double *restrict q) {
     for (int i = 0; i < n; ++i) {
-        double push = 0.0, drag = s_dot[i] * eta[i];
+        double push = 0.0, drag = s_dot[i] * eta[i], turn = 0.0;
         for (int j = 0; j < n; ++j) {
             push += C[i * n + j] * f[j];
             drag += Omega[i * n + j] * (s[j] * eta[j]);
+            turn += Omega[i * n + j] * w[j];
         }
         a[i] = r[i] * (push - drag);
-    }
-}
-
-/* q <- S Omega S^-1 eta - S^-1 Sdot eta, w = S^-1 eta: Bdot eta = Adot xdot + B q (40) */
-EM_INLINE void em_turning_rows(int n, const double *restrict s, const double *restrict Omega,
-                               const double *restrict s_dot, const double *restrict w, double *restrict q) {
-    for (int i = 0; i < n; ++i) {
-        double turn = 0.0;
-        for (int j = 0; j < n; ++j) turn += Omega[i * n + j] * w[j];
-        q[i] = s[i] * turn - s_dot[i] * w[i];
+        if (q) q[i] = s[i] * turn - s_dot[i] * w[i];
     }
 }
 
