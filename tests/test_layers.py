@@ -84,7 +84,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "report": (
         "codegen.model",
         "codegen.physics",
-        "codegen.c",
+        "codegen.choices",
         "arguments",
         "results",
         "running",
@@ -95,7 +95,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     ),
     "stability": (
         "codegen.model",
-        "codegen.c",
+        "codegen.choices",
         "models",
         "runtime",
         "arguments",
