@@ -10,7 +10,7 @@ WORDS = frozenset(
     "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
     "asm typeof main errno NULL EOF INFINITY NAN I complex imaginary bool true false linux unix i386 EIGENMOTION_H "
     "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log pow sqrt fabs erf floor ceil "
-    "isnan isfinite".split()
+    "isnan isfinite memset".split()
 )
 """Words of C, macros of its library, and the functions of it that kernels call."""
 MACROS = re.compile(r"(DBL|FLT|LDBL|DECIMAL|FP|MATH|HUGE|EXIT|RAND|MB|M)_\w+|math_errhandling|(?i:em)_.*")
