@@ -327,7 +327,7 @@ def test_every_implicit_method_is_there_once(found):
 
 
 def test_an_implicit_method_that_is_missing_is_named(monkeypatch):
-    monkeypatch.setattr("eigenmotion.report.solvers.find_spec", lambda name: None)
+    monkeypatch.setattr("eigenmotion.running.methods.find_spec", lambda name: None)
     solvers, absent = implicit_solvers([system_of("pendulum"), system_of("pendulum", "lagrange")], Problem(1.0, {}))
     assert [solver.label for solver in solvers] == ["lagrange Radau", "lagrange BDF", "lagrange LSODA"]
     assert absent == [("CVODE", "not installed (pip install 'eigenmotion[stiff]')")]

@@ -1,5 +1,6 @@
 """Units of the eigenproblem: the motion does not depend on them."""
 
+import dataclasses
 from functools import cache
 
 import numpy as np
@@ -38,7 +39,7 @@ def scaled(name: str, choice: int = -1, formulation: str = "eigenfactor", **opti
 
 
 def _rescaled(model: Model, units: tuple[float, ...]) -> Model:
-    fields = {field: getattr(model, field) for field in Model.__slots__}
+    fields = {field.name: getattr(model, field.name) for field in dataclasses.fields(model)}
     return Model(**(fields | {"scales": dict(zip(model.coordinates, units, strict=True))}))
 
 
