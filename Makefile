@@ -27,7 +27,6 @@ fuzz: $(READY)
 # Longer sweeps, and the whole suite with every compiler there is
 nightly: fuzz
 	$(BIN)/pytest -n auto -m nightly $(PYTEST_ARGS)
-	EIGENMOTION_SEEDS=14 $(BIN)/pytest -n auto tests/test_warnings.py
 	for compiler in gcc clang; do \
 	    command -v $$compiler > /dev/null || { echo "skipped: the suite with $$compiler, which is not here"; continue; }; \
 	    CC=$$compiler $(BIN)/pytest -n auto $(PYTEST_ARGS) || exit 1; \

@@ -1,7 +1,6 @@
 """Sources -> compiled System: the cache, two at once, and failures that say why."""
 
 import copy
-import importlib.machinery
 import os
 import pickle
 import shutil
@@ -14,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from eigenmotion.codegen.c.emit import Sources
 from sympy import cos, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -21,7 +21,7 @@ import eigenmotion as em
 from eigenmotion.building.build import cached_sources, compiled, make
 from eigenmotion.building.extension import load
 from eigenmotion.building.request import generator_hash, order
-from eigenmotion.building.toolchain import OPTIMISED, Toolchain, toolchain
+from eigenmotion.building.toolchain import EXTENSION_SUFFIX, OPTIMISED, Toolchain, toolchain
 
 from .hand_written import bead
 
@@ -30,10 +30,17 @@ PENDULUM = ROOT / "models" / "pendulum.py"
 
 
 @pytest.fixture(autouse=True)
-def own_cache(tmp_path, monkeypatch):
-    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path / "cache"))
+def shared_cache(tmp_path_factory, monkeypatch):
+    """One cache for this file's tests, none of the user's."""
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "build-cache"))
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.delenv("EIGENMOTION_CFLAGS", raising=False)
+
+
+@pytest.fixture
+def own_cache(shared_cache, tmp_path, monkeypatch):
+    """An empty one."""
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path / "cache"))
     return tmp_path / "cache"
 
 
@@ -54,37 +61,28 @@ def entries(cache, kind):
     return sorted(path.name for path in (cache / kind).glob("*"))
 
 
-def test_a_model_becomes_a_system(own_cache):
-    system = em.build(swing())
-    acceleration, _ = system.acceleration([0.3], [0.0])
+def test_a_model_becomes_a_system():
+    acceleration, _ = em.build(swing()).acceleration([0.3], [0.0])
     assert acceleration == pytest.approx([-9.81 / 0.5 * np.sin(0.3)], rel=1e-14)
-    assert len(entries(own_cache, "binaries")) == 1
 
 
-def test_a_built_model_is_not_built_again(own_cache, monkeypatch):
-    em.build(swing())
+def test_what_differs_is_built_apart_and_nothing_twice(own_cache, monkeypatch):
+    def built(formulation="lagrange", **given):
+        return em.build(swing(**given), formulation=formulation)
+
+    built()
+    assert built(gravity=1.62).parameters["g"] == 1.62
+    assert built("eigenfactor").formulation == "eigenfactor"
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O1")
+    built()
     before = entries(own_cache, "binaries"), entries(own_cache, "sources")
+    assert list(map(len, before)) == [4, 3]  # flags make another binary of the same sources
     for name in ("compile_in", "_generate"):
         monkeypatch.delattr(sys.modules["eigenmotion.building.build"], name)
-    em.build(swing())
+    em.build(swing(), formulation="lagrange", flags="-O1")
+    monkeypatch.delenv("EIGENMOTION_CFLAGS")
+    assert built().parameters["g"] == 9.81
     assert (entries(own_cache, "binaries"), entries(own_cache, "sources")) == before
-
-
-def test_what_differs_is_built_apart(own_cache):
-    em.build(swing())
-    assert em.build(swing(gravity=1.62)).parameters["g"] == 1.62
-    assert em.build(swing()).parameters["g"] == 9.81
-    assert em.build(swing(), formulation="lagrange").formulation == "lagrange"
-    assert len(entries(own_cache, "binaries")) == 3
-
-
-def test_flags_make_another_binary_of_the_same_sources(own_cache, monkeypatch):
-    em.build(swing())
-    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O1")
-    em.build(swing())
-    em.build(swing(), flags="-O1")
-    assert len(entries(own_cache, "binaries")) == 2
-    assert len(entries(own_cache, "sources")) == 1
 
 
 def test_the_processor_is_part_of_the_compilers_identity():
@@ -103,23 +101,17 @@ def test_what_writes_the_sources_is_part_of_what_finds_them(monkeypatch, package
     assert generator_hash.__wrapped__() != before
 
 
-def test_nothing_of_the_process_is_changed(own_cache):
-    before = Path.cwd(), list(sys.path), dict(os.environ)
-    em.build(PENDULUM)
-    assert (Path.cwd(), list(sys.path), dict(os.environ)) == before
-
-
 def test_output_gets_sources_and_an_importable_module(tmp_path):
+    """Which pickles by its name; and nothing of the process is changed."""
+    before = Path.cwd(), list(sys.path), dict(os.environ)
     em.build(PENDULUM, output=tmp_path / "generated")
+    assert (Path.cwd(), list(sys.path), dict(os.environ)) == before
     names = {path.name.partition(".")[0] + path.suffix for path in (tmp_path / "generated").iterdir()}
-    assert names == {"pendulum.c", "pendulum.h", "pendulum.pyx", f"pendulum{Path(suffix()).suffix}"}
-    script = "from generated import pendulum; print(pendulum.system.name)"
+    assert names == {"pendulum.c", "pendulum.h", "pendulum.pyx", f"pendulum{Path(EXTENSION_SUFFIX).suffix}"}
+    script = ("import pickle; from generated import pendulum as one; text = pickle.dumps(one.system);"
+              "print(one.system.name, pickle.loads(text) is one.system, b'generated.pendulum' in text)")  # fmt: skip
     done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "pendulum"
-
-
-def suffix():
-    return importlib.machinery.EXTENSION_SUFFIXES[0]
+    assert done.stdout.split() == ["pendulum", "True", "True"]
 
 
 def test_two_processes_build_the_same_model_at_once(own_cache):
@@ -145,7 +137,7 @@ def test_threads_build_the_same_model_at_once(own_cache):
 
 
 @pytest.mark.parametrize("where", ["CC", "argument"])
-def test_a_missing_compiler_is_named_with_a_remedy(monkeypatch, own_cache, where):
+def test_a_missing_compiler_is_named_with_a_remedy(own_cache, monkeypatch, where):
     if where == "CC":
         monkeypatch.setenv("CC", "no-such-compiler -m64")
     with pytest.raises(em.CompilerNotFoundError, match=r"no-such-compiler not found\. Install GCC") as caught:
@@ -161,16 +153,16 @@ def test_no_compiler_at_all(monkeypatch, tmp_path):
         em.build(swing())
 
 
-def test_a_failed_compilation_shows_the_compilers_words(own_cache, tmp_path):
+def with_function(text: str) -> Sources:
+    """The sources of a swing with a function more."""
     sources = cached_sources(order(swing()))
-    broken = tuple(
-        replace(file, text=file.text + "\nint broken(void) { return undeclared_name; }\n")
-        if file.name == "swing.c"
-        else file
-        for file in sources.files
-    )
+    files = (replace(f, text=f"{f.text}\n{text}\n") if f.name == "swing.c" else f for f in sources.files)
+    return replace(sources, files=tuple(files))
+
+
+def test_a_failed_compilation_shows_the_compilers_words(own_cache):
     with pytest.raises(em.BuildError) as caught:
-        compiled(replace(sources, files=broken), toolchain())
+        compiled(with_function("int broken(void) { return undeclared_name; }"), toolchain())
     assert "undeclared_name" in str(caught.value)
     assert "the command was: " in str(caught.value)
     assert entries(own_cache, "binaries") == []
@@ -178,10 +170,8 @@ def test_a_failed_compilation_shows_the_compilers_words(own_cache, tmp_path):
 
 def test_a_warning_is_no_failure():
     """What a compiler of tomorrow finds to say is nothing that whoever runs a model could mend."""
-    idle = "\nstatic int idle(int n) { int unset[2]; if (n) unset[0] = 1; return unset[0] < (unsigned)n; }\n"
-    sources = cached_sources(order(swing()))
-    careless = tuple(replace(file, text=file.text + idle) if file.name == "swing.c" else file for file in sources.files)
-    assert load(compiled(replace(sources, files=careless), toolchain())).n == 1
+    idle = "static int idle(int n) { int unset[2]; if (n) unset[0] = 1; return unset[0] < (unsigned)n; }"
+    assert load(compiled(with_function(idle), toolchain())).n == 1
 
 
 def test_flags_that_a_compiler_does_not_know_are_left_out(tmp_path):
@@ -216,7 +206,7 @@ def test_an_output_folder_that_cannot_be_written_to_is_named(tmp_path):
         em.build(PENDULUM, output=3)
 
 
-def test_keywords_go_to_the_models_function(own_cache):
+def test_keywords_go_to_the_models_function():
     chain = ROOT / "models" / "chain.py"
     assert em.build(chain, n=2, flags="-O0").n == 2
     with pytest.raises(em.ModelError, match="no argument `links`"):
@@ -264,12 +254,11 @@ def test_copies_of_a_system_are_the_system():
 
 @pytest.mark.parametrize("method", ["dop853", "rk34", "Radau"])
 def test_dense_output_travels(method):
-    system, t = em.build(swing(), flags="-O0"), np.linspace(0.0, 1.0, 7)
+    system, t = em.build(swing()), np.linspace(0.0, 1.0, 7)
     found = system.simulate((0.0, 1.0), method=method, dense_output=True)
-    assert (pickle.loads(pickle.dumps(found.sol))(t) == found.sol(t)).all()
-    twin = copy.deepcopy(found)
-    assert (twin.sol(t) == found.sol(t)).all()
-    assert (twin.sol.ts == found.sol.ts).all()
+    for twin in (pickle.loads(pickle.dumps(found.sol)), copy.deepcopy(found).sol):
+        assert (twin(t) == found.sol(t)).all()
+        assert (twin.ts == found.sol.ts).all()
 
 
 @pytest.mark.parametrize("module", ["point", "run"])
@@ -288,14 +277,6 @@ def test_pickles_of_earlier_versions_are_read(module):
 def test_a_system_without_a_way_to_it_says_so():
     with pytest.raises(TypeError, match=r"bead was made from a capsule.*eigenmotion\.build"):
         pickle.dumps(bead())
-
-
-def test_a_module_of_a_folder_pickles_by_its_name(tmp_path):
-    em.build(PENDULUM, output=tmp_path / "generated")
-    script = ("import pickle; from generated import pendulum as one; text = pickle.dumps(one.system);"
-              "print(pickle.loads(text) is one.system, b'generated.pendulum' in text)")  # fmt: skip
-    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["True", "True"]
 
 
 def test_a_failed_build_leaves_the_output_alone(tmp_path):

@@ -87,14 +87,14 @@ def in_another_process():
     return float(done.stdout)
 
 
-@pytest.mark.parametrize("damage", ["empty", "truncated", "text"])
-def test_a_damaged_module_never_kills_python(folder, damage):
-    before = in_another_process()
+def test_a_damaged_module_never_kills_python(folder):
+    right = in_another_process()
     (binary,) = folder.glob(f"binaries/*/*{EXTENSION_SUFFIX}")
     content = binary.read_bytes()
-    binary.write_bytes({"empty": b"", "truncated": content[: len(content) // 3], "text": b"no module"}[damage])
-    assert in_another_process() == before
-    assert binary.read_bytes()[:4] == content[:4]
+    for damaged in (b"", content[: len(content) // 3], b"no module"):
+        binary.write_bytes(damaged)
+        assert in_another_process() == right, damaged[:9]
+        assert binary.read_bytes()[:4] == content[:4], damaged[:9]
 
 
 def test_a_module_that_cannot_be_loaded_is_named(tmp_path):

@@ -1,6 +1,7 @@
 """The oracles among themselves: closed forms, high-precision integration, published values, Newton's second law."""
 
 from dataclasses import replace
+from functools import cache
 
 import mpmath
 import numpy as np
@@ -11,7 +12,7 @@ from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from eigenmotion import Model, t
 
-from .models_table import BY_NAME, SCENARIOS
+from .models_table import BY_NAME, SCENARIOS, Scenario
 from .oracles import Lagrange, State, elementary, elliptic, initial_state, parameters_of, published, trajectory
 from .oracles.trajectory import integrate
 
@@ -26,9 +27,14 @@ def largest_difference(a: np.ndarray, b: np.ndarray) -> float:
     return float(np.max(np.abs(a - b)[known] / np.maximum(1, np.abs(b[known])), initial=0.0))
 
 
+@cache
+def integrated_to_the_end(scenario: Scenario) -> State:
+    return trajectory(scenario.model(), scenario.t_end)
+
+
 @pytest.mark.parametrize("scenario", CLOSED, ids=lambda scenario: scenario.name)
 def test_closed_forms_agree_with_integration(scenario):
-    exact, integrated = scenario.reference(), trajectory(scenario.model(), scenario.t_end)
+    exact, integrated = scenario.reference(), integrated_to_the_end(scenario)
     assert largest_difference(exact.x, integrated.x) < LIMIT
     assert largest_difference(exact.v, integrated.v) < LIMIT
 
@@ -55,7 +61,7 @@ def test_integration_in_arbitrary_precision():
 
 def test_the_multiplier_at_the_end_of_the_papers_experiment():
     scenario = BY_NAME["dual_link"]
-    end = trajectory(scenario.model(), 10.0)
+    end = integrated_to_the_end(scenario)
     _, (multiplier,) = Lagrange(scenario.model(), "extended")(end.x, end.v)
     assert abs(multiplier - np.longdouble(published.DUAL_LINK_MULTIPLIER)) < 1e-13
 
@@ -113,7 +119,7 @@ def test_initial_states_satisfy_their_constraints(scenario):
 @pytest.mark.parametrize("file", ["four_bar", "slider_crank", "rolling_disk", "sphere", "chaplygin_sleigh"])
 def test_constraints_hold_at_the_end(file):
     scenario = BY_NAME[file]
-    end = trajectory(scenario.model(), scenario.t_end)
+    end = integrated_to_the_end(scenario)
     assert max(map(abs, constraint_residuals(scenario.model(), end))) < 1e-13
 
 
@@ -163,7 +169,7 @@ def test_the_bead_rests_where_weight_and_turning_balance():
 
 def test_the_ball_keeps_its_spin():
     model = BY_NAME["sphere"].model()
-    start, end = initial_state(model), trajectory(model, 1.0)
+    start, end = initial_state(model), integrated_to_the_end(BY_NAME["sphere"])
     p = parameters_of(model)
     before, after = (elementary.ball_rates(model, state) for state in (start, end))
     rolled = np.array([0.0, 5 / 7 * p["g"] * np.sin(p["alpha"]) / p["R"], 0.0])
