@@ -1,7 +1,5 @@
 """Every model in every formulation, against Lagrange's equations, invariants and known motions."""
 
-from functools import cache
-
 import numpy as np
 import pytest
 import sympy
@@ -169,58 +167,33 @@ def test_carrying_eigenfactors_of_delta_changes_no_acceleration(name):
 # --- a run ------------------------------------------------------------------------------------------------------------
 
 
-@cache
-def run(name: str, formulation: str, stabilisation: str) -> Solution:
-    """The scene at rtol 1e-11, rows at times of no step."""
-    scenario = BY_NAME[name]
-    times = np.linspace(0, scenario.t_end, 73)
-    return system_of(scenario.file, formulation).simulate(
-        (0, scenario.t_end), rtol=1e-11, atol=1e-12, t_eval=times, stabilisation=stabilisation
-    )
-
-
-RUNS = pytest.mark.parametrize("stabilisation", ["project", "none"])
-
-
 @EVERY
 @FORMS
-@RUNS
-def test_final_states(scenario, formulation, stabilisation):
-    solution, right = run(scenario.name, formulation, stabilisation), scenario.reference()
+@pytest.mark.parametrize("stabilisation", ["project", "none"])
+def test_a_run(scenario, formulation, stabilisation):
+    """The scene at rtol 1e-11, rows at times of no step."""
+    system, times = system_of(scenario.file, formulation), np.linspace(0, scenario.t_end, 73)
+    solution = system.simulate((0, scenario.t_end), rtol=1e-11, atol=1e-12, t_eval=times, stabilisation=stabilisation)
     assert solution.success, solution.message
+    assert_final_state(solution, scenario)
+    assert system.conserves_energy is (scenario.conserved is not None)
+    if scenario.conserved:
+        assert np.ptp(solution[scenario.conserved]) < 1e-9 * max(1, np.abs(solution.energy).max())
+    limit = 1e-12 if stabilisation == "project" else 1e-8
+    assert np.abs(solution.constraint_residual).max(initial=0.0) < limit
+    assert np.abs(solution.position_residual).max(initial=0.0) < limit
+    assert_factors(solution, 1e-8 if stabilisation == "none" and formulation == "eigenfactor" else 1e-13)
+
+
+def assert_final_state(solution: Solution, scenario: Scenario) -> None:
+    right = scenario.reference()
     for found, exact in ((solution.x[:, -1], right.x), (solution.v[:, -1], right.v)):
         known = ~np.isnan(np.asarray(exact, dtype=float))
         assert relative(found[known], np.asarray(exact, dtype=float)[known], 1.0) < 1e-9
 
 
-@EVERY
-@FORMS
-@RUNS
-def test_conserved_energy(scenario, formulation, stabilisation):
-    solution = run(scenario.name, formulation, stabilisation)
-    assert system_of(scenario.file, formulation).conserves_energy is (scenario.conserved is not None)
-    if scenario.conserved:
-        history = solution[scenario.conserved]
-        assert np.ptp(history) < 1e-9 * max(1, np.abs(solution.energy).max())
-
-
-@EVERY
-@FORMS
-@RUNS
-def test_constraints(scenario, formulation, stabilisation):
-    solution = run(scenario.name, formulation, stabilisation)
-    limit = 1e-12 if stabilisation == "project" else 1e-8
-    assert np.abs(solution.constraint_residual).max(initial=0.0) < limit
-    assert np.abs(solution.position_residual).max(initial=0.0) < limit
-
-
-@EVERY
-@FORMS
-@RUNS
-def test_factors(scenario, formulation, stabilisation):
+def assert_factors(solution: Solution, limit: float) -> None:
     """C C^T = I, M = C^T S^2 C at every row, those between steps included."""
-    solution = run(scenario.name, formulation, stabilisation)
-    limit = 1e-8 if stabilisation == "none" and formulation == "eigenfactor" else 1e-13
     assert solution.factor_residual.max() < limit
     identity = np.einsum("ijt,kjt->ikt", solution.C, solution.C) - np.eye(len(solution.x))[..., None]
     assert np.abs(identity).max() < limit

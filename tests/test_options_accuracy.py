@@ -37,7 +37,7 @@ def truth(scenario: Scenario):
 def error(scenario: Scenario, system, tolerance: float, stabilisation: str) -> float:
     """Largest error of x at the accepted steps, no less than a tenth of the tolerance: less is luck."""
     run = system.simulate((0.0, scenario.t_end), rtol=tolerance, atol=tolerance, stabilisation=stabilisation)
-    assert run.success, run.message
+    assert run.success, (system.formulation, system.close_eigenvalues, system.schur, run.message)
     return max(np.abs(run.x - truth(scenario)(run.t)[: system.n]).max(), tolerance / 10)
 
 
@@ -63,13 +63,14 @@ def within_ten(times: np.ndarray, stabilisation: str) -> bool:
 
 
 @pytest.mark.parametrize("stabilisation", STABILISATIONS)
-@pytest.mark.parametrize("chosen", CHOSEN, ids=lambda chosen: "-".join(chosen.values()))
 @pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
-def test_choices_of_build(scenario, chosen, stabilisation):
-    if "extrapolate" in chosen.values() and scenario.file in MEET:
-        pytest.skip("eigenvalues meet: docs/theory.md has what extrapolation leaves there")
-    times = worse(scenario, system_of(scenario.file, **chosen), stabilisation)
-    assert within_ten(times, stabilisation), times
+def test_choices_of_build(scenario, stabilisation):
+    known = [chosen for chosen in CHOSEN if "extrapolate" not in chosen.values() or scenario.file not in MEET]
+    times = {
+        "-".join(chosen.values()): worse(scenario, system_of(scenario.file, **chosen), stabilisation)
+        for chosen in known
+    }
+    assert {name: found for name, found in times.items() if not within_ten(found, stabilisation)} == {}
 
 
 @pytest.mark.parametrize("stabilisation", STABILISATIONS)
