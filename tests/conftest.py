@@ -1,15 +1,46 @@
-"""What the tests of generated code share."""
+"""Fixtures that files share."""
 
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
 from eigenmotion import System
 
 from . import generation
+from .expressions import Bench
+
+SCENE = """\
+from sympy import cos, symbols
+from sympy.physics.mechanics import dynamicsymbols
+from eigenmotion import Model
+
+angle = dynamicsymbols("angle")
+m, g = symbols("m g", positive=True)
+
+def model(n: int = 1, tag: str = ""):
+    return Model(name=f"swing{n}{tag}", coordinates=[angle], kinetic_energy=m * angle.diff() ** 2 / 2,
+                 potential_energy=-n * m * g * cos(angle), parameters={m: 1.0, g: 9.81}, initial={angle: 0.5})
+"""
 
 
 @pytest.fixture(scope="session")
 def systems() -> Callable[..., System]:
     """(name of a file in models/, formulation) -> its System; each is generated and compiled once."""
     return generation.system_of
+
+
+@pytest.fixture
+def scene(tmp_path, tmp_path_factory, monkeypatch) -> Path:
+    """A file of a model in a folder of its own; and one cache for all tests of commands, none of the user's."""
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "cli-cache"))
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "scene.py"
+    path.write_text(SCENE)
+    return path
+
+
+@pytest.fixture
+def bench() -> Bench:
+    """An empty graph."""
+    return Bench()

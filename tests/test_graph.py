@@ -1,82 +1,20 @@
-"""The graph: canonical forms, derivatives, identities of sines, what is zero, rebuilding."""
+"""The graph: canonical forms, sums of angles, rebuilding."""
 
 from fractions import Fraction
 
-import mpmath
 import pytest
 import sympy
-from eigenmotion.codegen.graph.convert import FromSympy, ToSympy
-from eigenmotion.codegen.graph.derivatives import Tangent, gradient
-from eigenmotion.codegen.graph.graph import Graph
 from eigenmotion.codegen.graph.rewrite import Rewriter, Substitution
 from eigenmotion.codegen.graph.schedule import schedule
 from eigenmotion.codegen.graph.store import Kind
 from eigenmotion.codegen.graph.trigonometry import expansion
 from eigenmotion.codegen.graph.zeros import Zeros
-from hypothesis import given, settings
-from hypothesis import strategies as st
-from sympy import Rational, cos, exp, log, sin, sqrt, symbols, tan
+from hypothesis import given
+from sympy import Rational, cos, exp, sin, sqrt, tan
 
+from .expressions import EXPRESSIONS, SETTINGS, SYMBOLS, Bench, p, q, same, value, x, y, z
 from .tree_checks import unclean
 from .trees import Meaning
-
-SYMBOLS = x, y, z, p, q = symbols("x y z p q", positive=True)
-u, w = symbols("u w")
-BY_NAME = {symbol.name: symbol for symbol in SYMBOLS}
-POINT = dict(zip(SYMBOLS, map(mpmath.mpf, ("0.71", "1.13", "1.62", "0.87", "1.41")), strict=True))
-mpmath.mp.dps = 30
-SETTINGS = settings(max_examples=60, deadline=None, derandomize=True)
-
-
-class Bench:
-    """A graph with both ways in and out; p and q are parameters."""
-
-    def __init__(self):
-        self.graph = Graph(["p", "q"])
-        self.node = FromSympy(self.graph)
-        self.back = ToSympy(self.graph, BY_NAME)
-
-
-@pytest.fixture
-def bench():
-    return Bench()
-
-
-def value(expression):
-    """Return an expression's number at POINT."""
-    return evaluated(sympy.sympify(expression), POINT)
-
-
-def evaluated(expression, point):
-    """Return an expression's number in the digits mpmath works with just now."""
-    exact = {symbol: sympy.Float(at, mpmath.mp.dps) for symbol, at in point.items()}
-    return mpmath.mpf(sympy.N(expression.xreplace(exact), mpmath.mp.dps))
-
-
-def same(first, second, tolerance=1e-13):
-    """Compare two numbers; those of functions carry constants of double precision."""
-    return abs(first - second) <= tolerance * max(1, abs(first), abs(second))
-
-
-def of_one(argument):
-    functions = [sin, cos, sympy.atan, sympy.tanh, lambda a: exp(-a * a / 50), lambda a: log(a * a + 1)]
-    functions += [lambda a: sqrt(a * a + 1), lambda a: (a * a + 2) ** Rational(-3, 2), sympy.Abs, sympy.asinh]
-    return st.builds(lambda f, a: f(a), st.sampled_from(functions), argument)
-
-
-def of_two(argument):
-    operations = [lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b, lambda a, b: a / (b * b + 3)]
-    operations += [sympy.Max, sympy.Min, lambda a, b: sympy.atan2(a, b * b + 1), lambda a, b: (a * a + 1) ** b]
-    operations += [lambda a, b: sympy.Piecewise((a, x < y * z), (a * b, True))]
-    return st.builds(lambda f, a, b: f(a, b), st.sampled_from(operations), argument, argument)
-
-
-LEAVES = st.one_of(
-    st.sampled_from(SYMBOLS),
-    st.fractions(-3, 3, max_denominator=5).map(lambda f: Rational(f.numerator, f.denominator)),
-    st.sampled_from([x + y, x - y, p * x - y, sympy.Float(0.3), sympy.pi]),
-)
-EXPRESSIONS = st.recursive(LEAVES, lambda inner: st.one_of(of_one(inner), of_two(inner)), max_leaves=10)
 
 
 @given(EXPRESSIONS)
@@ -94,33 +32,6 @@ def test_coming_back_in_gives_the_same_node(expression):
     first = bench.node(expression)
     again = bench.node(bench.back(first))
     assert Zeros(bench.graph).equal(first, again)
-
-
-@given(EXPRESSIONS, st.sampled_from([x, y, z, p]))
-@SETTINGS
-def test_forward_and_reverse_derivatives(expression, symbol):
-    bench = Bench()
-    root = bench.node(expression)
-    forward = Tangent(bench.graph, {symbol.name: bench.graph.one})(root)
-    (reverse,) = gradient(bench.graph, root, [symbol.name])
-    right = mpmath.diff(lambda at: evaluated(expression, {**POINT, symbol: at}), POINT[symbol])
-    assert same(value(bench.back(forward)), right, 1e-10)
-    assert same(value(bench.back(reverse)), right, 1e-10)
-
-
-@given(EXPRESSIONS)
-@SETTINGS
-def test_all_entries_of_a_gradient_agree_with_sympy(expression):
-    bench = Bench()
-    entries = gradient(bench.graph, bench.node(expression), [symbol.name for symbol in SYMBOLS])
-    for symbol, entry in zip(SYMBOLS, entries, strict=True):
-        assert same(value(bench.back(entry)), value(expression.diff(symbol)), 1e-12)
-
-
-def test_a_direction_mixes_rates(bench):
-    along = Tangent(bench.graph, {"x": bench.node(y), "z": bench.graph.one})
-    found = bench.back(along(bench.node(x**2 * sin(z))))
-    assert sympy.expand(found - (2 * x * y * sin(z) + x**2 * cos(z))) == 0
 
 
 @pytest.mark.parametrize(
@@ -206,28 +117,6 @@ def test_powers_of_numbers(bench):
             power(number(0), exponent)
 
 
-PIECES = [
-    sympy.Piecewise((sqrt(x - 3) ** 5, x > 3), (x**2, True)),
-    sympy.Piecewise((log(x - 3), x > 3), (y, x > 2), (x * y, True)),
-    z * sympy.Piecewise((sympy.Piecewise((log(x - 3), x > 4), (sqrt(x - 2), True)), x > 3), (x**3, True)) ** 2,
-]
-
-
-@pytest.mark.parametrize("pieces", PIECES)
-def test_a_piece_that_is_not_chosen_may_be_undefined(bench, pieces):
-    root = bench.node(pieces)
-    found = [Tangent(bench.graph, {"x": bench.graph.one})(root), *gradient(bench.graph, root, ["x"])]
-    meaning = Meaning(bench.graph, {symbol.name: float(at) for symbol, at in POINT.items()})
-    assert all(same(meaning(node), value(pieces.diff(x))) for node in found)
-
-
-def test_where_no_piece_holds_the_derivative_is_undefined_too(bench):
-    root = bench.node(sympy.Piecewise((x**2, x > 3)))
-    meaning = Meaning(bench.graph, {"x": 0.7})
-    assert mpmath.isnan(meaning(Tangent(bench.graph, {"x": bench.graph.one})(root)))
-    assert mpmath.isnan(meaning(gradient(bench.graph, root, ["x"])[0]))
-
-
 @pytest.mark.parametrize(("given", "right"), [((), 0.5), ((1,), 1), ((0,), 0)])
 def test_the_step_at_zero(bench, given, right):
     node = bench.node(sympy.Heaviside(x - y, *given, evaluate=False))
@@ -252,78 +141,6 @@ def test_constants_are_split_off(bench):
     assert (bench.back(constant), bench.back(varying)) == (p * q**2, x * y)
     assert not bench.graph.varies(bench.node(p + q))
     assert bench.graph.varies(bench.node(p + x))
-
-
-# --- what is zero -----------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "zero",
-    [
-        sympy.Add(sin(2 * x), -2 * sin(x) * cos(x)),
-        sympy.Add(cos(x + y), -cos(x) * cos(y), sin(x) * sin(y)),
-        (x + y) ** 2 - x**2 - 2 * x * y - y**2,
-        sqrt(x**2 + 2 * x * y + y**2) ** 3 - (x + y) ** 2 * sqrt(x**2 + 2 * x * y + y**2),
-        p * (x * y + x * z) / x - p * y - p * z,
-    ],
-)
-def test_what_vanishes_is_seen(bench, zero):
-    assert Zeros(bench.graph)(bench.node(zero))
-
-
-@pytest.mark.parametrize(
-    "alive",
-    [
-        sympy.Float(1e-30) * x,
-        1 + sympy.Float(1e-9) * sin(x) - cos(y) ** 2 - sin(y) ** 2,
-        sqrt(x**2 + 2 * x * y + y**2) - x - y,
-        sympy.Max(0, x - 3),
-        sympy.Piecewise((x, x > 5), (0, True)),
-        sympy.Heaviside(x - 2),
-        exp(-1000 * x),
-        1 - sympy.tanh(50 * (x - 5)) ** 2,
-        sin(x) - x + x**3 / 6,
-    ],
-)
-def test_what_only_seems_to_vanish_is_kept(bench, alive):
-    """Also what is zero, or below rounding, in one part of space only."""
-    assert not Zeros(bench.graph)(bench.node(alive))
-
-
-def test_undefined_is_not_zero(bench):
-    assert not Zeros(bench.graph)(bench.node(sympy.acosh(x - 9)))
-
-
-@pytest.mark.parametrize(
-    "alive",
-    [
-        sqrt(u**2) - u,
-        sqrt(u**2) / u - 1,
-        1 + sqrt((u - 3) ** 2) / (u - 3),
-        sqrt((u - 1000) ** 2) + u - 1000,
-        (u**3) ** Rational(1, 3) - u,
-        sqrt(u * w) - sqrt(u) * sqrt(w),
-        sqrt(u**2 * w**2) - u * w,
-        sqrt(2 + 2 * cos(u)) - 2 * cos(u / 2),
-        (sqrt(u**2) + u) * (sqrt(w**2) - w),
-        sympy.asin(sin(u)) - u,
-        sympy.atan(tan(u)) - u,
-        sympy.atan(u) + sympy.atan(1 / u) - sympy.pi.evalf() / 2,
-        log(u**2) - 2 * log(u),
-    ],
-)
-def test_what_vanishes_for_some_signs_only_is_kept(bench, alive):
-    assert not Zeros(bench.graph)(bench.node(alive))
-
-
-def test_parameters_declared_positive_count_as_such(bench):
-    root = bench.node(sqrt(u * w**2) - sqrt(u) * w)
-    assert not Zeros(bench.graph)(root)
-    assert not Zeros(bench.graph, {"u": 1})(root)
-    assert Zeros(bench.graph, {"u": 1, "w": 1})(root)
-
-
-# --- sums of angles ---------------------------------------------------------------------------------------------------
 
 
 def sines(graph, roots):
@@ -354,9 +171,6 @@ def test_sums_of_three_with_factors_and_constants(bench):
     expand = expansion(bench.graph, roots)
     assert all(same(value(bench.back(expand(root))), value(e)) for root, e in zip(roots, wanted, strict=True))
     assert sines(bench.graph, list(map(expand, roots))) == 6
-
-
-# --- rebuilding -------------------------------------------------------------------------------------------------------
 
 
 class Doubling(Rewriter):

@@ -1,0 +1,76 @@
+"""What vanishes identically, and what only seems to."""
+
+import pytest
+import sympy
+from eigenmotion.codegen.graph.zeros import Zeros
+from sympy import Rational, cos, exp, log, sin, sqrt, symbols, tan
+
+from .expressions import p, x, y, z
+
+u, w = symbols("u w")
+
+
+@pytest.mark.parametrize(
+    "zero",
+    [
+        sympy.Add(sin(2 * x), -2 * sin(x) * cos(x)),
+        sympy.Add(cos(x + y), -cos(x) * cos(y), sin(x) * sin(y)),
+        (x + y) ** 2 - x**2 - 2 * x * y - y**2,
+        sqrt(x**2 + 2 * x * y + y**2) ** 3 - (x + y) ** 2 * sqrt(x**2 + 2 * x * y + y**2),
+        p * (x * y + x * z) / x - p * y - p * z,
+    ],
+)
+def test_what_vanishes_is_seen(bench, zero):
+    assert Zeros(bench.graph)(bench.node(zero))
+
+
+@pytest.mark.parametrize(
+    "alive",
+    [
+        sympy.Float(1e-30) * x,
+        1 + sympy.Float(1e-9) * sin(x) - cos(y) ** 2 - sin(y) ** 2,
+        sqrt(x**2 + 2 * x * y + y**2) - x - y,
+        sympy.Max(0, x - 3),
+        sympy.Piecewise((x, x > 5), (0, True)),
+        sympy.Heaviside(x - 2),
+        exp(-1000 * x),
+        1 - sympy.tanh(50 * (x - 5)) ** 2,
+        sin(x) - x + x**3 / 6,
+    ],
+)
+def test_what_only_seems_to_vanish_is_kept(bench, alive):
+    """Also what is zero, or below rounding, in one part of space only."""
+    assert not Zeros(bench.graph)(bench.node(alive))
+
+
+def test_undefined_is_not_zero(bench):
+    assert not Zeros(bench.graph)(bench.node(sympy.acosh(x - 9)))
+
+
+@pytest.mark.parametrize(
+    "alive",
+    [
+        sqrt(u**2) - u,
+        sqrt(u**2) / u - 1,
+        1 + sqrt((u - 3) ** 2) / (u - 3),
+        sqrt((u - 1000) ** 2) + u - 1000,
+        (u**3) ** Rational(1, 3) - u,
+        sqrt(u * w) - sqrt(u) * sqrt(w),
+        sqrt(u**2 * w**2) - u * w,
+        sqrt(2 + 2 * cos(u)) - 2 * cos(u / 2),
+        (sqrt(u**2) + u) * (sqrt(w**2) - w),
+        sympy.asin(sin(u)) - u,
+        sympy.atan(tan(u)) - u,
+        sympy.atan(u) + sympy.atan(1 / u) - sympy.pi.evalf() / 2,
+        log(u**2) - 2 * log(u),
+    ],
+)
+def test_what_vanishes_for_some_signs_only_is_kept(bench, alive):
+    assert not Zeros(bench.graph)(bench.node(alive))
+
+
+def test_parameters_declared_positive_count_as_such(bench):
+    root = bench.node(sqrt(u * w**2) - sqrt(u) * w)
+    assert not Zeros(bench.graph)(root)
+    assert not Zeros(bench.graph, {"u": 1})(root)
+    assert Zeros(bench.graph, {"u": 1, "w": 1})(root)
