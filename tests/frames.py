@@ -11,7 +11,7 @@ constraint row, all of them parameters, so that one compiled model serves every 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -38,9 +38,9 @@ def framed(model: Model) -> Model:
         row / r for row, r in zip(to_frame.all(model.nonholonomic_constraints), rows[model.h :], strict=True)
     ]
     defaults = dict.fromkeys([*units, *rows, _TIME, _ENERGY], 1.0) | dict.fromkeys([*origins, _CLOCK], 0.0)
-    return Model(
+    return replace(
+        model,
         name=f"{model.name}_framed",
-        coordinates=model.coordinates,
         kinetic_energy=to_frame(model.kinetic_energy) / _ENERGY,
         potential_energy=to_frame(model.potential_energy) / _ENERGY,
         forces=[u * Q / _ENERGY for u, Q in zip(units, to_frame.all(model.forces), strict=True)],
@@ -48,34 +48,19 @@ def framed(model: Model) -> Model:
         nonholonomic_constraints=nonholonomic,
         quasi_velocities=[(y, to_frame(P_xdot)) for y, P_xdot in model.quasi_velocities],
         parameters=[*model.parameters, *defaults.items()],
-        inputs=model.inputs,
         outputs=[(name, to_frame(output)) for name, output in model.outputs],
         events=[
             (name, Event(to_frame(event.expression), event.direction, event.terminal)) for name, event in model.events
         ],
-        initial=model.initial,
-        scales=model.scales,
     )
 
 
 def reordered(model: Model) -> Model:
     """The model with its coordinates, and all that follows their order, the other way round."""
-    return Model(
-        name=f"{model.name}_reordered",
-        coordinates=model.coordinates[::-1],
-        kinetic_energy=model.kinetic_energy,
-        potential_energy=model.potential_energy,
-        forces=model.forces[::-1],
-        holonomic_constraints=model.holonomic_constraints[::-1],
-        nonholonomic_constraints=model.nonholonomic_constraints[::-1],
-        quasi_velocities=model.quasi_velocities[::-1],
-        parameters=model.parameters[::-1],
-        inputs=model.inputs,
-        outputs=[],
-        events=model.events,
-        initial=model.initial,
-        scales=model.scales[::-1],
-    )
+    turned = ("coordinates", "forces", "holonomic_constraints", "nonholonomic_constraints", "quasi_velocities",
+              "parameters", "scales")  # fmt: skip
+    given = {name: getattr(model, name)[::-1] for name in turned}
+    return replace(model, name=f"{model.name}_reordered", outputs=[], **given)
 
 
 class _Replacement:

@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 import eigenmotion as em
 
@@ -92,6 +93,7 @@ SCENARIOS = (
 )
 
 BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
+EVERY = pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
 
 
 @cache

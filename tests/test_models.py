@@ -8,12 +8,11 @@ from eigenmotion import Solution, System, t
 from eigenmotion.runtime import EvaluationError
 
 from .generation import FORMULATIONS, relative, system_of
-from .kinematics import acceleration, carried, factored, factored_gradient
-from .models_table import BY_NAME, SCENARIOS, Scenario
+from .kinematics import acceleration, carried, factored, factored_gradient, slope
+from .models_table import BY_NAME, EVERY, SCENARIOS, Scenario
 
 EQUAL = ("sphere", "quaternion_top")
 """Two eigenvalues of one block are equal for ever."""
-EVERY = pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
 FORMS = pytest.mark.parametrize("formulation", FORMULATIONS)
 PUBLISHED = pytest.mark.parametrize(  # where eigenvalues of a block are equal for ever, (32) does not exist
     "scenario", [scenario for scenario in SCENARIOS if scenario.file not in EQUAL], ids=lambda scenario: scenario.name
@@ -70,12 +69,6 @@ def along(system: System, time: float, y: np.ndarray, dy: np.ndarray, parameters
     return slope(velocity, np.abs(dy).max())
 
 
-def test_equal_eigenvalues_are_named():
-    system = system_of("sphere")
-    with pytest.raises(EvaluationError, match=r"coincide.*'p_\d' and 'p_\d'"):
-        system.rhs(0.0, system.state())
-
-
 @FORMS
 def test_a_singular_mass_matrix_is_named(formulation):
     """A particle at the origin of polar coordinates: no infinity comes back."""
@@ -109,13 +102,6 @@ def test_rates_of_the_eigenfactors_are_those_of_the_mass_matrix(scenario):
             rate = C_dot.T * s**2 @ C + 2 * (C.T * (s * s_dot)) @ C + C.T * s**2 @ C_dot
             right = M_dot[np.ix_(block, block)]
             assert np.abs(rate - right).max() < 2e-11 * (1 + np.abs(right).max()) + 1e-14 * size * s.max() ** 2
-
-
-def slope(function, size: float = 1.0):
-    """d/dh of a function of h at 0, by central differences of order 8."""
-    h = 1e-2 / (1 + size)
-    weights = np.array([4 / 5, -1 / 5, 4 / 105, -1 / 280]) / h
-    return sum(w * (function(k * h) - function(-k * h)) for k, w in enumerate(weights, 1))
 
 
 def mass_slope(system, at, direction, parameters):

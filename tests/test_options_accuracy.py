@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from .generation import system_of
-from .models_table import BY_NAME, SCENARIOS, Scenario
+from .models_table import BY_NAME, EVERY, Scenario
 from .test_scales import CASES, scaled
 
 CHOSEN = (
@@ -63,7 +63,7 @@ def within_ten(times: np.ndarray, stabilisation: str) -> bool:
 
 
 @pytest.mark.parametrize("stabilisation", STABILISATIONS)
-@pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
+@EVERY
 def test_choices_of_build(scenario, stabilisation):
     known = [chosen for chosen in CHOSEN if "extrapolate" not in chosen.values() or scenario.file not in MEET]
     times = {

@@ -12,7 +12,7 @@ from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from eigenmotion import Model, t
 
-from .models_table import BY_NAME, SCENARIOS, Scenario
+from .models_table import BY_NAME, EVERY, SCENARIOS, Scenario
 from .oracles import Lagrange, State, elementary, elliptic, initial_state, parameters_of, published, trajectory
 from .oracles.trajectory import integrate
 
@@ -110,7 +110,7 @@ def test_multipliers_have_the_sign_of_the_paper():
     assert 4 * tension == pytest.approx(3.0 * 9.81)
 
 
-@pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
+@EVERY
 def test_initial_states_satisfy_their_constraints(scenario):
     for residual in constraint_residuals(scenario.model(), initial_state(scenario.model())):
         assert abs(residual) < 1e-14

@@ -11,13 +11,6 @@ from eigenmotion import Solution
 from .generation import FORMULATIONS, system_of
 from .oracles import published
 
-FORMS = pytest.mark.parametrize("formulation", FORMULATIONS)
-
-
-@cache
-def run(formulation: str) -> Solution:
-    return simulate(formulation)
-
 
 def simulate(formulation: str, **options) -> Solution:
     solution = system_of("dual_link", formulation).simulate((0, 10), rtol=1e-11, atol=1e-11, **options)
@@ -32,12 +25,15 @@ def between() -> tuple[np.ndarray, Solution]:
     return times, simulate("eigenfactor", t_eval=times, dense_output=True)
 
 
-@FORMS
-def test_certified_state_and_multiplier(formulation):
-    end = run(formulation)
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_certified_state_and_multiplier_and_what_is_kept_on_the_way(formulation):
+    end = simulate(formulation)
     assert end.t[-1] == 10.0
     assert np.abs(end.x[:, -1] - np.array(published.DUAL_LINK_X, dtype=float)).max() < 1e-9
     assert end.multipliers[0, -1] == pytest.approx(float(published.DUAL_LINK_MULTIPLIER), abs=1e-9)
+    assert np.ptp(end.energy) < 1e-10 * abs(end.energy[0])
+    assert np.abs(height(end) - height(end)[0]).max() < 1e-11
+    assert end.factor_residual.max() < 1e-13
 
 
 def test_certified_state_without_projection():
@@ -68,37 +64,14 @@ def height(solution: Solution) -> np.ndarray:
     return (0.5 + stretch) * np.sin(theta1) + np.sin(theta2) / np.sqrt(2)
 
 
-@FORMS
-def test_the_hand_keeps_its_height(formulation):
-    y = height(run(formulation))
-    assert np.abs(y - y[0]).max() < 1e-11
-
-
-def test_the_hand_keeps_its_height_between_steps():
-    """To the error of the interpolant, of order 7, in a step of order 8."""
-    y = height(between()[1])
-    assert np.abs(y - y[0]).max() < 3e-11
-
-
-@FORMS
-def test_eigenfactors_fit_at_every_step(formulation):
-    assert run(formulation).factor_residual.max() < 1e-13
-
-
-def test_eigenfactors_fit_between_steps():
+def test_what_is_kept_between_steps():
+    """The hand's height to the error of the interpolant, of order 7, in a step of order 8; the others to rounding."""
     _, solution = between()
+    y = height(solution)
+    assert np.abs(y - y[0]).max() < 3e-11
+    assert np.abs(solution.constraint_residual).max() < 1e-13
     assert solution.factor_residual.max() < 1e-13
     assert np.abs(np.einsum("ijt,kjt->ikt", solution.C, solution.C) - np.eye(4)[..., None]).max() < 1e-13
-
-
-def test_velocities_satisfy_the_constraint_between_steps():
-    assert np.abs(between()[1].constraint_residual).max() < 1e-13
-
-
-@FORMS
-def test_energy_is_conserved(formulation):
-    energy = run(formulation).energy
-    assert np.ptp(energy) < 1e-10 * abs(energy[0])
 
 
 # --- eigenvalues ------------------------------------------------------------------------------------------------------

@@ -6,6 +6,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 
+from .generation import system_for
 from .models_table import BY_NAME
 
 NAMES = ("dual_link", "double_pendulum", "spatial_arm_3", "chain_5", "polar_particle")
@@ -37,7 +38,7 @@ def block_differences(system, x, block, C, step=1e-5):
 
 @pytest.fixture(scope="module", params=NAMES)
 def system(request):
-    return em.build(BY_NAME[request.param].model())
+    return system_for(BY_NAME[request.param].model())
 
 
 def positions(system, count=4):
@@ -72,6 +73,6 @@ def test_coincident_eigenvalues_have_no_gradient():
     """M = [[2 + p, q], [q, 2 - p]]: at p = q = 0 the axes of C depend on the way there."""
     p, q = dynamicsymbols("p q")
     T = ((2 + p) * p.diff() ** 2 + 2 * q * p.diff() * q.diff() + (2 - p) * q.diff() ** 2) / 2
-    system = em.build(em.Model(name="conical", coordinates=[p, q], kinetic_energy=T))
+    system = system_for(em.Model(name="conical", coordinates=[p, q], kinetic_energy=T))
     with pytest.raises(ValueError, match="coincide"):
         system.eigenfactor_gradient([0.0, 0.0])

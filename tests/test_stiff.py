@@ -10,6 +10,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.running.methods import IMPLICIT
 
+from .generation import system_for
 from .models_table import BY_NAME
 
 METHODS = tuple(name for name, method in IMPLICIT.items() if method.is_installed)
@@ -34,7 +35,7 @@ def complex_like_differences(fun, y):
 @pytest.mark.parametrize("formulation", ["eigenfactor", "cholesky", "lagrange"])
 @pytest.mark.parametrize("name", ["dual_link", "four_bar", "double_pendulum", "rolling_disk"])
 def test_jacobian(name, formulation):
-    system = em.build(BY_NAME[name].model(), formulation=formulation)
+    system = system_for(BY_NAME[name].model(), formulation=formulation)
     sol = system.simulate((0.0, 0.3), rtol=1e-8)
     y = sol.y[:, -1]
     expected = complex_like_differences(lambda z: system.rhs(0.3, z), y)
@@ -44,7 +45,7 @@ def test_jacobian(name, formulation):
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
 def test_agrees_with_explicit_run(method, formulation):
-    system = em.build(BY_NAME["dual_link"].model(), formulation=formulation)
+    system = system_for(BY_NAME["dual_link"].model(), formulation=formulation)
     t = np.linspace(0.0, 2.0, 7)
     truth = system.simulate((0.0, 2.0), rtol=1e-12, atol=1e-12, t_eval=t)
     sol = system.simulate((0.0, 2.0), rtol=1e-7, atol=1e-9, t_eval=t, method=method, dense_output=True)
@@ -74,9 +75,9 @@ def damped_link():
 @pytest.mark.parametrize("method", METHODS)
 def test_heavily_damped_link(method):
     """Two periods to 1e-6 in fewer than 2000 steps; the rigid pendulum is 1e-9 away."""
-    system = em.build(damped_link())
+    system = system_for(damped_link())
     sol = system.simulate((0.0, 4.0), method=method, rtol=1e-8, atol=1e-10)
-    rigid = em.build(BY_NAME["pendulum"].model())
+    rigid = system_for(BY_NAME["pendulum"].model())
     truth = rigid.simulate((0.0, 4.0), x0=[1.0], v0=[0.0], rtol=1e-12, atol=1e-12)
     assert sol.success
     assert sol.nsteps < 2000
@@ -84,7 +85,7 @@ def test_heavily_damped_link(method):
 
 
 def test_backward_and_inputs_leave_no_trace():
-    system = em.build(BY_NAME["double_pendulum"].model())
+    system = system_for(BY_NAME["double_pendulum"].model())
     there = system.simulate((0.0, 1.0), method="Radau", rtol=1e-9, atol=1e-9)
     back = system.simulate((1.0, 0.0), x0=there.x[:, -1], v0=there.v[:, -1], method="Radau", rtol=1e-9, atol=1e-9)
     np.testing.assert_allclose(back.x[:, -1], system.initial[0], atol=1e-6)
