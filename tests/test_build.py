@@ -1,14 +1,10 @@
 """Sources -> compiled System: the cache, two at once, and failures that say why."""
 
-import copy
 import os
-import pickle
 import shutil
 import subprocess
 import sys
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
-from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -22,8 +18,6 @@ from eigenmotion.building.build import cached_sources, compiled, make
 from eigenmotion.building.extension import load
 from eigenmotion.building.request import generator_hash, order
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, OPTIMISED, Toolchain, toolchain
-
-from .hand_written import bead
 
 ROOT = Path(__file__).parents[1]
 PENDULUM = ROOT / "models" / "pendulum.py"
@@ -230,53 +224,6 @@ def test_a_model_may_be_called_like_a_header_or_a_function(name):
 def test_other_names_are_refused(name):
     with pytest.raises(em.ModelError, match=r"Model .*(Choose another|at most 200)"):
         swing(name)
-
-
-def test_systems_travel_to_other_processes(own_cache):
-    system = em.build(ROOT / "models" / "chain.py", n=2, flags="-O0")
-    prepared = system.prepare({"g": 1.62})
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
-        found = pool.submit(em.simulate, system, (0.0, 0.1), parameters=prepared).result()
-    assert (found.y == system.simulate((0.0, 0.1), parameters=prepared).y).all()
-    assert len(pickle.dumps((system, prepared))) < 10_000
-    assert len(entries(own_cache, "binaries")) == 1
-
-
-def test_copies_of_a_system_are_the_system():
-    system = em.build(swing())
-    prepared = system.prepare({"g": 1.62})
-    same, too = copy.deepcopy((system, prepared))
-    assert same is system
-    assert copy.copy(system) is system
-    assert too.parameters == prepared.parameters
-    assert same.simulate((0.0, 0.1), parameters=too).success
-
-
-@pytest.mark.parametrize("method", ["dop853", "rk34", "Radau"])
-def test_dense_output_travels(method):
-    system, t = em.build(swing()), np.linspace(0.0, 1.0, 7)
-    found = system.simulate((0.0, 1.0), method=method, dense_output=True)
-    for twin in (pickle.loads(pickle.dumps(found.sol)), copy.deepcopy(found).sol):
-        assert (twin(t) == found.sol(t)).all()
-        assert (twin.ts == found.sol.ts).all()
-
-
-@pytest.mark.parametrize("module", ["point", "run"])
-def test_pickles_of_earlier_versions_are_read(module):
-    """There, one module held what is two now."""
-    system, t = em.build(swing(), flags="-O0"), np.linspace(0.0, 1.0, 7)
-    found = system.simulate((0.0, 1.0), dense_output=True)
-    text = pickle.dumps((system.prepare(), found.sol), protocol=2)  # which names modules in plain text
-    earlier = text.replace(f"eigenmotion.runtime.{module}".encode(), b"eigenmotion.runtime.core")
-    assert earlier != text
-    prepared, sol = pickle.loads(earlier)
-    assert prepared.model is system.compiled
-    assert (sol(t) == found.sol(t)).all()
-
-
-def test_a_system_without_a_way_to_it_says_so():
-    with pytest.raises(TypeError, match=r"bead was made from a capsule.*eigenmotion\.build"):
-        pickle.dumps(bead())
 
 
 def test_a_failed_build_leaves_the_output_alone(tmp_path):
