@@ -38,9 +38,9 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     return Program(
         name=mechanics.name, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues,
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
-        inverse=choices.formulation == "inverse", carries_v=choices.carries_v,
-        bounded=layout.couples and choices.bounded, extrapolate=layout.couples and choices.extrapolate,
-        extrapolated=layout.extrapolated, needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
+        carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
+        extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
+        needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,
         n_memory=layout.n_memory, n_prepared=layout.first_constant + n_constants,
         n_C=sum(block.size**2 for block in turning), n_s=sum(block.size for block in turning),

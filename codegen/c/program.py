@@ -137,7 +137,7 @@ class Kernels:
 class Program:
     """Everything that the files of one model say.
 
-    eigenfactor, cholesky, inverse : which formulation runs (lagrange if none is true)
+    eigenfactor, cholesky : whether that is the formulation
     carries_v : whether the state holds xdot itself
     bounded : whether a triangular root takes over where eigenvalues come close
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
@@ -156,7 +156,6 @@ class Program:
     schur: str
     eigenfactor: bool
     cholesky: bool
-    inverse: bool
     carries_v: bool
     bounded: bool
     delta_eigenfactors: bool
