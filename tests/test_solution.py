@@ -17,13 +17,13 @@ from scipy.special import ellipk
 from eigenmotion.arguments.signals import Signal
 from eigenmotion.results.solution import Solution
 from eigenmotion.results.trajectory import _filled
+from eigenmotion.running.methods import COMPILED
 from eigenmotion.running.simulate import simulate
 from eigenmotion.runtime import StopReason
 
 from .hand_written import bead
 
 M, G, L = 2.0, 9.81, 1.5
-COMPILED = ("rk34", "dopri5", "dop853")
 TIGHT = {"rtol": 1e-10, "atol": 1e-12}
 START = {"x0": L * np.array([np.sin(1.0), -np.cos(1.0)]), "v0": [0.0, 0.0]}
 
