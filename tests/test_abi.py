@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from eigenmotion.running.methods import COMPILED
+from eigenmotion.runtime import StopReason
 
 from .stepping import COMPILER, INCLUDE
 from .structures import KINDS, NUMBERS, enumerators
@@ -88,3 +89,7 @@ def test_tests_see_the_structures_that_c_has(tmp_path):
 def test_compiled_methods_have_the_numbers_of_the_abi():
     found = {f"EM_{name.upper()}": method.number for name, method in COMPILED.items()}
     assert found == enumerators("em_method")
+
+
+def test_reasons_stand_in_the_order_of_the_abi():
+    assert [f"EM_{reason.name}" for reason in StopReason] == list(enumerators("em_status"))
