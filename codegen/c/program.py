@@ -144,7 +144,7 @@ class Program:
     extrapolate : whether (32), (53) extrapolate Omega there; `extrapolated`: where the memory says so, and since when
     needs_mass : whether velocities follow from the state only with M(x)
     augmented : whether M + A^T W A is factored in place of M, which is singular
-    settles : whether there is anything to do after an accepted step
+    settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
     layout : the parts of the state vector
     quasi_velocities, initial_y : their names; their values at the start where the model starts from them
     costs : operations of the model-specific part and of the whole right-hand side, for readers
@@ -163,6 +163,7 @@ class Program:
     extrapolated: int | None
     needs_mass: bool
     settles: bool
+    settling: tuple[str, ...]
     augmented: bool
     n: int
     m: int
