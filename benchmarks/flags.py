@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 from common.plain import right_hand_side
 from common.timing import interleaved, ratio
+from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.models import chain, dual_link, spatial_arm
 
 from eigenmotion import Model, build
 
-FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 PACKED = "-ftree-slp-vectorize"
 ROUNDS, CALLS = 101, 20_000
 AT = {"rtol": 1e-9, "atol": 1e-9}

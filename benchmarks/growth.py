@@ -19,6 +19,7 @@ from statistics import median
 
 import numpy as np
 from common.counted import operations, timer
+from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.codegen.model import ModelError
 
 from eigenmotion import Model, System, load_model
@@ -32,7 +33,6 @@ from eigenmotion.report.recommend import Curve, curves
 from eigenmotion.report.solvers import OUR_TOLERANCES, Problem, Track, compiled_solvers
 
 MODELS = Path(__file__).parents[1] / "models"
-FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 OTHER = {"lagrange": "cholesky"}
 """Formulation that an error is measured against; lagrange for all the others."""
 ERROR, TIGHT, TOLERANCES = 1e-6, 1e-13, OUR_TOLERANCES[:15]

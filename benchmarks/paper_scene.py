@@ -15,12 +15,12 @@ import numpy as np
 from common.classical import classical
 from common.plain import right_hand_side
 from common.timing import interleaved, ratio, spread
+from eigenmotion.codegen.choices import FORMULATIONS
 from eigenmotion.models.dual_link import model
 from scipy.integrate import solve_ivp
 
 from eigenmotion import System, build
 
-FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 CERTIFIED = np.array([0.700265153433880811, 2.454211044030905019, 0.141975525603218242, 1.677302668798167215])
 TOLERANCES = (1e-6, 1e-9, 1e-12)
 T_END, LONG = 10.0, 1000.0

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:bf570c0fda0d3819b560ebf4aca1a75bd413a4979ca6936bce3ea4b4330b64b7 */
+/* body sha256:c7cc86b93c20f585251370d252fd9755fec390ed954c14fea410afacc5e3cf18 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -31,23 +31,23 @@
 #include "em_takeover.h"
 
 enum {
-    N = 5,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 40,
-    N_C = 25,
-    N_S = 5,
-    N_CD = 0,
-    N_SD = 0,
+    N = 5,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 40,       /* numbers of a state */
+    N_C = 25,           /* of which C, */
+    N_S = 5,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 30,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 11,
-    N_PREPARED = 37, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 5 /* theta_1, theta_2, theta_3, theta_4, theta_5 */
+    N_PREPARED = 37,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 5,             /* theta_1, theta_2, theta_3, theta_4, theta_5 */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -554,7 +554,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[5] = a1[0];
     dy[6] = a1[1];
     dy[7] = a1[2];
@@ -743,7 +743,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     double a1[N1], q1[N1];
     em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[5] = a1[0];
     dy[6] = a1[1];
     dy[7] = a1[2];
@@ -882,7 +882,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     Mdot1[4][4] = 0.0;
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -941,9 +941,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -995,7 +995,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -1053,6 +1054,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

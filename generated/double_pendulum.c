@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:c394b2b0394bb8ad212ba267df9dd9c75569d2513bcac00f16966d2092989878 */
+/* body sha256:1c0c84466ae297e02f9044200c2b71369437bb95e82a05031dc35fad022b19ab */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -31,23 +31,23 @@
 #include "em_takeover.h"
 
 enum {
-    N = 2,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 10,
-    N_C = 4,
-    N_S = 2,
-    N_CD = 0,
-    N_SD = 0,
+    N = 2,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 10,       /* numbers of a state */
+    N_C = 4,            /* of which C, */
+    N_S = 2,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
-    N_PREPARED = 11, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2 /* theta1, theta2 */
+    N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 2,             /* theta1, theta2 */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -251,7 +251,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[2] = a1[0];
     dy[3] = a1[1];
     return 0;
@@ -332,7 +332,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     double a1[N1], q1[N1];
     em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[2] = a1[0];
     dy[3] = a1[1];
     for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
@@ -381,7 +381,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     Mdot1[1][1] = 0.0;
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -434,9 +434,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -485,7 +485,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -534,6 +535,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:6309547ccf7af9f19a0e4bd0b72562d11e5bf43d532803c5d72a30fcf64d9422 */
+/* body sha256:869bc9fa5f180d2b27d2348c172528712b095e717729c82bef38d8ada528b037 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -31,24 +31,24 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,            /* coordinates */
-    N_ROWS = 1,       /* constraint rows */
-    N_POSITIONS = 1,  /* of which holonomic */
-    N_STATE = 4,
-    N_C = 0,
-    N_S = 0,
-    N_CD = 0,
-    N_SD = 0,
+    N = 2,              /* coordinates */
+    N_ROWS = 1,         /* constraint rows */
+    N_POSITIONS = 1,    /* of which holonomic */
+    N_STATE = 4,        /* numbers of a state */
+    N_C = 0,            /* of which C, */
+    N_S = 0,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
-    N_PREPARED = 20, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1, /* x */
-    N2 = 1 /* y */
+    N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* x */
+    N2 = 1,             /* y */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -314,7 +314,7 @@ EM_INLINE void settled_masses(double t, const double *restrict x, const double *
     b[0] = c_3*(z_2*sin_z_0);
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: constraints on positions, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -363,7 +363,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+/* dy <- f(t, y). */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
@@ -371,7 +371,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
@@ -389,7 +389,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -404,7 +405,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     }
 }
 
-/* row (n_state): a state in the published meaning. */
+/* row (n_state): a state, as a row of the solution. */
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
@@ -413,7 +414,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n) */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
@@ -426,6 +427,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

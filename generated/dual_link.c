@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:7300cc644768cf4dc1a85c7d0a573719c6349f2ca0e33f522c22953ae96794e3 */
+/* body sha256:84eeaa346fe3a554282d22e4f2c23053ff62d978e39c369b1df3d0e5c84f1473 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -36,24 +36,24 @@
 #include "em_takeover.h"
 
 enum {
-    N = 4,            /* coordinates */
-    N_ROWS = 1,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 20,
-    N_C = 9,
-    N_S = 3,
-    N_CD = 0,
-    N_SD = 0,
+    N = 4,              /* coordinates */
+    N_ROWS = 1,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 20,       /* numbers of a state */
+    N_C = 9,            /* of which C, */
+    N_S = 3,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 9,
-    N_PREPARED = 19, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 3, /* theta1, theta2, theta3 */
-    N2 = 1 /* theta4 */
+    N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 3,             /* theta1, theta2, theta3 */
+    N2 = 1,             /* theta4 */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -627,7 +627,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     Mdot1[2][2] = 0.0;
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -711,9 +711,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -768,7 +768,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -825,6 +826,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

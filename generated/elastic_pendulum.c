@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:d30e1ee46736af2b42a5ceba965ab525f8f5448086fb3fad25e54727da06556d */
+/* body sha256:29ea842ade4b263d44fb59914bb2c4e9714cad489801c457828d4e707212234a */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -32,24 +32,24 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 4,
-    N_C = 0,
-    N_S = 0,
-    N_CD = 0,
-    N_SD = 0,
+    N = 2,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 4,        /* numbers of a state */
+    N_C = 0,            /* of which C, */
+    N_S = 0,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 2,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
-    N_PREPARED = 11, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1, /* theta */
-    N2 = 1 /* r */
+    N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* theta */
+    N2 = 1,             /* r */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -237,7 +237,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[2] = a1[0];
     dy[3] = a2[0];
     return 0;
@@ -253,7 +253,7 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     M1[0][0] = m*(r*r);
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: the root of M is kept.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -268,7 +268,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+/* dy <- f(t, y). */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
@@ -276,7 +276,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
@@ -297,7 +297,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -312,7 +313,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     }
 }
 
-/* row (n_state): a state in the published meaning. */
+/* row (n_state): a state, as a row of the solution. */
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
@@ -321,7 +322,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n) */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
@@ -334,6 +335,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:9cd0e9f68dd6612aea628f98efb29ce629086e6ed781b48cedd58d393dd0cf0a */
+/* body sha256:935a45151bff8dbfa4a5df9301d891d160b20685d85ef33159759e1111706248 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -35,24 +35,24 @@
 #include "em_takeover.h"
 
 enum {
-    N = 3,            /* coordinates */
-    N_ROWS = 2,       /* constraint rows */
-    N_POSITIONS = 2,  /* of which holonomic */
-    N_STATE = 12,
-    N_C = 4,
-    N_S = 2,
-    N_CD = 0,
-    N_SD = 0,
+    N = 3,              /* coordinates */
+    N_ROWS = 2,         /* constraint rows */
+    N_POSITIONS = 2,    /* of which holonomic */
+    N_STATE = 12,       /* numbers of a state */
+    N_C = 4,            /* of which C, */
+    N_S = 2,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 6,
-    N_PREPARED = 28, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2, /* q1, q2 */
-    N2 = 1 /* q3 */
+    N_PREPARED = 28,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 2,             /* q1, q2 */
+    N2 = 1,             /* q3 */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -709,9 +709,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -765,7 +765,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -819,6 +820,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:51fe74a675c3705cba78fefc8108f9ee8f6a0699dedc4d3668750a8cde93f853 */
+/* body sha256:02a8b72448f9081760bfca55b456ac9e6a38043e6a2a087260f07e830ab47421 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -35,24 +35,24 @@
 #include "em_takeover.h"
 
 enum {
-    N = 3,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 12,
-    N_C = 4,
-    N_S = 2,
-    N_CD = 0,
-    N_SD = 0,
+    N = 3,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 12,       /* numbers of a state */
+    N_C = 4,            /* of which C, */
+    N_S = 2,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
-    N_PREPARED = 12, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2, /* phi, psi */
-    N2 = 1 /* theta */
+    N_PREPARED = 12,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 2,             /* phi, psi */
+    N2 = 1,             /* theta */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -256,7 +256,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[3] = a1[0];
     dy[5] = a1[1];
     dy[4] = a2[0];
@@ -342,7 +342,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     double a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[3] = a1[0];
     dy[5] = a1[1];
     dy[4] = a2[0];
@@ -383,7 +383,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     Mdot1[1][1] = 0.0;
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -444,9 +444,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -500,7 +500,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -554,6 +555,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

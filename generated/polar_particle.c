@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:07d4827b8241aafb323b81a1635581a0ae5fc1a62c1197559886b01e3e5366ac */
+/* body sha256:eb13a4ed7e720399b663bb0a82d8a64bc378e1ca28deb7c51331013d7a0e0fc6 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -32,24 +32,24 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 4,
-    N_C = 0,
-    N_S = 0,
-    N_CD = 0,
-    N_SD = 0,
+    N = 2,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 4,        /* numbers of a state */
+    N_C = 0,            /* of which C, */
+    N_S = 0,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 2,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 2,
-    N_PREPARED = 8, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1, /* r */
-    N2 = 1 /* theta */
+    N_PREPARED = 8,     /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* r */
+    N2 = 1,             /* theta */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -224,7 +224,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     const double s2_dot[1] = { 0.5*Mdot2[0][0]*r2[0] };
     double a2[1] = { r2[0]*(f2[0] - s2_dot[0]*eta2[0]) };
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[2] = a1[0];
     dy[3] = a2[0];
     return 0;
@@ -240,7 +240,7 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     M2[0][0] = m*(r*r);
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: the root of M is kept.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -255,7 +255,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+/* dy <- f(t, y). */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
@@ -263,7 +263,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
@@ -284,7 +284,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -299,7 +300,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     }
 }
 
-/* row (n_state): a state in the published meaning. */
+/* row (n_state): a state, as a row of the solution. */
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
@@ -308,7 +309,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n) */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
@@ -321,6 +322,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

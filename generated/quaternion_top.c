@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:b82701a3fec1a2a1b45594a10ecc427e519f8c7f2ab9de6401a0ebd314925a1d */
+/* body sha256:d89266de0f85aec7b38bdcf324ed38d00e15b860eabdd8a90acfada9e47b81dd */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -33,23 +33,23 @@
 #include "em_takeover.h"
 
 enum {
-    N = 4,            /* coordinates */
-    N_ROWS = 1,       /* constraint rows */
-    N_POSITIONS = 1,  /* of which holonomic */
-    N_STATE = 28,
-    N_C = 16,
-    N_S = 4,
-    N_CD = 0,
-    N_SD = 0,
+    N = 4,              /* coordinates */
+    N_ROWS = 1,         /* constraint rows */
+    N_POSITIONS = 1,    /* of which holonomic */
+    N_STATE = 28,       /* numbers of a state */
+    N_C = 16,           /* of which C, */
+    N_S = 4,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 20,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 20,      /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
-    N_PREPARED = 21, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 4 /* q_0, q_1, q_2, q_3 */
+    N_PREPARED = 21,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 4,             /* q_0, q_1, q_2, q_3 */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -857,9 +857,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -910,7 +910,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -965,6 +966,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:a07e745d2ba84280ba7f2b31779bd1af54ffa97c54d36e4da746a3fe5b74b096 */
+/* body sha256:a96cf787cec6acc793fae543c32ac233a2eed305079c7ba977dfe20f911aba11 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -33,23 +33,23 @@
 #include "em_takeover.h"
 
 enum {
-    N = 3,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 18,
-    N_C = 9,
-    N_S = 3,
-    N_CD = 0,
-    N_SD = 0,
+    N = 3,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 18,       /* numbers of a state */
+    N_C = 9,            /* of which C, */
+    N_S = 3,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
-    N_PREPARED = 5, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 3 /* psi, theta, phi */
+    N_PREPARED = 5,     /* the parameters, factors of constant blocks, shared constants */
+    N1 = 3,             /* psi, theta, phi */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -315,7 +315,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[3] = a1[0];
     dy[4] = a1[1];
     dy[5] = a1[2];
@@ -426,7 +426,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     double a1[N1], q1[N1];
     em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[3] = a1[0];
     dy[4] = a1[1];
     dy[5] = a1[2];
@@ -498,7 +498,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     Mdot1[2][2] = 0.0;
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -553,9 +553,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -605,7 +605,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -657,6 +658,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:707b94a89a6046b0de6a0c16f7f471d378fb1b2f163cba5843948f9b2315df2c */
+/* body sha256:0b1c8acd9be00537f090e4775bb034f08eccf4effbc63e26a70d82324a27ecdd */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -32,23 +32,23 @@
 #include "em_takeover.h"
 
 enum {
-    N = 5,            /* coordinates */
-    N_ROWS = 2,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 40,
-    N_C = 25,
-    N_S = 5,
-    N_CD = 0,
-    N_SD = 0,
+    N = 5,              /* coordinates */
+    N_ROWS = 2,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 40,       /* numbers of a state */
+    N_C = 25,           /* of which C, */
+    N_S = 5,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 30,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
-    N_PREPARED = 15, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 5 /* x, y, phi, theta, psi */
+    N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 5,             /* x, y, phi, theta, psi */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -664,7 +664,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
     Mdot1[4][4] = 0.0;
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -744,9 +744,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -798,7 +798,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -856,6 +857,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

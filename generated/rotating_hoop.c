@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:28a6d963a0804191d19c0da2edc79b04b0966e9e1a817ec3d964a638e014c51c */
+/* body sha256:3c6f61d2c04632f9732293d15576474b36af66c2f2e104b3d5dd0c5cf0cc006b */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -27,23 +27,23 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 1,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 2,
-    N_C = 0,
-    N_S = 0,
-    N_CD = 0,
-    N_SD = 0,
+    N = 1,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 2,        /* numbers of a state */
+    N_C = 0,            /* of which C, */
+    N_S = 0,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,
-    SETTLES = 0,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 0,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
-    N_PREPARED = 13, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1 /* theta */
+    N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* theta */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -189,14 +189,14 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a1[N1];
     em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[1] = a1[0];
     return 0;
 }
 
 #include "em_mechanics.h"
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -207,7 +207,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+/* dy <- f(t, y). */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
@@ -215,7 +215,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
@@ -228,7 +228,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -238,7 +239,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     }
 }
 
-/* row (n_state): a state in the published meaning. */
+/* row (n_state): a state, as a row of the solution. */
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
@@ -247,7 +248,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n) */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
@@ -260,6 +261,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:331ade93c6ead46309afc7a9fd424f558bc3cabe4cb565e31a76c227f68ac193 */
+/* body sha256:02b78b3a822dbff14cc69df2072db2d58d0eb00abb6074bc14b3281719d85750 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -29,24 +29,24 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 4,
-    N_C = 0,
-    N_S = 0,
-    N_CD = 0,
-    N_SD = 0,
+    N = 2,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 4,        /* numbers of a state */
+    N_C = 0,            /* of which C, */
+    N_S = 0,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,
-    SETTLES = 0,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 0,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
-    N_PREPARED = 17, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1, /* x */
-    N2 = 1 /* y */
+    N_PREPARED = 17,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* x */
+    N2 = 1,             /* y */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -226,7 +226,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[2] = a1[0];
     dy[3] = a2[0];
     return 0;
@@ -234,7 +234,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 
 #include "em_mechanics.h"
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -245,7 +245,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+/* dy <- f(t, y). */
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
                      int flags, double *dy, em_fault *fault)
 {
@@ -253,7 +253,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-/* v (n): xdot from a state, in the meaning of its mode. */
+/* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
@@ -271,7 +271,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -286,7 +287,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
     }
 }
 
-/* row (n_state): a state in the published meaning. */
+/* row (n_state): a state, as a row of the solution. */
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
@@ -295,7 +296,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     return 0;
 }
 
-/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+/* y (n_state) from x, v (n) */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
@@ -308,6 +309,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

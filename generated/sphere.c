@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:59c75d9b774ae566860ca18933f6e56d64be799991e8842cbaa26ef47e6ae4db */
+/* body sha256:0c7fdfb2b3c25ddff8527be24a8ee40102d0d6503bd1ab203021752922c4ebd8 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -37,25 +37,25 @@
 #include "em_takeover.h"
 
 enum {
-    N = 5,            /* coordinates */
-    N_ROWS = 2,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 22,
-    N_C = 9,
-    N_S = 3,
-    N_CD = 0,
-    N_SD = 0,
+    N = 5,              /* coordinates */
+    N_ROWS = 2,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 22,       /* numbers of a state */
+    N_C = 9,            /* of which C, */
+    N_S = 3,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
-    N_PREPARED = 20, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1, /* x */
-    N2 = 1, /* y */
-    N3 = 3 /* p_1, p_2, p_3 */
+    N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* x */
+    N2 = 1,             /* y */
+    N3 = 3,             /* p_1, p_2, p_3 */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -808,7 +808,7 @@ EM_INLINE void settled_rates(const double *restrict x, const double *restrict v,
     Mdot3[2][2] = ((-16.0/5.0))*(-z_20 - z_19);
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -912,9 +912,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -974,7 +974,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -1036,6 +1037,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

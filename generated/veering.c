@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:2a581c905124498dffa0ed398e3865c9bafd15e558927ca9e90460cfb0bacbff */
+/* body sha256:192bd22083e804faebadf692b7498c63405f61c620667bb431e58c19c751d895 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -32,23 +32,23 @@
 #include "em_takeover.h"
 
 enum {
-    N = 2,            /* coordinates */
-    N_ROWS = 0,       /* constraint rows */
-    N_POSITIONS = 0,  /* of which holonomic */
-    N_STATE = 10,
-    N_C = 4,
-    N_S = 2,
-    N_CD = 0,
-    N_SD = 0,
+    N = 2,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 10,       /* numbers of a state */
+    N_C = 4,            /* of which C, */
+    N_S = 2,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,
-    SETTLES = 1,      /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1,
+    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
-    N_PREPARED = 6, /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2 /* x, z */
+    N_PREPARED = 6,     /* the parameters, factors of constant blocks, shared constants */
+    N1 = 2,             /* x, z */
 };
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
@@ -203,7 +203,7 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
     double a1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[2] = a1[0];
     dy[3] = a1[1];
     return 0;
@@ -266,7 +266,7 @@ static int rhs_cholesky(double t, const double *restrict y, const double *restri
     double a1[N1], q1[N1];
     em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
 
-    /* etadot = a - B^T lambda (45) */
+    /* etadot = a (45) */
     dy[2] = a1[0];
     dy[3] = a1[1];
     for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
@@ -294,7 +294,7 @@ EM_INLINE void settled_rates(const double *restrict v, double Mdot1[N1][N1])
     Mdot1[1][1] = (-0.5)*x_dot;
 }
 
-/* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
+/* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
@@ -347,9 +347,9 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     return changed;
 }
 
+#define EM_CARRIES_FACTORS
 /* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
  * that is farthest off. */
-#define EM_CARRIES_FACTORS
 static double model_factor_error(double t, const double *y, const double *c, int *first)
 {
     double M[N][N], worst = 0.0;
@@ -398,7 +398,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev)
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
     {
@@ -447,6 +448,7 @@ static int state(double t, const double *x, const double *v, const double *c, do
     return 0;
 }
 
+/* What follows takes states in the published meaning. */
 static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     return model_velocity(0, t, y, c, v, fault);

@@ -3,6 +3,8 @@
 import string
 from dataclasses import dataclass
 
+from eigenmotion.running.methods import COMPILED
+
 SOURCE = string.Template(r"""
 #include "eigenmotion.h"
 #include "em_linear.h"
@@ -49,15 +51,17 @@ int simulate(em_run *run);
 int interpolate(const em_run *run, size_t step, double t, double *y);
 void release(em_run *run);
 const em_tableau *tableau(int method);
+enum { METHODS = $methods };
 int simulate(em_run *run) { return em_simulate(run); }
 int interpolate(const em_run *run, size_t step, double t, double *y) { return em_interpolate(run, step, t, y); }
 void release(em_run *run) { em_release(run); }
 const em_tableau *tableau(int method) {
-    static const em_tableau *const all[] = {&EM_RK34_TABLEAU, &EM_DOPRI5_TABLEAU, &EM_DOP853_TABLEAU};
+    static const em_tableau *const all[METHODS] = {$tableaux};
     return all[method];
 }
 $main
 """)
+TABLEAUX = ", ".join(f"[{method.number}] = &EM_{name.upper()}_TABLEAU" for name, method in COMPILED.items())
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,4 +82,5 @@ class Mechanism:
     settles: int = 0
 
     def text(self) -> str:
-        return SOURCE.substitute({name: getattr(self, name) for name in self.__slots__})
+        given = {name: getattr(self, name) for name in self.__slots__}
+        return SOURCE.substitute(given, methods=len(COMPILED), tableaux=TABLEAUX)

@@ -11,10 +11,10 @@ TEXT = re.sub(r"/\*.*?\*/", "", "".join((INCLUDE / f"{name}.h").read_text() for 
 POLL = ct.CFUNCTYPE(ct.c_int, ct.c_void_p)
 
 
-def enumerators() -> dict[str, int]:
-    """Name -> number, of every `enum {...}`."""
+def enumerators(kind: str = r"\w*") -> dict[str, int]:
+    """Name -> number, of every `enum {...}`, or of those of a kind."""
     found: dict[str, int] = {}
-    for body in re.findall(r"\benum\s*\w*\s*\{(.*?)\}", TEXT, re.DOTALL):
+    for body in re.findall(rf"\benum\s*{kind}\s*\{{(.*?)\}}", TEXT, re.DOTALL):
         number = -1
         for entry in filter(None, map(str.strip, body.split(","))):
             name, _, value = (part.strip() for part in entry.partition("="))

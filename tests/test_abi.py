@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 
 from eigenmotion.running.methods import COMPILED
+from eigenmotion.runtime import StopReason
 
 from .stepping import COMPILER, INCLUDE
-from .structures import KINDS, NUMBERS
+from .structures import KINDS, NUMBERS, enumerators
 
 RUNTIME = INCLUDE.parent
 HEADERS = ("stddef.h", "eigenmotion.h", "em_start.h", "em_tableaux.h")
@@ -86,6 +87,9 @@ def test_tests_see_the_structures_that_c_has(tmp_path):
 
 
 def test_compiled_methods_have_the_numbers_of_the_abi():
-    assert {f"EM_{name.upper()}": method.number for name, method in COMPILED.items()} == {
-        name: NUMBERS[name] for name in ("EM_RK34", "EM_DOPRI5", "EM_DOP853")
-    }
+    found = {f"EM_{name.upper()}": method.number for name, method in COMPILED.items()}
+    assert found == enumerators("em_method")
+
+
+def test_reasons_stand_in_the_order_of_the_abi():
+    assert [f"EM_{reason.name}" for reason in StopReason] == list(enumerators("em_status"))

@@ -110,6 +110,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "cli": (
         "",
         "codegen.model",
+        "codegen.choices",
         "codegen.c",
         "runtime",
         "arguments",

@@ -10,12 +10,12 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Event, Model, System, multiplier, t
 from eigenmotion.arguments.signals import Signal
+from eigenmotion.running.methods import COMPILED
 from eigenmotion.runtime import StopReason
 
 from .generation import FORMULATIONS, system_for
 
 M, G, L = 2.0, 9.81, 1.5
-COMPILED = ("rk34", "dopri5", "dop853")
 IMPLICIT = ("Radau", "BDF", "LSODA")
 X0 = L * np.array([np.sin(1.0), -np.cos(1.0)])
 TIGHT = {"rtol": 1e-10, "atol": 1e-12}

@@ -9,7 +9,7 @@ from math import comb
 from pathlib import Path
 
 import pytest
-from eigenmotion.codegen.choices import Choices
+from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.compiler import explain
 
 import eigenmotion as em
@@ -43,7 +43,6 @@ const em_model by_hand_model = {
     .initial_v = none, .prepare = prepare, .state = state,
 };
 """
-FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 
 
 @pytest.fixture(scope="module")

@@ -190,7 +190,7 @@ static int one_run(em_method method, double t_end) {
     return ended;
 }
 int main(void) {
-    for (int method = EM_RK34; method <= EM_DOP853; ++method)
+    for (int method = 0; method < METHODS; ++method)
         printf("%d %d\n", one_run((em_method)method, 5.0), one_run((em_method)method, -5.0));
     return 0;
 }
@@ -224,7 +224,7 @@ def test_clean_under_sanitizers_without_python(tmp_path: Path) -> None:
     assert built.returncode == 0, built.stderr
     done = subprocess.run([target], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.split() == [str(TERMINAL_EVENT)] * 6
+    assert done.stdout.split() == [str(TERMINAL_EVENT)] * 2 * len(METHODS)
 
 
 @pytest.mark.parametrize("pair", list(itertools.combinations(METHODS, 2)))

@@ -14,6 +14,10 @@ from eigenmotion.running.methods import COMPILED
 
 from .stepping import METHODS, PENDULUM, Array, Build, Tableau, builder
 
+EMBEDDED = {"rk34": (3,), "dopri5": (4,), "dop853": (5, 3)}
+WITHIN = {"rk34": 3, "dopri5": 4, "dop853": 7}
+"""Orders in the literature: of the embedded solutions, and of the interpolant."""
+
 
 @pytest.fixture(scope="module")
 def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
@@ -100,10 +104,9 @@ def test_order_conditions(coefficients: tuple[str, Coefficients]) -> None:
     method, rk = coefficients
     order = COMPILED[method].order
     assert order == rk.table.error_order + 1
-    embedded = {"rk34": (3,), "dopri5": (4,), "dop853": (5, 3)}[method]
     assert order_defect(rk.a, rk.b, order) < 1e-12
     assert order_defect(rk.a, rk.b, order + 1) > 1e-6
-    for row, e in zip(embedded, rk.e, strict=False):
+    for row, e in zip(EMBEDDED[method], rk.e, strict=False):
         assert order_defect(rk.a, rk.b - e, row) < 1e-12
         assert order_defect(rk.a, rk.b - e, row + 1) > 1e-6
 
@@ -116,7 +119,7 @@ def test_order_conditions_of_the_interpolant(coefficients: tuple[str, Coefficien
     weights = np.zeros(16)
     for j in reversed(range(len(rows))):
         weights = (weights + rows[j]) * (theta if j % 2 == 0 else 1 - theta)
-    order = {"rk34": 3, "dopri5": 4, "dop853": 7}[method]
+    order = WITHIN[method]
     assert order_defect(rk.a, weights, order, theta) < 1e-12
     assert order_defect(rk.a, weights, order + 1, theta) > 1e-7
 

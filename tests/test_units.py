@@ -8,6 +8,7 @@ from sympy import Expr, atan2, cos, exp, lambdify, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
+from eigenmotion.running.methods import COMPILED
 
 from .frames import Frame, framed
 from .generation import FORMULATIONS, system_for
@@ -54,7 +55,7 @@ def swung(system: System, where: str, span: float, **options: object) -> tuple[n
 @pytest.mark.parametrize("where", list(HUNG)[1:])
 def test_a_pendulum_hung_anywhere_and_of_any_length_swings_alike(where, formulation):
     system = system_for(hung_pendulum(), formulation)
-    for method in ("rk34", "dopri5", "dop853"):
+    for method in COMPILED:
         (own, cost), (found, here) = (swung(system, place, SPAN, method=method) for place in ("at the origin", where))
         assert here == pytest.approx(cost, rel=0.05)
         np.testing.assert_allclose(found, own, atol=1e-7)

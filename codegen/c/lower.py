@@ -9,7 +9,7 @@ from ..choices import Choices
 from ..model.model import Event
 from ..physics.specialise import Kind, Scene
 from .kernels import kernels_of
-from .layout import laid_out
+from .layout import Layout, laid_out
 from .program import BlockView, EventView, Kernels, Named, Program, Stages
 
 
@@ -38,9 +38,10 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
     return Program(
         name=mechanics.name, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues,
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
-        inverse=choices.formulation == "inverse", carries_v=choices.carries_v,
-        bounded=layout.couples and choices.bounded, extrapolate=layout.couples and choices.extrapolate,
-        extrapolated=layout.extrapolated, needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
+        carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
+        extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
+        needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
+        settling=_settling(scene, layout, bool(turning)),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,
         n_memory=layout.n_memory, n_prepared=layout.first_constant + n_constants,
         n_C=sum(block.size**2 for block in turning), n_s=sum(block.size for block in turning),
@@ -66,6 +67,16 @@ def _needs_mass(blocks: Sequence[BlockView], choices: Choices) -> bool:
 def _settles(scene: Scene, choices: Choices) -> bool:
     """Whether a step leaves anything to put right or to remember."""
     return scene.m > 0 or not choices.carries_v and any(b.kind is not Kind.FIXED for b in scene.blocks)
+
+
+def _settling(scene: Scene, layout: Layout, turning: bool) -> tuple[str, ...]:
+    steps = (
+        (scene.h, "constraints on positions"),
+        (turning, "C and s"),
+        (layout.n_memory and not turning, "the root of M is kept"),
+        (scene.m, "constraints on velocities"),
+    )
+    return tuple(words for needed, words in steps if needed)
 
 
 def _named(defaults: Iterable[tuple[str, float]]) -> tuple[Named, ...]:

@@ -137,14 +137,14 @@ class Kernels:
 class Program:
     """Everything that the files of one model say.
 
-    eigenfactor, cholesky, inverse : which formulation runs (lagrange if none is true)
+    eigenfactor, cholesky : whether that is the formulation
     carries_v : whether the state holds xdot itself
     bounded : whether a triangular root takes over where eigenvalues come close
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
     extrapolate : whether (32), (53) extrapolate Omega there; `extrapolated`: where the memory says so, and since when
     needs_mass : whether velocities follow from the state only with M(x)
     augmented : whether M + A^T W A is factored in place of M, which is singular
-    settles : whether there is anything to do after an accepted step
+    settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
     layout : the parts of the state vector
     quasi_velocities, initial_y : their names; their values at the start where the model starts from them
     costs : operations of the model-specific part and of the whole right-hand side, for readers
@@ -156,7 +156,6 @@ class Program:
     schur: str
     eigenfactor: bool
     cholesky: bool
-    inverse: bool
     carries_v: bool
     bounded: bool
     delta_eigenfactors: bool
@@ -164,6 +163,7 @@ class Program:
     extrapolated: int | None
     needs_mass: bool
     settles: bool
+    settling: tuple[str, ...]
     augmented: bool
     n: int
     m: int

@@ -53,7 +53,7 @@ class Model(Mechanism):
     Raises
     ------
     ModelError
-        See `codegen.checks`.
+        See `codegen.model.checks`.
     """
 
     def __init__(

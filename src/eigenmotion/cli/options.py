@@ -11,11 +11,10 @@ import click
 
 from eigenmotion.arguments.names import spelled
 from eigenmotion.building.request import Order, order
+from eigenmotion.codegen.choices import CLOSE_EIGENVALUES, FORMULATIONS, SCHUR
 from eigenmotion.codegen.model import Model
 
 Command = TypeVar("Command", bound=Callable[..., Any])
-
-FORMULATIONS = ("eigenfactor", "cholesky", "lagrange", "inverse")
 
 
 class Finite(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions of click only
@@ -83,9 +82,9 @@ def ending(kind: Any) -> Callable[[Command], Command]:
 def shaping(command: Command) -> Command:
     """Add the options of `Shape`."""
     for option in (
-        click.option("--schur", type=click.Choice(["auto", "factor", "eigenfactor"]), default="auto", show_default=True,
+        click.option("--schur", type=click.Choice(SCHUR), default="auto", show_default=True,
                      help="How Delta, of the constraints, is factored."),
-        click.option("--close-eigenvalues", type=click.Choice(["bounded", "extrapolate"]), default="bounded",
+        click.option("--close-eigenvalues", type=click.Choice(CLOSE_EIGENVALUES), default="bounded",
                      show_default=True, help="Where eigenvalues of M meet: ours, or the paper's."),
         click.option("--formulation", type=click.Choice(FORMULATIONS), default="eigenfactor", show_default=True,
                      help="Which equations of motion."),

@@ -40,7 +40,7 @@ _log = logging.getLogger("eigenmotion")
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help="Draw the coordinates over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
 @click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
-              help="Save every row, to FILE.npz or FILE.csv.")  # fmt: skip
+              help=f"Save every row, to {' or '.join(f'FILE{ending}' for ending in SAVERS)}.")  # fmt: skip
 @shaping
 def command(
     model: Path,

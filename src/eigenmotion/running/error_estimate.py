@@ -10,7 +10,6 @@ is asked for, which the higher order makes cheap.
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,10 +17,8 @@ from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..codegen.model import ModelError
 from ..results.solution import Solution
+from ..runtime import CompiledModel
 from .methods import Method, checker_of
-
-if TYPE_CHECKING:
-    from ..system.system import System
 
 Runner = Callable[[Task, Method], Solution]
 
@@ -70,7 +67,7 @@ class ErrorCost:
     share: float
 
 
-def with_error_estimate(task: Task, method: Method, checker: "System | None", run: Runner) -> Solution:
+def with_error_estimate(task: Task, method: Method, checker: CompiledModel | None, run: Runner) -> Solution:
     """Run a task, and again more accurately; the solution gets `error_estimate` and `error_cost`.
 
     Parameters
@@ -110,8 +107,8 @@ def _tighter(task: Task, solution: Solution, wanted: float) -> Task:
     )  # fmt: skip
 
 
-def _on(checker: "System", task: Task) -> Task:
-    model, other = task.model, checker.compiled
+def _on(other: CompiledModel, task: Task) -> Task:
+    model = task.model
     for what in ("name", "coordinates", "parameters", "inputs", "m"):
         if getattr(model, what) != getattr(other, what):
             raise ModelError(

@@ -134,10 +134,10 @@ def _is_system(given: object) -> bool:
     return isinstance(getattr(given, "compiled", None), CompiledModel)
 
 
-def _checker(given: Any) -> "System":
+def _checker(given: Any) -> CompiledModel:
     if not _is_system(given):
         raise OptionError(f"estimate_error is {shown(given)}; give True, False, or a System in another formulation")
-    checker: System = given
+    checker: CompiledModel = given.compiled
     return checker
 
 
