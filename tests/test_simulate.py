@@ -12,13 +12,12 @@ from scipy.interpolate import CubicSpline
 
 from eigenmotion.arguments.signals import Signal
 from eigenmotion.results.solution import Solution
+from eigenmotion.running.methods import COMPILED
 from eigenmotion.running.simulate import simulate
 from eigenmotion.runtime import StopReason
 
 from .hand_written import bead
 from .hand_written.swing import START, TIGHT, L, pendulum
-
-COMPILED = ("rk34", "dopri5", "dop853")
 
 
 @pytest.mark.parametrize("method", [*COMPILED, "DOP853"])
