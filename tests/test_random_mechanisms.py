@@ -193,7 +193,7 @@ def test_every_formulation_moves_alike(number):
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # NumPy passes through the roots a Piecewise does not choose
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", range(20))
 def test_mechanisms_with_roots_and_absolute_values_agree_with_lagranges_equations(seed):
     """One formulation each; `make fuzz` takes all of them, and thousands of mechanisms."""
     counts = mechanism_checks.Counts()
