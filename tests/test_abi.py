@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from eigenmotion.running import start
 from eigenmotion.running.methods import COMPILED
 from eigenmotion.runtime import StopReason
 
@@ -93,3 +94,15 @@ def test_compiled_methods_have_the_numbers_of_the_abi():
 
 def test_reasons_stand_in_the_order_of_the_abi():
     assert [f"EM_{reason.name}" for reason in StopReason] == list(enumerators("em_status"))
+
+
+@pytest.mark.parametrize("method", COMPILED)
+def test_every_method_has_a_case_of_its_own(method):
+    """A number without one would run dop853."""
+    assert f"case EM_{method.upper()}:" in (INCLUDE / "em_methods.h").read_text(encoding="utf-8")
+
+
+def test_eigenvalues_are_close_to_a_start_as_they_are_to_a_run():
+    found = re.search(r"#define EM_EPSILON (\S+)", (INCLUDE / "em_rates.h").read_text(encoding="utf-8"))
+    assert found is not None
+    assert float(found[1]) == start._CLOSE
