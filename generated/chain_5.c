@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:c7cc86b93c20f585251370d252fd9755fec390ed954c14fea410afacc5e3cf18 */
+/* body sha256:f58c3e0fef9d2d197752911ac8598013daf355a3cf41cfcf3230781a4885dd58 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -28,7 +28,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 5,              /* coordinates */
@@ -43,12 +42,365 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 11,
     N_PREPARED = 37,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* theta_1, theta_2, theta_3, theta_4, theta_5 */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1])
+{
+    const real c_0 = c[11];
+    const real c_1 = c[12];
+    const real c_2 = c[13];
+    const real c_3 = c[14];
+    const real c_4 = c[15];
+    const real c_5 = c[16];
+    const real c_6 = c[17];
+    const real c_7 = c[18];
+    const real c_8 = c[19];
+    const real c_9 = c[20];
+    const real c_10 = c[21];
+    const real c_11 = c[22];
+    const real c_12 = c[23];
+    const real c_13 = c[24];
+    const real c_14 = c[25];
+    const real theta_1_dot = v[0];
+    const real theta_2_dot = v[1];
+    const real theta_3_dot = v[2];
+    const real theta_4_dot = v[3];
+    const real theta_5_dot = v[4];
+    const real theta_1 = x[0];
+    const real theta_2 = x[1];
+    const real theta_3 = x[2];
+    const real theta_4 = x[3];
+    const real theta_5 = x[4];
+    const real cos_theta_2 = em_cos(theta_2);
+    const real sin_theta_1 = em_sin(theta_1);
+    const real z_2 = theta_1_dot*sin_theta_1;
+    const real cos_theta_1 = em_cos(theta_1);
+    const real sin_theta_2 = em_sin(theta_2);
+    const real z_5 = theta_2_dot*sin_theta_2;
+    const real z_6 = theta_1_dot*cos_theta_1;
+    const real z_7 = theta_2_dot*cos_theta_2;
+    const real cos_theta_3 = em_cos(theta_3);
+    const real sin_theta_3 = em_sin(theta_3);
+    const real z_10 = theta_3_dot*sin_theta_3;
+    const real z_11 = theta_3_dot*cos_theta_3;
+    const real cos_theta_4 = em_cos(theta_4);
+    const real sin_theta_4 = em_sin(theta_4);
+    const real z_14 = theta_4_dot*sin_theta_4;
+    const real z_15 = theta_4_dot*cos_theta_4;
+    const real cos_theta_5 = em_cos(theta_5);
+    const real sin_theta_5 = em_sin(theta_5);
+    const real z_18 = theta_5_dot*sin_theta_5;
+    const real z_19 = theta_5_dot*cos_theta_5;
+    const real z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const real z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const real z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const real z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const real z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const real z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const real z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const real z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const real z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_2 + cos_theta_1*z_5) - c_0*(sin_theta_2*z_6 +
+        sin_theta_1*z_7));
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_2 + cos_theta_1*z_10) - c_1*(sin_theta_3*z_6 +
+        sin_theta_1*z_11));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_5 + cos_theta_2*z_10) - c_2*(sin_theta_3*z_7 +
+        sin_theta_2*z_11));
+    Mdot1[2][2] = em_real(0.0);
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_2 + cos_theta_1*z_14) - c_3*(sin_theta_4*z_6 +
+        sin_theta_1*z_15));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_5 + cos_theta_2*z_14) - c_4*(sin_theta_4*z_7 +
+        sin_theta_2*z_15));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_10 + cos_theta_3*z_14) - c_5*(sin_theta_4*z_11 +
+        sin_theta_3*z_15));
+    Mdot1[3][3] = em_real(0.0);
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_2 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_6 +
+        sin_theta_1*z_19));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_5 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_7 +
+        sin_theta_2*z_19));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_10 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_11 +
+        sin_theta_3*z_19));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_14 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_15 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = em_real(0.0);
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
+    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
+    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
+    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    const real *const C1 = y + 10, *const s1 = y + 35;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    real Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 10, *const s1_dot = dy + 35;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    real a1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+
+    /* etadot = a (45) */
+    dy[5] = a1[0];
+    dy[6] = a1[1];
+    dy[7] = a1[2];
+    dy[8] = a1[3];
+    dy[9] = a1[4];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[10])
+{
+    const real c_0 = c[11];
+    const real c_1 = c[12];
+    const real c_2 = c[13];
+    const real c_3 = c[14];
+    const real c_4 = c[15];
+    const real c_5 = c[16];
+    const real c_6 = c[17];
+    const real c_7 = c[18];
+    const real c_8 = c[19];
+    const real c_9 = c[20];
+    const real c_15 = c[26];
+    const real c_16 = c[27];
+    const real c_17 = c[28];
+    const real c_18 = c[29];
+    const real c_19 = c[30];
+    const real theta_1 = x[0];
+    const real theta_2 = x[1];
+    const real theta_3 = x[2];
+    const real theta_4 = x[3];
+    const real theta_5 = x[4];
+    const real cos_theta_1 = em_cos(theta_1);
+    const real cos_theta_2 = em_cos(theta_2);
+    const real sin_theta_1 = em_sin(theta_1);
+    const real sin_theta_2 = em_sin(theta_2);
+    const real cos_theta_3 = em_cos(theta_3);
+    const real sin_theta_3 = em_sin(theta_3);
+    const real cos_theta_4 = em_cos(theta_4);
+    const real sin_theta_4 = em_sin(theta_4);
+    const real cos_theta_5 = em_cos(theta_5);
+    const real sin_theta_5 = em_sin(theta_5);
+    M1[0][0] = c_15;
+    M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    M1[1][1] = c_16;
+    M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    M1[2][2] = c_17;
+    M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    M1[3][3] = c_18;
+    M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    M1[4][4] = c_19;
+    shared[0] = cos_theta_2;
+    shared[1] = sin_theta_1;
+    shared[2] = cos_theta_1;
+    shared[3] = sin_theta_2;
+    shared[4] = cos_theta_3;
+    shared[5] = sin_theta_3;
+    shared[6] = cos_theta_4;
+    shared[7] = sin_theta_4;
+    shared[8] = cos_theta_5;
+    shared[9] = sin_theta_5;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[10],
+                                 real Mdot1[N1][N1], real f1[N1])
+{
+    const real c_0 = c[11];
+    const real c_1 = c[12];
+    const real c_2 = c[13];
+    const real c_3 = c[14];
+    const real c_4 = c[15];
+    const real c_5 = c[16];
+    const real c_6 = c[17];
+    const real c_7 = c[18];
+    const real c_8 = c[19];
+    const real c_9 = c[20];
+    const real c_10 = c[21];
+    const real c_11 = c[22];
+    const real c_12 = c[23];
+    const real c_13 = c[24];
+    const real c_14 = c[25];
+    const real cos_theta_2 = shared[0];
+    const real sin_theta_1 = shared[1];
+    const real cos_theta_1 = shared[2];
+    const real sin_theta_2 = shared[3];
+    const real cos_theta_3 = shared[4];
+    const real sin_theta_3 = shared[5];
+    const real cos_theta_4 = shared[6];
+    const real sin_theta_4 = shared[7];
+    const real cos_theta_5 = shared[8];
+    const real sin_theta_5 = shared[9];
+    const real theta_1_dot = v[0];
+    const real theta_2_dot = v[1];
+    const real theta_3_dot = v[2];
+    const real theta_4_dot = v[3];
+    const real theta_5_dot = v[4];
+    const real z_10 = theta_1_dot*sin_theta_1;
+    const real z_11 = theta_2_dot*sin_theta_2;
+    const real z_12 = theta_1_dot*cos_theta_1;
+    const real z_13 = theta_2_dot*cos_theta_2;
+    const real z_14 = theta_3_dot*sin_theta_3;
+    const real z_15 = theta_3_dot*cos_theta_3;
+    const real z_16 = theta_4_dot*sin_theta_4;
+    const real z_17 = theta_4_dot*cos_theta_4;
+    const real z_18 = theta_5_dot*sin_theta_5;
+    const real z_19 = theta_5_dot*cos_theta_5;
+    const real z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
+    const real z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
+    const real z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
+    const real z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const real z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
+    const real z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
+    const real z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const real z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
+    const real z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
+    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
+        sin_theta_1*z_13));
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
+        sin_theta_1*z_15));
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
+        sin_theta_2*z_15));
+    Mdot1[2][2] = em_real(0.0);
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
+        sin_theta_1*z_17));
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
+        sin_theta_2*z_17));
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
+        sin_theta_3*z_17));
+    Mdot1[3][3] = em_real(0.0);
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
+        sin_theta_1*z_19));
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
+        sin_theta_2*z_19));
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
+        sin_theta_3*z_19));
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = em_real(0.0);
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
+    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
+    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
+    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[10];
+    triangular_masses(y, c, M1, shared);
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    real Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: a = L^-1 f - Phi eta */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* etadot = a (45) */
+    dy[5] = a1[0];
+    dy[6] = a1[1];
+    dy[7] = a1[2];
+    dy[8] = a1[3];
+    dy[9] = a1[4];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes chain_5_lanes;
+em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes chain_5_lanes;
+__attribute__((weak)) em_lanes chain_5_lanes = {0, NULL};
+#define EM_MODEL_LANES chain_5_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0, 0 };
@@ -431,328 +783,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
-{
-    const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
-    const double c_10 = c[21];
-    const double c_11 = c[22];
-    const double c_12 = c[23];
-    const double c_13 = c[24];
-    const double c_14 = c[25];
-    const double theta_1_dot = v[0];
-    const double theta_2_dot = v[1];
-    const double theta_3_dot = v[2];
-    const double theta_4_dot = v[3];
-    const double theta_5_dot = v[4];
-    const double theta_1 = x[0];
-    const double theta_2 = x[1];
-    const double theta_3 = x[2];
-    const double theta_4 = x[3];
-    const double theta_5 = x[4];
-    const double cos_theta_2 = em_cos(theta_2);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double z_2 = theta_1_dot*sin_theta_1;
-    const double cos_theta_1 = em_cos(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double z_5 = theta_2_dot*sin_theta_2;
-    const double z_6 = theta_1_dot*cos_theta_1;
-    const double z_7 = theta_2_dot*cos_theta_2;
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double z_10 = theta_3_dot*sin_theta_3;
-    const double z_11 = theta_3_dot*cos_theta_3;
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double z_14 = theta_4_dot*sin_theta_4;
-    const double z_15 = theta_4_dot*cos_theta_4;
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_18 = theta_5_dot*sin_theta_5;
-    const double z_19 = theta_5_dot*cos_theta_5;
-    const double z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
-    const double z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
-    const double z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
-    const double z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
-    const double z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
-    const double z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
-    const double z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
-    const double z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
-    const double z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const double z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_2 + cos_theta_1*z_5) - c_0*(sin_theta_2*z_6 +
-        sin_theta_1*z_7));
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_2 + cos_theta_1*z_10) - c_1*(sin_theta_3*z_6 +
-        sin_theta_1*z_11));
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_5 + cos_theta_2*z_10) - c_2*(sin_theta_3*z_7 +
-        sin_theta_2*z_11));
-    Mdot1[2][2] = 0.0;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_2 + cos_theta_1*z_14) - c_3*(sin_theta_4*z_6 +
-        sin_theta_1*z_15));
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_5 + cos_theta_2*z_14) - c_4*(sin_theta_4*z_7 +
-        sin_theta_2*z_15));
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_10 + cos_theta_3*z_14) - c_5*(sin_theta_4*z_11 +
-        sin_theta_3*z_15));
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_2 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_6 +
-        sin_theta_1*z_19));
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_5 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_7 +
-        sin_theta_2*z_19));
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_10 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_11 +
-        sin_theta_3*z_19));
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_14 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_15 +
-        sin_theta_4*z_19));
-    Mdot1[4][4] = 0.0;
-    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
-    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
-    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
-    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
-    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* theta_1, theta_2, theta_3, theta_4, theta_5: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
-    const double *const C1 = y + 10, *const s1 = y + 35;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-    dy[3] = v1[3];
-    dy[4] = v1[4];
-
-    double Mdot1[N1][N1], f1[N1];
-    eigenfactor_motion(y, dy, c, Mdot1, f1);
-
-    /* theta_1, theta_2, theta_3, theta_4, theta_5: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 10, *const s1_dot = dy + 35;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
-    double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
-
-    /* etadot = a (45) */
-    dy[5] = a1[0];
-    dy[6] = a1[1];
-    dy[7] = a1[2];
-    dy[8] = a1[3];
-    dy[9] = a1[4];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[10])
-{
-    const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
-    const double c_15 = c[26];
-    const double c_16 = c[27];
-    const double c_17 = c[28];
-    const double c_18 = c[29];
-    const double c_19 = c[30];
-    const double theta_1 = x[0];
-    const double theta_2 = x[1];
-    const double theta_3 = x[2];
-    const double theta_4 = x[3];
-    const double theta_5 = x[4];
-    const double cos_theta_1 = em_cos(theta_1);
-    const double cos_theta_2 = em_cos(theta_2);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    M1[0][0] = c_15;
-    M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    M1[1][1] = c_16;
-    M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    M1[2][2] = c_17;
-    M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    M1[3][3] = c_18;
-    M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    M1[4][4] = c_19;
-    shared[0] = cos_theta_2;
-    shared[1] = sin_theta_1;
-    shared[2] = cos_theta_1;
-    shared[3] = sin_theta_2;
-    shared[4] = cos_theta_3;
-    shared[5] = sin_theta_3;
-    shared[6] = cos_theta_4;
-    shared[7] = sin_theta_4;
-    shared[8] = cos_theta_5;
-    shared[9] = sin_theta_5;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[10],
-                                 double Mdot1[N1][N1], double f1[N1])
-{
-    const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
-    const double c_10 = c[21];
-    const double c_11 = c[22];
-    const double c_12 = c[23];
-    const double c_13 = c[24];
-    const double c_14 = c[25];
-    const double cos_theta_2 = shared[0];
-    const double sin_theta_1 = shared[1];
-    const double cos_theta_1 = shared[2];
-    const double sin_theta_2 = shared[3];
-    const double cos_theta_3 = shared[4];
-    const double sin_theta_3 = shared[5];
-    const double cos_theta_4 = shared[6];
-    const double sin_theta_4 = shared[7];
-    const double cos_theta_5 = shared[8];
-    const double sin_theta_5 = shared[9];
-    const double theta_1_dot = v[0];
-    const double theta_2_dot = v[1];
-    const double theta_3_dot = v[2];
-    const double theta_4_dot = v[3];
-    const double theta_5_dot = v[4];
-    const double z_10 = theta_1_dot*sin_theta_1;
-    const double z_11 = theta_2_dot*sin_theta_2;
-    const double z_12 = theta_1_dot*cos_theta_1;
-    const double z_13 = theta_2_dot*cos_theta_2;
-    const double z_14 = theta_3_dot*sin_theta_3;
-    const double z_15 = theta_3_dot*cos_theta_3;
-    const double z_16 = theta_4_dot*sin_theta_4;
-    const double z_17 = theta_4_dot*cos_theta_4;
-    const double z_18 = theta_5_dot*sin_theta_5;
-    const double z_19 = theta_5_dot*cos_theta_5;
-    const double z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
-    const double z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
-    const double z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
-    const double z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
-    const double z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
-    const double z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
-    const double z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
-    const double z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
-    const double z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const double z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
-        sin_theta_1*z_13));
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
-        sin_theta_1*z_15));
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
-        sin_theta_2*z_15));
-    Mdot1[2][2] = 0.0;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
-        sin_theta_1*z_17));
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
-        sin_theta_2*z_17));
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
-        sin_theta_3*z_17));
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
-        sin_theta_1*z_19));
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
-        sin_theta_2*z_19));
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
-        sin_theta_3*z_19));
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
-        sin_theta_4*z_19));
-    Mdot1[4][4] = 0.0;
-    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
-    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
-    f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
-    f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
-    f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[10];
-    triangular_masses(y, c, M1, shared);
-
-    /* theta_1, theta_2, theta_3, theta_4, theta_5: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-    dy[3] = v1[3];
-    dy[4] = v1[4];
-
-    double Mdot1[N1][N1], f1[N1];
-    triangular_motion(dy, c, shared, Mdot1, f1);
-
-    /* theta_1, theta_2, theta_3, theta_4, theta_5: a = L^-1 f - Phi eta */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* etadot = a (45) */
-    dy[5] = a1[0];
-    dy[6] = a1[1];
-    dy[7] = a1[2];
-    dy[8] = a1[3];
-    dy[9] = a1[4];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -963,15 +993,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
     return worst;
 }
 
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
-}
-
 /* v (n): xdot from a state, in the meaning of its mode. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
@@ -1163,3 +1184,5 @@ const em_model chain_5_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

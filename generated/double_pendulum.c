@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:1c0c84466ae297e02f9044200c2b71369437bb95e82a05031dc35fad022b19ab */
+/* body sha256:40c91ed3026ffa589b70e5debe3279918027b4ca141766a361dca6d51b6825d8 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -28,7 +28,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 2,              /* coordinates */
@@ -43,12 +42,185 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
     N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* theta1, theta2 */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1])
+{
+    const real c_0 = c[5];
+    const real c_1 = c[6];
+    const real c_2 = c[7];
+    const real theta1_dot = v[0];
+    const real theta2_dot = v[1];
+    const real theta1 = x[0];
+    const real theta2 = x[1];
+    const real cos_theta2 = em_cos(theta2);
+    const real sin_theta1 = em_sin(theta1);
+    const real z_2 = cos_theta2*sin_theta1;
+    const real cos_theta1 = em_cos(theta1);
+    const real sin_theta2 = em_sin(theta2);
+    const real z_5 = cos_theta1*sin_theta2;
+    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2));
+    Mdot1[1][1] = em_real(0.0);
+    f1[0] = -(z_6 + sin_theta1*c_1);
+    f1[1] = z_6 - sin_theta2*c_2;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* theta1, theta2: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2], y[3] };
+    const real *const C1 = y + 4, *const s1 = y + 8;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    real Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
+
+    /* theta1, theta2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 4, *const s1_dot = dy + 8;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    real a1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+
+    /* etadot = a (45) */
+    dy[2] = a1[0];
+    dy[3] = a1[1];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[4])
+{
+    const real c_0 = c[5];
+    const real c_3 = c[8];
+    const real c_4 = c[9];
+    const real theta1 = x[0];
+    const real theta2 = x[1];
+    const real cos_theta1 = em_cos(theta1);
+    const real cos_theta2 = em_cos(theta2);
+    const real sin_theta1 = em_sin(theta1);
+    const real sin_theta2 = em_sin(theta2);
+    M1[0][0] = c_3;
+    M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    M1[1][1] = c_4;
+    shared[0] = cos_theta2;
+    shared[1] = sin_theta1;
+    shared[2] = cos_theta1;
+    shared[3] = sin_theta2;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[4],
+                                 real Mdot1[N1][N1], real f1[N1])
+{
+    const real c_0 = c[5];
+    const real c_1 = c[6];
+    const real c_2 = c[7];
+    const real cos_theta2 = shared[0];
+    const real sin_theta1 = shared[1];
+    const real cos_theta1 = shared[2];
+    const real sin_theta2 = shared[3];
+    const real theta1_dot = v[0];
+    const real theta2_dot = v[1];
+    const real z_4 = cos_theta2*sin_theta1;
+    const real z_5 = cos_theta1*sin_theta2;
+    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_4 - z_5));
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
+    Mdot1[1][1] = em_real(0.0);
+    f1[0] = -(z_6 + sin_theta1*c_1);
+    f1[1] = z_6 - sin_theta2*c_2;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[4];
+    triangular_masses(y, c, M1, shared);
+
+    /* theta1, theta2: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[2], y[3] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    real Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
+
+    /* theta1, theta2: a = L^-1 f - Phi eta */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* etadot = a (45) */
+    dy[2] = a1[0];
+    dy[3] = a1[1];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes double_pendulum_lanes;
+em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes double_pendulum_lanes;
+__attribute__((weak)) em_lanes double_pendulum_lanes = {0, NULL};
+#define EM_MODEL_LANES double_pendulum_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0 };
@@ -197,148 +369,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
-{
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double z_2 = cos_theta2*sin_theta1;
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = cos_theta1*sin_theta2;
-    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2));
-    Mdot1[1][1] = 0.0;
-    f1[0] = -(z_6 + sin_theta1*c_1);
-    f1[1] = z_6 - sin_theta2*c_2;
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* theta1, theta2: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[2], y[3] };
-    const double *const C1 = y + 4, *const s1 = y + 8;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-
-    double Mdot1[N1][N1], f1[N1];
-    eigenfactor_motion(y, dy, c, Mdot1, f1);
-
-    /* theta1, theta2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 4, *const s1_dot = dy + 8;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
-    double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
-
-    /* etadot = a (45) */
-    dy[2] = a1[0];
-    dy[3] = a1[1];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[4])
-{
-    const double c_0 = c[5];
-    const double c_3 = c[8];
-    const double c_4 = c[9];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    M1[0][0] = c_3;
-    M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    M1[1][1] = c_4;
-    shared[0] = cos_theta2;
-    shared[1] = sin_theta1;
-    shared[2] = cos_theta1;
-    shared[3] = sin_theta2;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[4],
-                                 double Mdot1[N1][N1], double f1[N1])
-{
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double cos_theta2 = shared[0];
-    const double sin_theta1 = shared[1];
-    const double cos_theta1 = shared[2];
-    const double sin_theta2 = shared[3];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double z_4 = cos_theta2*sin_theta1;
-    const double z_5 = cos_theta1*sin_theta2;
-    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_4 - z_5));
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
-    Mdot1[1][1] = 0.0;
-    f1[0] = -(z_6 + sin_theta1*c_1);
-    f1[1] = z_6 - sin_theta2*c_2;
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[4];
-    triangular_masses(y, c, M1, shared);
-
-    /* theta1, theta2: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[2], y[3] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-
-    double Mdot1[N1][N1], f1[N1];
-    triangular_motion(dy, c, shared, Mdot1, f1);
-
-    /* theta1, theta2: a = L^-1 f - Phi eta */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* etadot = a (45) */
-    dy[2] = a1[0];
-    dy[3] = a1[1];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -454,15 +484,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -644,3 +665,5 @@ const em_model double_pendulum_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

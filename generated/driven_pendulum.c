@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:869bc9fa5f180d2b27d2348c172528712b095e717729c82bef38d8ada528b037 */
+/* body sha256:2850edb3e5bc8798567e9190d9861c6f75645a45f445e61de24436d62ae7e481 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -43,6 +43,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
@@ -50,6 +51,126 @@ enum {
     N1 = 1,             /* x */
     N2 = 1,             /* y */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(real t, const real *restrict x, const real *restrict v,
+                                  const real *restrict c, real f1[N1], real f2[N2], real A1[N_ROWS][N1],
+                                  real A2[N_ROWS][N2], real gamma[N_ROWS])
+{
+    const real a_ = c[3];
+    const real w = c[4];
+    const real c_0 = c[13];
+    const real c_1 = c[14];
+    const real c_2 = c[15];
+    const real x_dot = v[0];
+    const real y_dot = v[1];
+    const real x_ = x[0];
+    const real y = x[1];
+    const real z_0 = t*w;
+    const real cos_z_0 = em_cos(z_0);
+    const real z_2 = y - a_*cos_z_0;
+    const real sin_z_0 = em_sin(z_0);
+    const real z_4 = sin_z_0*c_1;
+    const real z_5 = y_dot + z_4;
+    f1[0] = em_real(0.0);
+    f2[0] = c_0;
+    A1[0][0] = 2.0*x_;
+    A2[0][0] = 2.0*z_2;
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_5) + (z_4*z_5 + cos_z_0*z_2*c_2));
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2] };
+    const real *const C1 = c + 5, *const s1 = c + 6;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[3] };
+    const real *const C2 = c + 9, *const s2 = c + 10;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    real f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    eigenfactor_motion(t, y, dy, c, f1, f2, A1, A2, gamma);
+
+    /* x: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* y: B = A C^T S^-1 (28) */
+    real B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[2] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[3] = a2[0];
+    return 0;
+}
+
+/* dy <- f(t, y). */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes driven_pendulum_lanes;
+em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes driven_pendulum_lanes;
+__attribute__((weak)) em_lanes driven_pendulum_lanes = {0, NULL};
+#define EM_MODEL_LANES driven_pendulum_lanes
+
+#include "em_eigenfactors.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -203,97 +324,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double f1[N1], double f2[N2],
-                                  double A1[N_ROWS][N1], double A2[N_ROWS][N2], double gamma[N_ROWS])
-{
-    const double a_ = c[3];
-    const double w = c[4];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double c_2 = c[15];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double x_ = x[0];
-    const double y = x[1];
-    const double z_0 = t*w;
-    const double cos_z_0 = em_cos(z_0);
-    const double z_2 = y - a_*cos_z_0;
-    const double sin_z_0 = em_sin(z_0);
-    const double z_4 = sin_z_0*c_1;
-    const double z_5 = y_dot + z_4;
-    f1[0] = 0.0;
-    f2[0] = c_0;
-    A1[0][0] = 2.0*x_;
-    A2[0][0] = 2.0*z_2;
-    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_5) + (z_4*z_5 + cos_z_0*z_2*c_2));
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* x: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[2] };
-    const double *const C1 = c + 5, *const s1 = c + 6;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-
-    /* y: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[3] };
-    const double *const C2 = c + 9, *const s2 = c + 10;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    double f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
-    eigenfactor_motion(t, y, dy, c, f1, f2, A1, A2, gamma);
-
-    /* x: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-
-    /* y: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-
-    /* x: constant factors, a = S^-1 C f (41) */
-    double a1[N1];
-    em_rows_on_eta(1, N1, C1, r1, f1, a1);
-
-    /* y: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[2] = a1[0];
-    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
-    dy[3] = a2[0];
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -340,14 +370,14 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B2[N_ROWS][N2], *const a2 = eta2;
         em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
-        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            double load = gamma[row];
+            real load = gamma[row];
             for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
             for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
             lambda[row] = load;
             for (int column = 0; column <= row; ++column) {
-                double product = 0.0;
+                real product = em_real(0.0);
                 for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
                 for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
                 Delta[row*N_ROWS + column] = product;
@@ -361,14 +391,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     y[2] = eta1[0];
     y[3] = eta2[0];
     return changed;
-}
-
-/* dy <- f(t, y). */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state. */
@@ -535,3 +557,5 @@ const em_model driven_pendulum_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

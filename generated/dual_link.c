@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:84eeaa346fe3a554282d22e4f2c23053ff62d978e39c369b1df3d0e5c84f1473 */
+/* body sha256:28ad0bdbeb873fbe0358d55baa91f0c933190febb77001f49e4c7c5c675a7d98 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -33,7 +33,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 4,              /* coordinates */
@@ -48,6 +47,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 9,
@@ -55,6 +55,321 @@ enum {
     N1 = 3,             /* theta1, theta2, theta3 */
     N2 = 1,             /* theta4 */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1], real f2[N2], real A1[N_ROWS][N1],
+                                  real gamma[N_ROWS])
+{
+    const real l1 = c[3];
+    const real l2 = c[4];
+    const real K1 = c[6];
+    const real K2 = c[7];
+    const real K3 = c[8];
+    const real c_0 = c[13];
+    const real c_1 = c[14];
+    const real c_2 = c[15];
+    const real c_3 = c[16];
+    const real theta1_dot = v[0];
+    const real theta2_dot = v[1];
+    const real theta3_dot = v[2];
+    const real theta1 = x[0];
+    const real theta2 = x[1];
+    const real theta3 = x[2];
+    const real theta4 = x[3];
+    const real z_0 = theta3 + l1;
+    const real cos_theta1 = em_cos(theta1);
+    const real cos_theta2 = em_cos(theta2);
+    const real sin_theta1 = em_sin(theta1);
+    const real sin_theta2 = em_sin(theta2);
+    const real z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const real z_6 = theta3_dot*z_5;
+    const real z_7 = theta1_dot - theta2_dot;
+    const real z_8 = z_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    const real z_9 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const real z_10 = z_0*cos_theta1;
+    const real z_11 = l2*sin_theta2;
+    const real z_12 = z_0*sin_theta1;
+    const real z_13 = 4.0 - z_11 - z_12;
+    const real z_14 = l2*cos_theta2;
+    const real z_15 = z_10 + z_14;
+    const real z_16 = theta1_dot*theta2_dot;
+    const real z_17 = c_1*(theta2_dot*z_6 - z_8*z_16);
+    const real z_18 = theta3_dot*cos_theta1;
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(z_6 - z_7*z_8);
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
+    Mdot1[1][2] = Mdot1[2][1] = z_5*(c_1*z_7);
+    Mdot1[2][2] = em_real(0.0);
+    f1[0] = -((z_9 - z_10*K2*z_13 - K2*z_15*z_12) - z_17);
+    f1[1] = c_2*(cos_theta2*z_13 + z_15*sin_theta2) - z_17;
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_13 - cos_theta1*z_15)) - (z_0*c_3*(theta1_dot*theta1_dot) +
+        z_5*(c_1*z_16)));
+    f2[0] = z_9;
+    A1[0][0] = z_10;
+    A1[0][1] = z_14;
+    A1[0][2] = sin_theta1;
+    gamma[0] = theta1_dot*(z_18 - theta1_dot*z_12) + theta1_dot*z_18 - z_11*(theta2_dot*theta2_dot);
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* theta1, theta2, theta3: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[4], y[5], y[6] };
+    const real *const C1 = y + 8, *const s1 = y + 17;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    /* theta4: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[7] };
+    const real *const C2 = c + 9, *const s2 = c + 10;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[3] = v2[0];
+
+    real Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, gamma);
+
+    /* theta1, theta2, theta3: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* theta1, theta2, theta3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 8, *const s1_dot = dy + 17;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
+    real a1[N1], q1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+
+    /* theta4: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[4] = a1[0];
+    dy[5] = a1[1];
+    dy[6] = a1[2];
+    dy[7] = a2[0];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[8])
+{
+    const real l1 = c[3];
+    const real c_1 = c[14];
+    const real c_3 = c[16];
+    const real c_4 = c[17];
+    const real theta1 = x[0];
+    const real theta2 = x[1];
+    const real theta3 = x[2];
+    const real z_0 = theta3 + l1;
+    const real cos_theta1 = em_cos(theta1);
+    const real cos_theta2 = em_cos(theta2);
+    const real sin_theta1 = em_sin(theta1);
+    const real sin_theta2 = em_sin(theta2);
+    const real z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const real z_6 = c_1*z_5;
+    const real z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    M1[0][0] = c_3*(z_0*z_0);
+    M1[1][0] = z_0*z_6;
+    M1[1][1] = c_4;
+    M1[2][0] = em_real(0.0);
+    M1[2][1] = c_1*z_7;
+    M1[2][2] = c_3;
+    shared[0] = z_0;
+    shared[1] = z_5;
+    shared[2] = z_7;
+    shared[3] = z_6;
+    shared[4] = cos_theta1;
+    shared[5] = sin_theta2;
+    shared[6] = sin_theta1;
+    shared[7] = cos_theta2;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                 const real shared[8], real Mdot1[N1][N1], real f1[N1], real f2[N2],
+                                 real A1[N_ROWS][N1], real gamma[N_ROWS])
+{
+    const real l2 = c[4];
+    const real K1 = c[6];
+    const real K2 = c[7];
+    const real K3 = c[8];
+    const real c_0 = c[13];
+    const real c_1 = c[14];
+    const real c_2 = c[15];
+    const real c_3 = c[16];
+    const real z_0 = shared[0];
+    const real z_5 = shared[1];
+    const real z_7 = shared[2];
+    const real z_6 = shared[3];
+    const real cos_theta1 = shared[4];
+    const real sin_theta2 = shared[5];
+    const real sin_theta1 = shared[6];
+    const real cos_theta2 = shared[7];
+    const real theta1_dot = v[0];
+    const real theta2_dot = v[1];
+    const real theta3_dot = v[2];
+    const real theta1 = x[0];
+    const real theta3 = x[2];
+    const real theta4 = x[3];
+    const real z_8 = theta1_dot - theta2_dot;
+    const real z_9 = z_0*z_7;
+    const real z_10 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const real z_11 = z_0*cos_theta1;
+    const real z_12 = l2*sin_theta2;
+    const real z_13 = z_0*sin_theta1;
+    const real z_14 = 4.0 - z_12 - z_13;
+    const real z_15 = l2*cos_theta2;
+    const real z_16 = z_11 + z_15;
+    const real z_17 = theta1_dot*theta2_dot;
+    const real z_18 = c_1*(z_5*(theta2_dot*theta3_dot) - z_9*z_17);
+    const real z_19 = theta3_dot*cos_theta1;
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_8*z_9);
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
+    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
+    Mdot1[2][2] = em_real(0.0);
+    f1[0] = -((z_10 - z_11*K2*z_14 - K2*z_16*z_13) - z_18);
+    f1[1] = c_2*(cos_theta2*z_14 + z_16*sin_theta2) - z_18;
+    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_14 - cos_theta1*z_16)) - (z_0*c_3*(theta1_dot*theta1_dot) +
+        z_6*z_17));
+    f2[0] = z_10;
+    A1[0][0] = z_11;
+    A1[0][1] = z_15;
+    A1[0][2] = sin_theta1;
+    gamma[0] = theta1_dot*(z_19 - theta1_dot*z_13) + theta1_dot*z_19 - z_12*(theta2_dot*theta2_dot);
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[8];
+    triangular_masses(y, c, M1, shared);
+
+    /* theta1, theta2, theta3: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[4], y[5], y[6] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    /* theta4: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[7] };
+    const real *const C2 = c + 9, *const s2 = c + 10;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[3] = v2[0];
+
+    real Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], gamma[N_ROWS];
+    triangular_motion(y, dy, c, shared, Mdot1, f1, f2, A1, gamma);
+
+    /* theta1, theta2, theta3: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* theta4: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* theta1, theta2, theta3: B = A L^-T */
+    real B1[N_ROWS][N1];
+    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[4] = a1[0];
+    dy[5] = a1[1];
+    dy[6] = a1[2];
+    dy[7] = a2[0];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes dual_link_lanes;
+em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes dual_link_lanes;
+__attribute__((weak)) em_lanes dual_link_lanes = {0, NULL};
+#define EM_MODEL_LANES dual_link_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1 };
@@ -282,291 +597,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
-                                  double f2[N2], double A1[N_ROWS][N1], double gamma[N_ROWS])
-{
-    const double l1 = c[3];
-    const double l2 = c[4];
-    const double K1 = c[6];
-    const double K2 = c[7];
-    const double K3 = c[8];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double c_2 = c[15];
-    const double c_3 = c[16];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double theta3_dot = v[2];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double theta3 = x[2];
-    const double theta4 = x[3];
-    const double z_0 = theta3 + l1;
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_6 = theta3_dot*z_5;
-    const double z_7 = theta1_dot - theta2_dot;
-    const double z_8 = z_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    const double z_9 = K3*(theta1 + 1.5707963267948966 - theta4);
-    const double z_10 = z_0*cos_theta1;
-    const double z_11 = l2*sin_theta2;
-    const double z_12 = z_0*sin_theta1;
-    const double z_13 = 4.0 - z_11 - z_12;
-    const double z_14 = l2*cos_theta2;
-    const double z_15 = z_10 + z_14;
-    const double z_16 = theta1_dot*theta2_dot;
-    const double z_17 = c_1*(theta2_dot*z_6 - z_8*z_16);
-    const double z_18 = theta3_dot*cos_theta1;
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(z_6 - z_7*z_8);
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = 0.0;
-    Mdot1[1][2] = Mdot1[2][1] = z_5*(c_1*z_7);
-    Mdot1[2][2] = 0.0;
-    f1[0] = -((z_9 - z_10*K2*z_13 - K2*z_15*z_12) - z_17);
-    f1[1] = c_2*(cos_theta2*z_13 + z_15*sin_theta2) - z_17;
-    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_13 - cos_theta1*z_15)) - (z_0*c_3*(theta1_dot*theta1_dot) +
-        z_5*(c_1*z_16)));
-    f2[0] = z_9;
-    A1[0][0] = z_10;
-    A1[0][1] = z_14;
-    A1[0][2] = sin_theta1;
-    gamma[0] = theta1_dot*(z_18 - theta1_dot*z_12) + theta1_dot*z_18 - z_11*(theta2_dot*theta2_dot);
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* theta1, theta2, theta3: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[4], y[5], y[6] };
-    const double *const C1 = y + 8, *const s1 = y + 17;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-
-    /* theta4: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[7] };
-    const double *const C2 = c + 9, *const s2 = c + 10;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[3] = v2[0];
-
-    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], gamma[N_ROWS];
-    eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, gamma);
-
-    /* theta1, theta2, theta3: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-
-    /* theta1, theta2, theta3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 8, *const s1_dot = dy + 17;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
-
-    /* theta4: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[4] = a1[0];
-    dy[5] = a1[1];
-    dy[6] = a1[2];
-    dy[7] = a2[0];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[8])
-{
-    const double l1 = c[3];
-    const double c_1 = c[14];
-    const double c_3 = c[16];
-    const double c_4 = c[17];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double theta3 = x[2];
-    const double z_0 = theta3 + l1;
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_6 = c_1*z_5;
-    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    M1[0][0] = c_3*(z_0*z_0);
-    M1[1][0] = z_0*z_6;
-    M1[1][1] = c_4;
-    M1[2][0] = 0.0;
-    M1[2][1] = c_1*z_7;
-    M1[2][2] = c_3;
-    shared[0] = z_0;
-    shared[1] = z_5;
-    shared[2] = z_7;
-    shared[3] = z_6;
-    shared[4] = cos_theta1;
-    shared[5] = sin_theta2;
-    shared[6] = sin_theta1;
-    shared[7] = cos_theta2;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
-                                 const double shared[8], double Mdot1[N1][N1], double f1[N1], double f2[N2],
-                                 double A1[N_ROWS][N1], double gamma[N_ROWS])
-{
-    const double l2 = c[4];
-    const double K1 = c[6];
-    const double K2 = c[7];
-    const double K3 = c[8];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double c_2 = c[15];
-    const double c_3 = c[16];
-    const double z_0 = shared[0];
-    const double z_5 = shared[1];
-    const double z_7 = shared[2];
-    const double z_6 = shared[3];
-    const double cos_theta1 = shared[4];
-    const double sin_theta2 = shared[5];
-    const double sin_theta1 = shared[6];
-    const double cos_theta2 = shared[7];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double theta3_dot = v[2];
-    const double theta1 = x[0];
-    const double theta3 = x[2];
-    const double theta4 = x[3];
-    const double z_8 = theta1_dot - theta2_dot;
-    const double z_9 = z_0*z_7;
-    const double z_10 = K3*(theta1 + 1.5707963267948966 - theta4);
-    const double z_11 = z_0*cos_theta1;
-    const double z_12 = l2*sin_theta2;
-    const double z_13 = z_0*sin_theta1;
-    const double z_14 = 4.0 - z_12 - z_13;
-    const double z_15 = l2*cos_theta2;
-    const double z_16 = z_11 + z_15;
-    const double z_17 = theta1_dot*theta2_dot;
-    const double z_18 = c_1*(z_5*(theta2_dot*theta3_dot) - z_9*z_17);
-    const double z_19 = theta3_dot*cos_theta1;
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_8*z_9);
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = 0.0;
-    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
-    Mdot1[2][2] = 0.0;
-    f1[0] = -((z_10 - z_11*K2*z_14 - K2*z_16*z_13) - z_18);
-    f1[1] = c_2*(cos_theta2*z_14 + z_16*sin_theta2) - z_18;
-    f1[2] = -((theta3*K1 - K2*(sin_theta1*z_14 - cos_theta1*z_16)) - (z_0*c_3*(theta1_dot*theta1_dot) +
-        z_6*z_17));
-    f2[0] = z_10;
-    A1[0][0] = z_11;
-    A1[0][1] = z_15;
-    A1[0][2] = sin_theta1;
-    gamma[0] = theta1_dot*(z_19 - theta1_dot*z_13) + theta1_dot*z_19 - z_12*(theta2_dot*theta2_dot);
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[8];
-    triangular_masses(y, c, M1, shared);
-
-    /* theta1, theta2, theta3: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[4], y[5], y[6] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-
-    /* theta4: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[7] };
-    const double *const C2 = c + 9, *const s2 = c + 10;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[3] = v2[0];
-
-    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], gamma[N_ROWS];
-    triangular_motion(y, dy, c, shared, Mdot1, f1, f2, A1, gamma);
-
-    /* theta1, theta2, theta3: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* theta4: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* theta1, theta2, theta3: B = A L^-T */
-    double B1[N_ROWS][N1];
-    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[4] = a1[0];
-    dy[5] = a1[1];
-    dy[6] = a1[2];
-    dy[7] = a2[0];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -690,13 +720,13 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 9, A1[0], B1[0]);
         else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
-        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            double load = gamma[row];
+            real load = gamma[row];
             for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
             lambda[row] = load;
             for (int column = 0; column <= row; ++column) {
-                double product = 0.0;
+                real product = em_real(0.0);
                 for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
                 Delta[row*N_ROWS + column] = product;
             }
@@ -731,15 +761,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -939,3 +960,5 @@ const em_model dual_link_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:29ea842ade4b263d44fb59914bb2c4e9714cad489801c457828d4e707212234a */
+/* body sha256:754ccda0393c500681d32c44099778eb67889dad70e37582308d3af621412a62 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -44,6 +44,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
@@ -51,6 +52,104 @@ enum {
     N1 = 1,             /* theta */
     N2 = 1,             /* r */
 };
+
+/* M of single coordinates */
+EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
+{
+    const real m = c[0];
+    const real r = x[1];
+    M1[0][0] = m*(r*r);
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1], real f2[N2])
+{
+    const real m = c[0];
+    const real k = c[1];
+    const real L = c[3];
+    const real c_0 = c[8];
+    const real c_1 = c[9];
+    const real theta_dot = v[0];
+    const real r_dot = v[1];
+    const real theta = x[0];
+    const real r = x[1];
+    const real sin_theta = em_sin(theta);
+    const real cos_theta = em_cos(theta);
+    Mdot1[0][0] = c_0*(r_dot*r);
+    f1[0] = -r*c_1*sin_theta;
+    f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+    real M1[N1][N1];
+    eigenfactor_masses(y, c, M1);
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2] };
+    if (em_fails(M1[0], M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* r: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[3] };
+    const real *const C2 = c + 4, *const s2 = c + 5;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    real Mdot1[N1][N1], f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
+
+    /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
+    const real s1_dot[1] = { 0.5*Mdot1[0][0]*r1[0] };
+    real a1[1] = { r1[0]*(f1[0] - s1_dot[0]*eta1[0]) };
+
+    /* r: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* etadot = a (45) */
+    dy[2] = a1[0];
+    dy[3] = a2[0];
+    return 0;
+}
+
+/* dy <- f(t, y). */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes elastic_pendulum_lanes;
+em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes elastic_pendulum_lanes;
+__attribute__((weak)) em_lanes elastic_pendulum_lanes = {0, NULL};
+#define EM_MODEL_LANES elastic_pendulum_lanes
+
+#include "em_eigenfactors.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -173,76 +272,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* M of single coordinates */
-EM_INLINE void eigenfactor_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
-{
-    const double m = c[0];
-    const double r = x[1];
-    M1[0][0] = m*(r*r);
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
-                                  double f2[N2])
-{
-    const double m = c[0];
-    const double k = c[1];
-    const double L = c[3];
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double theta_dot = v[0];
-    const double r_dot = v[1];
-    const double theta = x[0];
-    const double r = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    Mdot1[0][0] = c_0*(r_dot*r);
-    f1[0] = -r*c_1*sin_theta;
-    f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-    double M1[N1][N1];
-    eigenfactor_masses(y, c, M1);
-
-    /* theta: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[2] };
-    if (!(M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1[0][0]);
-    const double C1[1] = { 1.0 }, s1[1] = { sqrt(M1[0][0]) };
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-
-    /* r: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[3] };
-    const double *const C2 = c + 4, *const s2 = c + 5;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    double Mdot1[N1][N1], f1[N1], f2[N2];
-    eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
-
-    /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
-    const double s1_dot[1] = { 0.5*Mdot1[0][0]*r1[0] };
-    double a1[1] = { r1[0]*(f1[0] - s1_dot[0]*eta1[0]) };
-
-    /* r: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* etadot = a (45) */
-    dy[2] = a1[0];
-    dy[3] = a2[0];
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -266,14 +295,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     memory[1] = 1.0/sqrt(M1[0][0]);
 
     return changed;
-}
-
-/* dy <- f(t, y). */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state. */
@@ -444,3 +465,5 @@ const em_model elastic_pendulum_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

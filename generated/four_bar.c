@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:935a45151bff8dbfa4a5df9301d891d160b20685d85ef33159759e1111706248 */
+/* body sha256:ed76465d05e78d399f202f6e3a6ac202465082e86514876b6f66b650097ee52f */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -32,7 +32,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 3,              /* coordinates */
@@ -47,6 +46,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 6,
@@ -54,6 +54,306 @@ enum {
     N1 = 2,             /* q1, q2 */
     N2 = 1,             /* q3 */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1], real f2[N2], real A1[N_ROWS][N1],
+                                  real A2[N_ROWS][N2], real gamma[N_ROWS])
+{
+    const real a_ = c[0];
+    const real b = c[1];
+    const real c_ = c[2];
+    const real c_0 = c[10];
+    const real c_1 = c[11];
+    const real c_2 = c[12];
+    const real c_3 = c[13];
+    const real q1_dot = v[0];
+    const real q2_dot = v[1];
+    const real q3_dot = v[2];
+    const real q1 = x[0];
+    const real q2 = x[1];
+    const real q3 = x[2];
+    const real cos_q2 = em_cos(q2);
+    const real sin_q1 = em_sin(q1);
+    const real z_2 = cos_q2*sin_q1;
+    const real cos_q1 = em_cos(q1);
+    const real sin_q2 = em_sin(q2);
+    const real z_5 = cos_q1*sin_q2;
+    const real z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
+    const real cos_q3 = em_cos(q3);
+    const real z_8 = a_*sin_q1;
+    const real z_9 = b*sin_q2;
+    const real z_10 = a_*cos_q1;
+    const real z_11 = b*cos_q2;
+    const real sin_q3 = em_sin(q3);
+    const real z_13 = c_*sin_q3;
+    const real z_14 = c_*cos_q3;
+    const real z_15 = q1_dot*q1_dot;
+    const real z_16 = q2_dot*q2_dot;
+    const real z_17 = q3_dot*q3_dot;
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2));
+    Mdot1[1][1] = em_real(0.0);
+    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
+    f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    f2[0] = -cos_q3*c_3;
+    A1[0][0] = -z_8;
+    A1[0][1] = -z_9;
+    A1[1][0] = z_10;
+    A1[1][1] = z_11;
+    A2[0][0] = z_13;
+    A2[1][0] = -z_14;
+    gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
+    gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* q1, q2: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4] };
+    const real *const C1 = y + 6, *const s1 = y + 10;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    /* q3: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[5] };
+    const real *const C2 = c + 6, *const s2 = c + 7;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[2] = v2[0];
+
+    real Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, A2, gamma);
+
+    /* q1, q2: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* q3: B = A C^T S^-1 (28) */
+    real B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+
+    /* q1, q2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 6, *const s1_dot = dy + 10;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
+    real a1[N1], q1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+
+    /* q3: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[5] = a2[0];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[4])
+{
+    const real c_0 = c[10];
+    const real c_4 = c[14];
+    const real c_5 = c[15];
+    const real q1 = x[0];
+    const real q2 = x[1];
+    const real cos_q1 = em_cos(q1);
+    const real cos_q2 = em_cos(q2);
+    const real sin_q1 = em_sin(q1);
+    const real sin_q2 = em_sin(q2);
+    M1[0][0] = c_4;
+    M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    M1[1][1] = c_5;
+    shared[0] = cos_q2;
+    shared[1] = sin_q1;
+    shared[2] = cos_q1;
+    shared[3] = sin_q2;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                 const real shared[4], real Mdot1[N1][N1], real f1[N1], real f2[N2],
+                                 real A1[N_ROWS][N1], real A2[N_ROWS][N2], real gamma[N_ROWS])
+{
+    const real a_ = c[0];
+    const real b = c[1];
+    const real c_ = c[2];
+    const real c_0 = c[10];
+    const real c_1 = c[11];
+    const real c_2 = c[12];
+    const real c_3 = c[13];
+    const real cos_q2 = shared[0];
+    const real sin_q1 = shared[1];
+    const real cos_q1 = shared[2];
+    const real sin_q2 = shared[3];
+    const real q1_dot = v[0];
+    const real q2_dot = v[1];
+    const real q3_dot = v[2];
+    const real q3 = x[2];
+    const real z_4 = cos_q2*sin_q1;
+    const real z_5 = cos_q1*sin_q2;
+    const real z_6 = q1_dot*q2_dot*(c_0*(z_4 - z_5));
+    const real cos_q3 = em_cos(q3);
+    const real z_8 = a_*sin_q1;
+    const real z_9 = b*sin_q2;
+    const real z_10 = a_*cos_q1;
+    const real z_11 = b*cos_q2;
+    const real sin_q3 = em_sin(q3);
+    const real z_13 = c_*sin_q3;
+    const real z_14 = c_*cos_q3;
+    const real z_15 = q1_dot*q1_dot;
+    const real z_16 = q2_dot*q2_dot;
+    const real z_17 = q3_dot*q3_dot;
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_4 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_4));
+    Mdot1[1][1] = em_real(0.0);
+    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
+    f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    f2[0] = -cos_q3*c_3;
+    A1[0][0] = -z_8;
+    A1[0][1] = -z_9;
+    A1[1][0] = z_10;
+    A1[1][1] = z_11;
+    A2[0][0] = z_13;
+    A2[1][0] = -z_14;
+    gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
+    gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[4];
+    triangular_masses(y, c, M1, shared);
+
+    /* q1, q2: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[3], y[4] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    /* q3: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[5] };
+    const real *const C2 = c + 6, *const s2 = c + 7;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[2] = v2[0];
+
+    real Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
+    triangular_motion(y, dy, c, shared, Mdot1, f1, f2, A1, A2, gamma);
+
+    /* q1, q2: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* q3: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* q1, q2: B = A L^-T */
+    real B1[N_ROWS][N1];
+    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+    /* q3: B = A C^T S^-1 (28) */
+    real B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[5] = a2[0];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes four_bar_lanes;
+em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes four_bar_lanes;
+__attribute__((weak)) em_lanes four_bar_lanes = {0, NULL};
+#define EM_MODEL_LANES four_bar_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 1 };
@@ -292,277 +592,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
-                                  double f2[N2], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
-                                  double gamma[N_ROWS])
-{
-    const double a_ = c[0];
-    const double b = c[1];
-    const double c_ = c[2];
-    const double c_0 = c[10];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double c_3 = c[13];
-    const double q1_dot = v[0];
-    const double q2_dot = v[1];
-    const double q3_dot = v[2];
-    const double q1 = x[0];
-    const double q2 = x[1];
-    const double q3 = x[2];
-    const double cos_q2 = em_cos(q2);
-    const double sin_q1 = em_sin(q1);
-    const double z_2 = cos_q2*sin_q1;
-    const double cos_q1 = em_cos(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_5 = cos_q1*sin_q2;
-    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
-    const double cos_q3 = em_cos(q3);
-    const double z_8 = a_*sin_q1;
-    const double z_9 = b*sin_q2;
-    const double z_10 = a_*cos_q1;
-    const double z_11 = b*cos_q2;
-    const double sin_q3 = em_sin(q3);
-    const double z_13 = c_*sin_q3;
-    const double z_14 = c_*cos_q3;
-    const double z_15 = q1_dot*q1_dot;
-    const double z_16 = q2_dot*q2_dot;
-    const double z_17 = q3_dot*q3_dot;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2));
-    Mdot1[1][1] = 0.0;
-    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
-    f1[1] = 0.5*(z_6 - cos_q2*c_2);
-    f2[0] = -cos_q3*c_3;
-    A1[0][0] = -z_8;
-    A1[0][1] = -z_9;
-    A1[1][0] = z_10;
-    A1[1][1] = z_11;
-    A2[0][0] = z_13;
-    A2[1][0] = -z_14;
-    gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
-    gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* q1, q2: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[3], y[4] };
-    const double *const C1 = y + 6, *const s1 = y + 10;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-
-    /* q3: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[5] };
-    const double *const C2 = c + 6, *const s2 = c + 7;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[2] = v2[0];
-
-    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
-    eigenfactor_motion(y, dy, c, Mdot1, f1, f2, A1, A2, gamma);
-
-    /* q1, q2: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-
-    /* q3: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-
-    /* q1, q2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 6, *const s1_dot = dy + 10;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
-
-    /* q3: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[3] = a1[0];
-    dy[4] = a1[1];
-    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
-    dy[5] = a2[0];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[4])
-{
-    const double c_0 = c[10];
-    const double c_4 = c[14];
-    const double c_5 = c[15];
-    const double q1 = x[0];
-    const double q2 = x[1];
-    const double cos_q1 = em_cos(q1);
-    const double cos_q2 = em_cos(q2);
-    const double sin_q1 = em_sin(q1);
-    const double sin_q2 = em_sin(q2);
-    M1[0][0] = c_4;
-    M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
-    M1[1][1] = c_5;
-    shared[0] = cos_q2;
-    shared[1] = sin_q1;
-    shared[2] = cos_q1;
-    shared[3] = sin_q2;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
-                                 const double shared[4], double Mdot1[N1][N1], double f1[N1], double f2[N2],
-                                 double A1[N_ROWS][N1], double A2[N_ROWS][N2], double gamma[N_ROWS])
-{
-    const double a_ = c[0];
-    const double b = c[1];
-    const double c_ = c[2];
-    const double c_0 = c[10];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double c_3 = c[13];
-    const double cos_q2 = shared[0];
-    const double sin_q1 = shared[1];
-    const double cos_q1 = shared[2];
-    const double sin_q2 = shared[3];
-    const double q1_dot = v[0];
-    const double q2_dot = v[1];
-    const double q3_dot = v[2];
-    const double q3 = x[2];
-    const double z_4 = cos_q2*sin_q1;
-    const double z_5 = cos_q1*sin_q2;
-    const double z_6 = q1_dot*q2_dot*(c_0*(z_4 - z_5));
-    const double cos_q3 = em_cos(q3);
-    const double z_8 = a_*sin_q1;
-    const double z_9 = b*sin_q2;
-    const double z_10 = a_*cos_q1;
-    const double z_11 = b*cos_q2;
-    const double sin_q3 = em_sin(q3);
-    const double z_13 = c_*sin_q3;
-    const double z_14 = c_*cos_q3;
-    const double z_15 = q1_dot*q1_dot;
-    const double z_16 = q2_dot*q2_dot;
-    const double z_17 = q3_dot*q3_dot;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_4 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_4));
-    Mdot1[1][1] = 0.0;
-    f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
-    f1[1] = 0.5*(z_6 - cos_q2*c_2);
-    f2[0] = -cos_q3*c_3;
-    A1[0][0] = -z_8;
-    A1[0][1] = -z_9;
-    A1[1][0] = z_10;
-    A1[1][1] = z_11;
-    A2[0][0] = z_13;
-    A2[1][0] = -z_14;
-    gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
-    gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[4];
-    triangular_masses(y, c, M1, shared);
-
-    /* q1, q2: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[3], y[4] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-
-    /* q3: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[5] };
-    const double *const C2 = c + 6, *const s2 = c + 7;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[2] = v2[0];
-
-    double Mdot1[N1][N1], f1[N1], f2[N2], A1[N_ROWS][N1], A2[N_ROWS][N2], gamma[N_ROWS];
-    triangular_motion(y, dy, c, shared, Mdot1, f1, f2, A1, A2, gamma);
-
-    /* q1, q2: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* q3: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* q1, q2: B = A L^-T */
-    double B1[N_ROWS][N1];
-    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* q3: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[3] = a1[0];
-    dy[4] = a1[1];
-    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
-    dy[5] = a2[0];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -685,14 +714,14 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B2[N_ROWS][N2], *const a2 = eta2;
         em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
-        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            double load = gamma[row];
+            real load = gamma[row];
             for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
             for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
             lambda[row] = load;
             for (int column = 0; column <= row; ++column) {
-                double product = 0.0;
+                real product = em_real(0.0);
                 for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
                 for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
                 Delta[row*N_ROWS + column] = product;
@@ -729,15 +758,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -932,3 +952,5 @@ const em_model four_bar_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:02a8b72448f9081760bfca55b456ac9e6a38043e6a2a087260f07e830ab47421 */
+/* body sha256:32c60c0ffddf7d933dfd0e2589343dd732b3fd94aa28b58bdc27d818f0dc5582 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -32,7 +32,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 3,              /* coordinates */
@@ -47,6 +46,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
@@ -54,6 +54,193 @@ enum {
     N1 = 2,             /* phi, psi */
     N2 = 1,             /* theta */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1], real f2[N2])
+{
+    const real J3 = c[4];
+    const real c_0 = c[9];
+    const real c_1 = c[10];
+    const real c_2 = c[11];
+    const real phi_dot = v[0];
+    const real theta_dot = v[1];
+    const real psi_dot = v[2];
+    const real theta = x[1];
+    const real cos_theta = em_cos(theta);
+    const real sin_theta = em_sin(theta);
+    const real z_2 = theta_dot*sin_theta;
+    Mdot1[0][0] = cos_theta*c_0*z_2;
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
+    Mdot1[1][1] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = em_real(0.0);
+    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* phi, psi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[5] };
+    const real *const C1 = y + 6, *const s1 = y + 10;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[2] = v1[1];
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[4] };
+    const real *const C2 = c + 5, *const s2 = c + 6;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    real Mdot1[N1][N1], f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
+
+    /* phi, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 6, *const s1_dot = dy + 10;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    real a1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+
+    /* theta: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* etadot = a (45) */
+    dy[3] = a1[0];
+    dy[5] = a1[1];
+    dy[4] = a2[0];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[2])
+{
+    const real J = c[3];
+    const real J3 = c[4];
+    const real theta = x[1];
+    const real sin_theta = em_sin(theta);
+    const real cos_theta = em_cos(theta);
+    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[1][0] = J3*cos_theta;
+    M1[1][1] = J3;
+    shared[0] = cos_theta;
+    shared[1] = sin_theta;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[2],
+                                 real Mdot1[N1][N1], real f1[N1], real f2[N2])
+{
+    const real J3 = c[4];
+    const real c_0 = c[9];
+    const real c_1 = c[10];
+    const real c_2 = c[11];
+    const real cos_theta = shared[0];
+    const real sin_theta = shared[1];
+    const real phi_dot = v[0];
+    const real theta_dot = v[1];
+    const real psi_dot = v[2];
+    const real z_2 = theta_dot*sin_theta;
+    Mdot1[0][0] = cos_theta*c_0*z_2;
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
+    Mdot1[1][1] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = em_real(0.0);
+    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[2];
+    triangular_masses(y, c, M1, shared);
+
+    /* phi, psi: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 2 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[3], y[5] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[2] = v1[1];
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[4] };
+    const real *const C2 = c + 5, *const s2 = c + 6;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    real Mdot1[N1][N1], f1[N1], f2[N2];
+    triangular_motion(dy, c, shared, Mdot1, f1, f2);
+
+    /* phi, psi: a = L^-1 f - Phi eta */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* theta: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* etadot = a (45) */
+    dy[3] = a1[0];
+    dy[5] = a1[1];
+    dy[4] = a2[0];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes heavy_top_lanes;
+em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes heavy_top_lanes;
+__attribute__((weak)) em_lanes heavy_top_lanes = {0, NULL};
+#define EM_MODEL_LANES heavy_top_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1, 0 };
@@ -192,164 +379,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
-                                  double f2[N2])
-{
-    const double J3 = c[4];
-    const double c_0 = c[9];
-    const double c_1 = c[10];
-    const double c_2 = c[11];
-    const double phi_dot = v[0];
-    const double theta_dot = v[1];
-    const double psi_dot = v[2];
-    const double theta = x[1];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_2 = theta_dot*sin_theta;
-    Mdot1[0][0] = cos_theta*c_0*z_2;
-    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
-    Mdot1[1][1] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* phi, psi: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[3], y[5] };
-    const double *const C1 = y + 6, *const s1 = y + 10;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[2] = v1[1];
-
-    /* theta: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[4] };
-    const double *const C2 = c + 5, *const s2 = c + 6;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    double Mdot1[N1][N1], f1[N1], f2[N2];
-    eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
-
-    /* phi, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 6, *const s1_dot = dy + 10;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
-    double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
-
-    /* theta: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* etadot = a (45) */
-    dy[3] = a1[0];
-    dy[5] = a1[1];
-    dy[4] = a2[0];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[2])
-{
-    const double J = c[3];
-    const double J3 = c[4];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
-    M1[1][0] = J3*cos_theta;
-    M1[1][1] = J3;
-    shared[0] = cos_theta;
-    shared[1] = sin_theta;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[2],
-                                 double Mdot1[N1][N1], double f1[N1], double f2[N2])
-{
-    const double J3 = c[4];
-    const double c_0 = c[9];
-    const double c_1 = c[10];
-    const double c_2 = c[11];
-    const double cos_theta = shared[0];
-    const double sin_theta = shared[1];
-    const double phi_dot = v[0];
-    const double theta_dot = v[1];
-    const double psi_dot = v[2];
-    const double z_2 = theta_dot*sin_theta;
-    Mdot1[0][0] = cos_theta*c_0*z_2;
-    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
-    Mdot1[1][1] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[2];
-    triangular_masses(y, c, M1, shared);
-
-    /* phi, psi: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 2 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[3], y[5] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[2] = v1[1];
-
-    /* theta: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[4] };
-    const double *const C2 = c + 5, *const s2 = c + 6;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    double Mdot1[N1][N1], f1[N1], f2[N2];
-    triangular_motion(dy, c, shared, Mdot1, f1, f2);
-
-    /* phi, psi: a = L^-1 f - Phi eta */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* theta: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* etadot = a (45) */
-    dy[3] = a1[0];
-    dy[5] = a1[1];
-    dy[4] = a2[0];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -464,15 +493,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -667,3 +687,5 @@ const em_model heavy_top_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:515790162c31f43779196c1a15d2dca0eadaeb22535ce61d59ace68bd696cdc4 */
+/* body sha256:6242e5e61adfae32d053b9578293635b2c949927bc408bf12a8613a9690a22d2 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -40,12 +40,77 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
     N_PREPARED = 10,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1])
+{
+    const real c_0 = c[7];
+    const real theta = x[0];
+    const real sin_theta = em_sin(theta);
+    f1[0] = -c_0*sin_theta;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[1] };
+    const real *const C1 = c + 3, *const s1 = c + 4;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    real f1[N1];
+    eigenfactor_motion(y, c, f1);
+
+    /* theta: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* etadot = a (45) */
+    dy[1] = a1[0];
+    return 0;
+}
+
+/* dy <- f(t, y). */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes pendulum_lanes;
+em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes pendulum_lanes;
+__attribute__((weak)) em_lanes pendulum_lanes = {0, NULL};
+#define EM_MODEL_LANES pendulum_lanes
+
+#include "em_eigenfactors.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
@@ -150,41 +215,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict c, double f1[N1])
-{
-    const double c_0 = c[7];
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    f1[0] = -c_0*sin_theta;
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* theta: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[1] };
-    const double *const C1 = c + 3, *const s1 = c + 4;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-
-    double f1[N1];
-    eigenfactor_motion(y, c, f1);
-
-    /* theta: constant factors, a = S^-1 C f (41) */
-    double a1[N1];
-    em_rows_on_eta(1, N1, C1, r1, f1, a1);
-
-    /* etadot = a (45) */
-    dy[1] = a1[0];
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* After an accepted step, and at the start: nothing to do.
@@ -196,14 +226,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
 
     return changed;
-}
-
-/* dy <- f(t, y). */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state. */
@@ -359,3 +381,5 @@ const em_model pendulum_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:eb13a4ed7e720399b663bb0a82d8a64bc378e1ca28deb7c51331013d7a0e0fc6 */
+/* body sha256:cac6d2468f2df00f9758dc69563c29c04ebb3c4d01a1c74b788626fe2a595d29 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -44,6 +44,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 2,
@@ -51,6 +52,103 @@ enum {
     N1 = 1,             /* r */
     N2 = 1,             /* theta */
 };
+
+/* M of single coordinates */
+EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M2[N2][N2],
+                                  real shared[1])
+{
+    const real m = c[0];
+    const real r = x[0];
+    const real z_0 = r*r;
+    M2[0][0] = m*z_0;
+    shared[0] = z_0;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  const real shared[1], real Mdot2[N2][N2], real f1[N1], real f2[N2])
+{
+    const real m = c[0];
+    const real c_0 = c[6];
+    const real c_1 = c[7];
+    const real z_0 = shared[0];
+    const real r_dot = v[0];
+    const real theta_dot = v[1];
+    const real r = x[0];
+    Mdot2[0][0] = c_0*(r_dot*r);
+    f1[0] = m*r*(theta_dot*theta_dot) - c_1/z_0;
+    f2[0] = em_real(0.0);
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+    real M2[N2][N2], shared[1];
+    eigenfactor_masses(y, c, M2, shared);
+
+    /* r: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2] };
+    const real *const C1 = c + 2, *const s1 = c + 3;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[3] };
+    if (em_fails(M2[0], M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
+    const real C2[1] = { em_real(1.0) }, s2[1] = { sqrt(M2[0][0]) };
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    real Mdot2[N2][N2], f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, shared, Mdot2, f1, f2);
+
+    /* r: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
+    const real s2_dot[1] = { 0.5*Mdot2[0][0]*r2[0] };
+    real a2[1] = { r2[0]*(f2[0] - s2_dot[0]*eta2[0]) };
+
+    /* etadot = a (45) */
+    dy[2] = a1[0];
+    dy[3] = a2[0];
+    return 0;
+}
+
+/* dy <- f(t, y). */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes polar_particle_lanes;
+em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes polar_particle_lanes;
+__attribute__((weak)) em_lanes polar_particle_lanes = {0, NULL};
+#define EM_MODEL_LANES polar_particle_lanes
+
+#include "em_eigenfactors.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -161,75 +259,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* M of single coordinates */
-EM_INLINE void eigenfactor_masses(const double *restrict x, const double *restrict c, double M2[N2][N2],
-                                  double shared[1])
-{
-    const double m = c[0];
-    const double r = x[0];
-    const double z_0 = r*r;
-    M2[0][0] = m*z_0;
-    shared[0] = z_0;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, const double shared[1], double Mdot2[N2][N2],
-                                  double f1[N1], double f2[N2])
-{
-    const double m = c[0];
-    const double c_0 = c[6];
-    const double c_1 = c[7];
-    const double z_0 = shared[0];
-    const double r_dot = v[0];
-    const double theta_dot = v[1];
-    const double r = x[0];
-    Mdot2[0][0] = c_0*(r_dot*r);
-    f1[0] = m*r*(theta_dot*theta_dot) - c_1/z_0;
-    f2[0] = 0.0;
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-    double M2[N2][N2], shared[1];
-    eigenfactor_masses(y, c, M2, shared);
-
-    /* r: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[2] };
-    const double *const C1 = c + 2, *const s1 = c + 3;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-
-    /* theta: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[3] };
-    if (!(M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2[0][0]);
-    const double C2[1] = { 1.0 }, s2[1] = { sqrt(M2[0][0]) };
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    double Mdot2[N2][N2], f1[N1], f2[N2];
-    eigenfactor_motion(y, dy, c, shared, Mdot2, f1, f2);
-
-    /* r: constant factors, a = S^-1 C f (41) */
-    double a1[N1];
-    em_rows_on_eta(1, N1, C1, r1, f1, a1);
-
-    /* theta: sdot = Mdot / (2 s) (35), a = (f - sdot eta) / s (41) */
-    const double s2_dot[1] = { 0.5*Mdot2[0][0]*r2[0] };
-    double a2[1] = { r2[0]*(f2[0] - s2_dot[0]*eta2[0]) };
-
-    /* etadot = a (45) */
-    dy[2] = a1[0];
-    dy[3] = a2[0];
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -253,14 +282,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     memory[1] = 1.0/sqrt(M2[0][0]);
 
     return changed;
-}
-
-/* dy <- f(t, y). */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state. */
@@ -431,3 +452,5 @@ const em_model polar_particle_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:d89266de0f85aec7b38bdcf324ed38d00e15b860eabdd8a90acfada9e47b81dd */
+/* body sha256:7dff9555e488b46deb353b95f2d37ecff5dafab6efa319748a2588d559f042c9 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -30,7 +30,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 4,              /* coordinates */
@@ -45,12 +44,333 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 20,      /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
     N_PREPARED = 21,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 4,             /* q_0, q_1, q_2, q_3 */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+{
+    const real J = c[3];
+    const real J3 = c[4];
+    const real c_0 = c[5];
+    const real c_1 = c[6];
+    const real c_2 = c[7];
+    const real c_3 = c[8];
+    const real c_4 = c[9];
+    const real c_5 = c[10];
+    const real c_6 = c[11];
+    const real c_7 = c[12];
+    const real q_0_dot = v[0];
+    const real q_1_dot = v[1];
+    const real q_2_dot = v[2];
+    const real q_3_dot = v[3];
+    const real q_0 = x[0];
+    const real q_1 = x[1];
+    const real q_2 = x[2];
+    const real q_3 = x[3];
+    const real z_0 = q_3_dot*q_3;
+    const real z_1 = q_0_dot*q_0;
+    const real z_2 = q_1_dot*q_1;
+    const real z_3 = q_2_dot*q_2;
+    const real z_4 = J*z_2 + J*z_3;
+    const real z_5 = q_3_dot*q_2;
+    const real z_6 = q_2_dot*q_3;
+    const real z_7 = z_5 + z_6;
+    const real z_8 = q_0_dot*q_1;
+    const real z_9 = q_1_dot*q_0;
+    const real z_10 = z_8 + z_9;
+    const real z_11 = J*z_1 + J*z_0;
+    const real z_12 = q_1_dot*q_3;
+    const real z_13 = q_3_dot*q_1;
+    const real z_14 = z_12 + z_13;
+    const real z_15 = q_0_dot*q_2;
+    const real z_16 = q_2_dot*q_0;
+    const real z_17 = z_15 + z_16;
+    const real z_18 = q_2_dot*q_1;
+    const real z_19 = q_1_dot*q_2;
+    const real z_20 = q_0_dot*q_3;
+    const real z_21 = q_3_dot*q_0;
+    const real z_22 = (z_20 + z_18 - z_21 - z_19)*c_5;
+    const real z_23 = (z_15 + z_12 - z_16 - z_13)*c_6;
+    const real z_24 = (z_8 + z_5 - z_9 - z_6)*c_6;
+    const real z_25 = (z_0 + z_2 + z_3 + z_1)*c_7;
+    Mdot1[0][0] = 8.0*(J3*z_0 + c_0*z_1 + z_4);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_7 - c_2*z_10);
+    Mdot1[1][1] = 8.0*(J3*z_3 + c_0*z_2 + z_11);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_14 + c_2*z_17);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_18 + z_19));
+    Mdot1[2][2] = 8.0*(J3*z_2 + c_0*z_3 + z_11);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_20 + z_21));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_17 + c_2*z_14);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_10 - c_2*z_7);
+    Mdot1[3][3] = 8.0*(J3*z_1 + c_0*z_0 + z_4);
+    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_22 + q_2_dot*z_23 + q_1_dot*z_24) - q_0_dot*z_25);
+    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_22 + q_0_dot*z_24 - q_3_dot*z_23) + q_1_dot*z_25);
+    f1[2] = (-2.0)*((q_1_dot*z_22 - q_2*c_4 - q_0_dot*z_23 - q_3_dot*z_24) - q_2_dot*z_25);
+    f1[3] = 2.0*((q_0_dot*z_22 + q_1_dot*z_23 - q_3*c_4 - q_2_dot*z_24) + q_3_dot*z_25);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[4], y[5], y[6], y[7] };
+    const real *const C1 = y + 8, *const s1 = y + 24;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+
+    real Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
+
+    /* q_0, q_1, q_2, q_3: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* q_0, q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 8, *const s1_dot = dy + 24;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
+    real a1[N1], q1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[4] = a1[0];
+    dy[5] = a1[1];
+    dy[6] = a1[2];
+    dy[7] = a1[3];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
+{
+    const real J = c[3];
+    const real J3 = c[4];
+    const real c_0 = c[5];
+    const real c_1 = c[6];
+    const real c_2 = c[7];
+    const real c_13 = c[18];
+    const real q_0 = x[0];
+    const real q_1 = x[1];
+    const real q_2 = x[2];
+    const real q_3 = x[3];
+    const real z_0 = q_3*q_3;
+    const real z_1 = q_0*q_0;
+    const real z_2 = q_1*q_1;
+    const real z_3 = q_2*q_2;
+    const real z_4 = J*z_2 + J*z_3;
+    const real z_5 = q_2*c_1;
+    const real z_6 = q_1*c_2;
+    const real z_7 = J*z_1 + J*z_0;
+    const real z_8 = q_1*c_1;
+    const real z_9 = q_2*c_2;
+    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
+    M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
+    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
+    M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
+    M1[2][1] = -c_13*(q_1*q_2);
+    M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
+    M1[3][0] = -c_13*(q_3*q_0);
+    M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
+    M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
+    M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                 real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+{
+    const real J = c[3];
+    const real J3 = c[4];
+    const real c_0 = c[5];
+    const real c_1 = c[6];
+    const real c_2 = c[7];
+    const real c_3 = c[8];
+    const real c_4 = c[9];
+    const real c_5 = c[10];
+    const real c_6 = c[11];
+    const real c_7 = c[12];
+    const real q_0_dot = v[0];
+    const real q_1_dot = v[1];
+    const real q_2_dot = v[2];
+    const real q_3_dot = v[3];
+    const real q_0 = x[0];
+    const real q_1 = x[1];
+    const real q_2 = x[2];
+    const real q_3 = x[3];
+    const real z_10 = q_3_dot*q_3;
+    const real z_11 = q_0_dot*q_0;
+    const real z_12 = q_1_dot*q_1;
+    const real z_13 = q_2_dot*q_2;
+    const real z_14 = J*z_12 + J*z_13;
+    const real z_15 = q_3_dot*q_2;
+    const real z_16 = q_2_dot*q_3;
+    const real z_17 = z_15 + z_16;
+    const real z_18 = q_0_dot*q_1;
+    const real z_19 = q_1_dot*q_0;
+    const real z_20 = z_18 + z_19;
+    const real z_21 = J*z_11 + J*z_10;
+    const real z_22 = q_1_dot*q_3;
+    const real z_23 = q_3_dot*q_1;
+    const real z_24 = z_22 + z_23;
+    const real z_25 = q_0_dot*q_2;
+    const real z_26 = q_2_dot*q_0;
+    const real z_27 = z_25 + z_26;
+    const real z_28 = q_2_dot*q_1;
+    const real z_29 = q_1_dot*q_2;
+    const real z_30 = q_0_dot*q_3;
+    const real z_31 = q_3_dot*q_0;
+    const real z_32 = (z_30 + z_28 - z_31 - z_29)*c_5;
+    const real z_33 = (z_25 + z_22 - z_26 - z_23)*c_6;
+    const real z_34 = (z_18 + z_15 - z_19 - z_16)*c_6;
+    const real z_35 = (z_10 + z_12 + z_13 + z_11)*c_7;
+    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_17 - c_2*z_20);
+    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_21);
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_24 + c_2*z_27);
+    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_28 + z_29));
+    Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_21);
+    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_30 + z_31));
+    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_27 + c_2*z_24);
+    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_20 - c_2*z_17);
+    Mdot1[3][3] = 8.0*(J3*z_11 + c_0*z_10 + z_14);
+    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_32 + q_2_dot*z_33 + q_1_dot*z_34) - q_0_dot*z_35);
+    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_32 + q_0_dot*z_34 - q_3_dot*z_33) + q_1_dot*z_35);
+    f1[2] = (-2.0)*((q_1_dot*z_32 - q_2*c_4 - q_0_dot*z_33 - q_3_dot*z_34) - q_2_dot*z_35);
+    f1[3] = 2.0*((q_0_dot*z_32 + q_1_dot*z_33 - q_3*c_4 - q_2_dot*z_34) + q_3_dot*z_35);
+    A1[0][0] = 2.0*q_0;
+    A1[0][1] = 2.0*q_1;
+    A1[0][2] = 2.0*q_2;
+    A1[0][3] = 2.0*q_3;
+    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1];
+    triangular_masses(y, c, M1);
+
+    /* q_0, q_1, q_2, q_3: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2, 3 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[4], y[5], y[6], y[7] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+
+    real Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    triangular_motion(y, dy, c, Mdot1, f1, A1, gamma);
+
+    /* q_0, q_1, q_2, q_3: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* q_0, q_1, q_2, q_3: B = A L^-T */
+    real B1[N_ROWS][N1];
+    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[4] = a1[0];
+    dy[5] = a1[1];
+    dy[6] = a1[2];
+    dy[7] = a1[3];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes quaternion_top_lanes;
+em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes quaternion_top_lanes;
+__attribute__((weak)) em_lanes quaternion_top_lanes = {0, NULL};
+#define EM_MODEL_LANES quaternion_top_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0 };
@@ -403,298 +723,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
-                                  double A1[N_ROWS][N1], double gamma[N_ROWS])
-{
-    const double J = c[3];
-    const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_3 = c[8];
-    const double c_4 = c[9];
-    const double c_5 = c[10];
-    const double c_6 = c[11];
-    const double c_7 = c[12];
-    const double q_0_dot = v[0];
-    const double q_1_dot = v[1];
-    const double q_2_dot = v[2];
-    const double q_3_dot = v[3];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
-    const double z_0 = q_3_dot*q_3;
-    const double z_1 = q_0_dot*q_0;
-    const double z_2 = q_1_dot*q_1;
-    const double z_3 = q_2_dot*q_2;
-    const double z_4 = J*z_2 + J*z_3;
-    const double z_5 = q_3_dot*q_2;
-    const double z_6 = q_2_dot*q_3;
-    const double z_7 = z_5 + z_6;
-    const double z_8 = q_0_dot*q_1;
-    const double z_9 = q_1_dot*q_0;
-    const double z_10 = z_8 + z_9;
-    const double z_11 = J*z_1 + J*z_0;
-    const double z_12 = q_1_dot*q_3;
-    const double z_13 = q_3_dot*q_1;
-    const double z_14 = z_12 + z_13;
-    const double z_15 = q_0_dot*q_2;
-    const double z_16 = q_2_dot*q_0;
-    const double z_17 = z_15 + z_16;
-    const double z_18 = q_2_dot*q_1;
-    const double z_19 = q_1_dot*q_2;
-    const double z_20 = q_0_dot*q_3;
-    const double z_21 = q_3_dot*q_0;
-    const double z_22 = (z_20 + z_18 - z_21 - z_19)*c_5;
-    const double z_23 = (z_15 + z_12 - z_16 - z_13)*c_6;
-    const double z_24 = (z_8 + z_5 - z_9 - z_6)*c_6;
-    const double z_25 = (z_0 + z_2 + z_3 + z_1)*c_7;
-    Mdot1[0][0] = 8.0*(J3*z_0 + c_0*z_1 + z_4);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_7 - c_2*z_10);
-    Mdot1[1][1] = 8.0*(J3*z_3 + c_0*z_2 + z_11);
-    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_14 + c_2*z_17);
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_18 + z_19));
-    Mdot1[2][2] = 8.0*(J3*z_2 + c_0*z_3 + z_11);
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_20 + z_21));
-    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_17 + c_2*z_14);
-    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_10 - c_2*z_7);
-    Mdot1[3][3] = 8.0*(J3*z_1 + c_0*z_0 + z_4);
-    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_22 + q_2_dot*z_23 + q_1_dot*z_24) - q_0_dot*z_25);
-    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_22 + q_0_dot*z_24 - q_3_dot*z_23) + q_1_dot*z_25);
-    f1[2] = (-2.0)*((q_1_dot*z_22 - q_2*c_4 - q_0_dot*z_23 - q_3_dot*z_24) - q_2_dot*z_25);
-    f1[3] = 2.0*((q_0_dot*z_22 + q_1_dot*z_23 - q_3*c_4 - q_2_dot*z_24) + q_3_dot*z_25);
-    A1[0][0] = 2.0*q_0;
-    A1[0][1] = 2.0*q_1;
-    A1[0][2] = 2.0*q_2;
-    A1[0][3] = 2.0*q_3;
-    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[4], y[5], y[6], y[7] };
-    const double *const C1 = y + 8, *const s1 = y + 24;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-    dy[3] = v1[3];
-
-    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
-    eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
-
-    /* q_0, q_1, q_2, q_3: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-
-    /* q_0, q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 8, *const s1_dot = dy + 24;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
-
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[4] = a1[0];
-    dy[5] = a1[1];
-    dy[6] = a1[2];
-    dy[7] = a1[3];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
-{
-    const double J = c[3];
-    const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_13 = c[18];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
-    const double z_0 = q_3*q_3;
-    const double z_1 = q_0*q_0;
-    const double z_2 = q_1*q_1;
-    const double z_3 = q_2*q_2;
-    const double z_4 = J*z_2 + J*z_3;
-    const double z_5 = q_2*c_1;
-    const double z_6 = q_1*c_2;
-    const double z_7 = J*z_1 + J*z_0;
-    const double z_8 = q_1*c_1;
-    const double z_9 = q_2*c_2;
-    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
-    M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
-    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
-    M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
-    M1[2][1] = -c_13*(q_1*q_2);
-    M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M1[3][0] = -c_13*(q_3*q_0);
-    M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
-    M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
-    M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
-                                 double Mdot1[N1][N1], double f1[N1], double A1[N_ROWS][N1],
-                                 double gamma[N_ROWS])
-{
-    const double J = c[3];
-    const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_3 = c[8];
-    const double c_4 = c[9];
-    const double c_5 = c[10];
-    const double c_6 = c[11];
-    const double c_7 = c[12];
-    const double q_0_dot = v[0];
-    const double q_1_dot = v[1];
-    const double q_2_dot = v[2];
-    const double q_3_dot = v[3];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
-    const double z_10 = q_3_dot*q_3;
-    const double z_11 = q_0_dot*q_0;
-    const double z_12 = q_1_dot*q_1;
-    const double z_13 = q_2_dot*q_2;
-    const double z_14 = J*z_12 + J*z_13;
-    const double z_15 = q_3_dot*q_2;
-    const double z_16 = q_2_dot*q_3;
-    const double z_17 = z_15 + z_16;
-    const double z_18 = q_0_dot*q_1;
-    const double z_19 = q_1_dot*q_0;
-    const double z_20 = z_18 + z_19;
-    const double z_21 = J*z_11 + J*z_10;
-    const double z_22 = q_1_dot*q_3;
-    const double z_23 = q_3_dot*q_1;
-    const double z_24 = z_22 + z_23;
-    const double z_25 = q_0_dot*q_2;
-    const double z_26 = q_2_dot*q_0;
-    const double z_27 = z_25 + z_26;
-    const double z_28 = q_2_dot*q_1;
-    const double z_29 = q_1_dot*q_2;
-    const double z_30 = q_0_dot*q_3;
-    const double z_31 = q_3_dot*q_0;
-    const double z_32 = (z_30 + z_28 - z_31 - z_29)*c_5;
-    const double z_33 = (z_25 + z_22 - z_26 - z_23)*c_6;
-    const double z_34 = (z_18 + z_15 - z_19 - z_16)*c_6;
-    const double z_35 = (z_10 + z_12 + z_13 + z_11)*c_7;
-    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_17 - c_2*z_20);
-    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_21);
-    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_24 + c_2*z_27);
-    Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_28 + z_29));
-    Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_21);
-    Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_30 + z_31));
-    Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_27 + c_2*z_24);
-    Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_20 - c_2*z_17);
-    Mdot1[3][3] = 8.0*(J3*z_11 + c_0*z_10 + z_14);
-    f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_32 + q_2_dot*z_33 + q_1_dot*z_34) - q_0_dot*z_35);
-    f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_32 + q_0_dot*z_34 - q_3_dot*z_33) + q_1_dot*z_35);
-    f1[2] = (-2.0)*((q_1_dot*z_32 - q_2*c_4 - q_0_dot*z_33 - q_3_dot*z_34) - q_2_dot*z_35);
-    f1[3] = 2.0*((q_0_dot*z_32 + q_1_dot*z_33 - q_3*c_4 - q_2_dot*z_34) + q_3_dot*z_35);
-    A1[0][0] = 2.0*q_0;
-    A1[0][1] = 2.0*q_1;
-    A1[0][2] = 2.0*q_2;
-    A1[0][3] = 2.0*q_3;
-    gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1];
-    triangular_masses(y, c, M1);
-
-    /* q_0, q_1, q_2, q_3: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2, 3 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[4], y[5], y[6], y[7] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-    dy[3] = v1[3];
-
-    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
-    triangular_motion(y, dy, c, Mdot1, f1, A1, gamma);
-
-    /* q_0, q_1, q_2, q_3: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* q_0, q_1, q_2, q_3: B = A L^-T */
-    double B1[N_ROWS][N1];
-    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[4] = a1[0];
-    dy[5] = a1[1];
-    dy[6] = a1[2];
-    dy[7] = a1[3];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -835,13 +863,13 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 16, A1[0], B1[0]);
         else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
-        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            double load = gamma[row];
+            real load = gamma[row];
             for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
             lambda[row] = load;
             for (int column = 0; column <= row; ++column) {
-                double product = 0.0;
+                real product = em_real(0.0);
                 for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
                 Delta[row*N_ROWS + column] = product;
             }
@@ -877,15 +905,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -1079,3 +1098,5 @@ const em_model quaternion_top_model = {
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
 };
+
+#endif

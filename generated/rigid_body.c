@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:a96cf787cec6acc793fae543c32ac233a2eed305079c7ba977dfe20f911aba11 */
+/* body sha256:f770e15eb7e49653a79f8034fbc6c79f56dc536cd0beb501ee65da5cbd30c6da */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -30,7 +30,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 3,              /* coordinates */
@@ -45,12 +44,232 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
     N_PREPARED = 5,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* psi, theta, phi */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1])
+{
+    const real J1 = c[0];
+    const real J2 = c[1];
+    const real J3 = c[2];
+    const real c_0 = c[3];
+    const real c_1 = c[4];
+    const real psi_dot = v[0];
+    const real theta_dot = v[1];
+    const real phi_dot = v[2];
+    const real theta = x[1];
+    const real phi = x[2];
+    const real sin_theta = em_sin(theta);
+    const real cos_theta = em_cos(theta);
+    const real z_2 = theta_dot*cos_theta;
+    const real z_3 = sin_theta*z_2;
+    const real sin_phi = em_sin(phi);
+    const real cos_phi = em_cos(phi);
+    const real z_6 = sin_phi*cos_phi;
+    const real z_7 = phi_dot*z_6;
+    const real z_8 = sin_theta*sin_theta*z_7;
+    const real z_9 = sin_phi*sin_phi;
+    const real z_10 = cos_phi*cos_phi;
+    const real z_11 = phi_dot*sin_theta;
+    const real z_12 = psi_dot*sin_theta;
+    const real z_13 = J2*(theta_dot*sin_phi - cos_phi*z_12);
+    const real z_14 = J1*(theta_dot*cos_phi + sin_phi*z_12);
+    Mdot1[0][0] = (-2.0)*(J3*z_3 - J1*(z_8 + z_9*z_3) - J2*(-(z_8 - z_10*z_3)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_10*z_11 + z_2*z_6 - z_9*z_11);
+    Mdot1[1][1] = -c_1*z_7;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
+    Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
+    Mdot1[2][2] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = -(cos_theta*(psi_dot*cos_phi*z_13 - psi_dot*sin_phi*z_14) + J3*(phi_dot + psi_dot*cos_theta)*z_12);
+    f1[2] = sin_phi*(z_12*z_13 - theta_dot*z_14) + cos_phi*(theta_dot*z_13 + z_12*z_14);
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* psi, theta, phi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4], y[5] };
+    const real *const C1 = y + 6, *const s1 = y + 15;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    real Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
+
+    /* psi, theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 6, *const s1_dot = dy + 15;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    real a1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+
+    /* etadot = a (45) */
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    dy[5] = a1[2];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[8])
+{
+    const real J1 = c[0];
+    const real J2 = c[1];
+    const real J3 = c[2];
+    const real c_0 = c[3];
+    const real theta = x[1];
+    const real phi = x[2];
+    const real cos_theta = em_cos(theta);
+    const real sin_theta = em_sin(theta);
+    const real z_2 = sin_theta*sin_theta;
+    const real sin_phi = em_sin(phi);
+    const real z_4 = sin_phi*sin_phi;
+    const real cos_phi = em_cos(phi);
+    const real z_6 = cos_phi*cos_phi;
+    const real z_7 = sin_phi*cos_phi;
+    M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
+    M1[1][0] = sin_theta*(c_0*z_7);
+    M1[1][1] = J1*z_6 + J2*z_4;
+    M1[2][0] = J3*cos_theta;
+    M1[2][1] = em_real(0.0);
+    M1[2][2] = J3;
+    shared[0] = sin_theta;
+    shared[1] = cos_theta;
+    shared[2] = z_2;
+    shared[3] = z_7;
+    shared[4] = z_4;
+    shared[5] = z_6;
+    shared[6] = cos_phi;
+    shared[7] = sin_phi;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[8],
+                                 real Mdot1[N1][N1], real f1[N1])
+{
+    const real J1 = c[0];
+    const real J2 = c[1];
+    const real J3 = c[2];
+    const real c_0 = c[3];
+    const real c_1 = c[4];
+    const real sin_theta = shared[0];
+    const real cos_theta = shared[1];
+    const real z_2 = shared[2];
+    const real z_7 = shared[3];
+    const real z_4 = shared[4];
+    const real z_6 = shared[5];
+    const real cos_phi = shared[6];
+    const real sin_phi = shared[7];
+    const real psi_dot = v[0];
+    const real theta_dot = v[1];
+    const real phi_dot = v[2];
+    const real z_8 = theta_dot*cos_theta;
+    const real z_9 = sin_theta*z_8;
+    const real z_10 = phi_dot*z_7;
+    const real z_11 = z_2*z_10;
+    const real z_12 = phi_dot*sin_theta;
+    const real z_13 = psi_dot*sin_theta;
+    const real z_14 = J2*(theta_dot*sin_phi - cos_phi*z_13);
+    const real z_15 = J1*(theta_dot*cos_phi + sin_phi*z_13);
+    Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
+    Mdot1[1][1] = -c_1*z_10;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
+    Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
+    Mdot1[2][2] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = -(cos_theta*(psi_dot*cos_phi*z_14 - psi_dot*sin_phi*z_15) + J3*(phi_dot + psi_dot*cos_theta)*z_13);
+    f1[2] = sin_phi*(z_13*z_14 - theta_dot*z_15) + cos_phi*(theta_dot*z_14 + z_13*z_15);
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[8];
+    triangular_masses(y, c, M1, shared);
+
+    /* psi, theta, phi: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[3], y[4], y[5] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    real Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
+
+    /* psi, theta, phi: a = L^-1 f - Phi eta */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* etadot = a (45) */
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    dy[5] = a1[2];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes rigid_body_lanes;
+em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes rigid_body_lanes;
+__attribute__((weak)) em_lanes rigid_body_lanes = {0, NULL};
+#define EM_MODEL_LANES rigid_body_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0 };
@@ -245,195 +464,6 @@ static void quasi(EM_UNUSED double t, const double *restrict x, const double *re
     y[2] = phi_dot + psi_dot*cos_theta;
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
-{
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double psi_dot = v[0];
-    const double theta_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta = x[1];
-    const double phi = x[2];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    const double z_2 = theta_dot*cos_theta;
-    const double z_3 = sin_theta*z_2;
-    const double sin_phi = em_sin(phi);
-    const double cos_phi = em_cos(phi);
-    const double z_6 = sin_phi*cos_phi;
-    const double z_7 = phi_dot*z_6;
-    const double z_8 = sin_theta*sin_theta*z_7;
-    const double z_9 = sin_phi*sin_phi;
-    const double z_10 = cos_phi*cos_phi;
-    const double z_11 = phi_dot*sin_theta;
-    const double z_12 = psi_dot*sin_theta;
-    const double z_13 = J2*(theta_dot*sin_phi - cos_phi*z_12);
-    const double z_14 = J1*(theta_dot*cos_phi + sin_phi*z_12);
-    Mdot1[0][0] = (-2.0)*(J3*z_3 - J1*(z_8 + z_9*z_3) - J2*(-(z_8 - z_10*z_3)));
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_10*z_11 + z_2*z_6 - z_9*z_11);
-    Mdot1[1][1] = -c_1*z_7;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = -(cos_theta*(psi_dot*cos_phi*z_13 - psi_dot*sin_phi*z_14) + J3*(phi_dot + psi_dot*cos_theta)*z_12);
-    f1[2] = sin_phi*(z_12*z_13 - theta_dot*z_14) + cos_phi*(theta_dot*z_13 + z_12*z_14);
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* psi, theta, phi: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[3], y[4], y[5] };
-    const double *const C1 = y + 6, *const s1 = y + 15;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-
-    double Mdot1[N1][N1], f1[N1];
-    eigenfactor_motion(y, dy, c, Mdot1, f1);
-
-    /* psi, theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 6, *const s1_dot = dy + 15;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
-    double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
-
-    /* etadot = a (45) */
-    dy[3] = a1[0];
-    dy[4] = a1[1];
-    dy[5] = a1[2];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[8])
-{
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double theta = x[1];
-    const double phi = x[2];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_2 = sin_theta*sin_theta;
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*sin_phi;
-    const double cos_phi = em_cos(phi);
-    const double z_6 = cos_phi*cos_phi;
-    const double z_7 = sin_phi*cos_phi;
-    M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
-    M1[1][0] = sin_theta*(c_0*z_7);
-    M1[1][1] = J1*z_6 + J2*z_4;
-    M1[2][0] = J3*cos_theta;
-    M1[2][1] = 0.0;
-    M1[2][2] = J3;
-    shared[0] = sin_theta;
-    shared[1] = cos_theta;
-    shared[2] = z_2;
-    shared[3] = z_7;
-    shared[4] = z_4;
-    shared[5] = z_6;
-    shared[6] = cos_phi;
-    shared[7] = sin_phi;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[8],
-                                 double Mdot1[N1][N1], double f1[N1])
-{
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double sin_theta = shared[0];
-    const double cos_theta = shared[1];
-    const double z_2 = shared[2];
-    const double z_7 = shared[3];
-    const double z_4 = shared[4];
-    const double z_6 = shared[5];
-    const double cos_phi = shared[6];
-    const double sin_phi = shared[7];
-    const double psi_dot = v[0];
-    const double theta_dot = v[1];
-    const double phi_dot = v[2];
-    const double z_8 = theta_dot*cos_theta;
-    const double z_9 = sin_theta*z_8;
-    const double z_10 = phi_dot*z_7;
-    const double z_11 = z_2*z_10;
-    const double z_12 = phi_dot*sin_theta;
-    const double z_13 = psi_dot*sin_theta;
-    const double z_14 = J2*(theta_dot*sin_phi - cos_phi*z_13);
-    const double z_15 = J1*(theta_dot*cos_phi + sin_phi*z_13);
-    Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
-    Mdot1[1][1] = -c_1*z_10;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = -(cos_theta*(psi_dot*cos_phi*z_14 - psi_dot*sin_phi*z_15) + J3*(phi_dot + psi_dot*cos_theta)*z_13);
-    f1[2] = sin_phi*(z_13*z_14 - theta_dot*z_15) + cos_phi*(theta_dot*z_14 + z_13*z_15);
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[8];
-    triangular_masses(y, c, M1, shared);
-
-    /* psi, theta, phi: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[3], y[4], y[5] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-
-    double Mdot1[N1][N1], f1[N1];
-    triangular_motion(dy, c, shared, Mdot1, f1);
-
-    /* psi, theta, phi: a = L^-1 f - Phi eta */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* etadot = a (45) */
-    dy[3] = a1[0];
-    dy[4] = a1[1];
-    dy[5] = a1[2];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -573,15 +603,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -775,3 +796,5 @@ const em_model rigid_body_model = {
     .initial_y = initial_y,
     .event = model_events,
 };
+
+#endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:0b1c8acd9be00537f090e4775bb034f08eccf4effbc63e26a70d82324a27ecdd */
+/* body sha256:ea111275e4b683f1865d3fb3619927fcd69d7f5084dc2a1e8d042b421cca644c */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -29,7 +29,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 5,              /* coordinates */
@@ -44,12 +43,336 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
     N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* x, y, phi, theta, psi */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+{
+    const real r = c[1];
+    const real c_0 = c[3];
+    const real c_1 = c[4];
+    const real c_2 = c[5];
+    const real c_3 = c[6];
+    const real c_4 = c[7];
+    const real c_5 = c[8];
+    const real c_6 = c[9];
+    const real c_7 = c[10];
+    const real x_dot = v[0];
+    const real y_dot = v[1];
+    const real phi_dot = v[2];
+    const real theta_dot = v[3];
+    const real psi_dot = v[4];
+    const real phi = x[2];
+    const real theta = x[3];
+    const real cos_phi = em_cos(phi);
+    const real cos_theta = em_cos(theta);
+    const real z_2 = theta_dot*cos_theta;
+    const real sin_phi = em_sin(phi);
+    const real sin_theta = em_sin(theta);
+    const real z_5 = phi_dot*sin_theta;
+    const real z_6 = theta_dot*sin_theta;
+    const real z_7 = phi_dot*cos_theta;
+    const real z_8 = phi_dot*phi_dot;
+    const real z_9 = phi_dot*psi_dot;
+    const real z_10 = r*cos_phi;
+    const real z_11 = r*sin_phi;
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_2 - sin_phi*z_5));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_5 + sin_phi*z_2);
+    Mdot1[2][2] = sin_theta*c_1*z_2;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_6 - cos_phi*z_7);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_7 + cos_phi*z_6);
+    Mdot1[2][3] = Mdot1[3][2] = em_real(0.0);
+    Mdot1[3][3] = em_real(0.0);
+    Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
+    Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_2;
+    Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
+    Mdot1[4][4] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = em_real(0.0);
+    f1[2] = -(cos_phi*(c_0*(x_dot*z_2 + y_dot*z_5)) + sin_phi*(c_0*(y_dot*z_2 - x_dot*z_5)));
+    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_8 -
+        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_9 + sin_phi*c_6*(y_dot*phi_dot) +
+        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_8));
+    f1[4] = em_real(0.0);
+    A1[0][0] = em_real(1.0);
+    A1[0][1] = em_real(0.0);
+    A1[0][2] = em_real(0.0);
+    A1[0][3] = em_real(0.0);
+    A1[0][4] = -z_10;
+    A1[1][0] = em_real(0.0);
+    A1[1][1] = em_real(1.0);
+    A1[1][2] = em_real(0.0);
+    A1[1][3] = em_real(0.0);
+    A1[1][4] = -z_11;
+    gamma[0] = z_11*z_9;
+    gamma[1] = -z_10*z_9;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    const real *const C1 = y + 10, *const s1 = y + 35;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    real Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
+
+    /* x, y, phi, theta, psi: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 10, *const s1_dot = dy + 35;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
+    real a1[N1], q1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[5] = a1[0];
+    dy[6] = a1[1];
+    dy[7] = a1[2];
+    dy[8] = a1[3];
+    dy[9] = a1[4];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[4])
+{
+    const real m = c[0];
+    const real c_0 = c[3];
+    const real c_2 = c[5];
+    const real c_3 = c[6];
+    const real c_8 = c[11];
+    const real phi = x[2];
+    const real theta = x[3];
+    const real sin_theta = em_sin(theta);
+    const real cos_phi = em_cos(phi);
+    const real z_2 = cos_phi*c_0;
+    const real sin_phi = em_sin(phi);
+    const real z_4 = sin_phi*c_0;
+    const real cos_theta = em_cos(theta);
+    M1[0][0] = m;
+    M1[1][0] = em_real(0.0);
+    M1[1][1] = m;
+    M1[2][0] = -sin_theta*z_2;
+    M1[2][1] = -sin_theta*z_4;
+    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[3][0] = -cos_theta*z_4;
+    M1[3][1] = cos_theta*z_2;
+    M1[3][2] = em_real(0.0);
+    M1[3][3] = c_8;
+    M1[4][0] = em_real(0.0);
+    M1[4][1] = em_real(0.0);
+    M1[4][2] = -sin_theta*c_2;
+    M1[4][3] = em_real(0.0);
+    M1[4][4] = c_2;
+    shared[0] = cos_phi;
+    shared[1] = cos_theta;
+    shared[2] = sin_phi;
+    shared[3] = sin_theta;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[4],
+                                 real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+{
+    const real r = c[1];
+    const real c_0 = c[3];
+    const real c_1 = c[4];
+    const real c_2 = c[5];
+    const real c_3 = c[6];
+    const real c_4 = c[7];
+    const real c_5 = c[8];
+    const real c_6 = c[9];
+    const real c_7 = c[10];
+    const real cos_phi = shared[0];
+    const real cos_theta = shared[1];
+    const real sin_phi = shared[2];
+    const real sin_theta = shared[3];
+    const real x_dot = v[0];
+    const real y_dot = v[1];
+    const real phi_dot = v[2];
+    const real theta_dot = v[3];
+    const real psi_dot = v[4];
+    const real z_6 = theta_dot*cos_theta;
+    const real z_7 = phi_dot*sin_theta;
+    const real z_8 = theta_dot*sin_theta;
+    const real z_9 = phi_dot*cos_theta;
+    const real z_10 = phi_dot*phi_dot;
+    const real z_11 = phi_dot*psi_dot;
+    const real z_12 = r*cos_phi;
+    const real z_13 = r*sin_phi;
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
+    Mdot1[2][2] = sin_theta*c_1*z_6;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
+    Mdot1[2][3] = Mdot1[3][2] = em_real(0.0);
+    Mdot1[3][3] = em_real(0.0);
+    Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
+    Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
+    Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
+    Mdot1[4][4] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = em_real(0.0);
+    f1[2] = -(cos_phi*(c_0*(x_dot*z_6 + y_dot*z_7)) + sin_phi*(c_0*(y_dot*z_6 - x_dot*z_7)));
+    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_10 -
+        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_11 + sin_phi*c_6*(y_dot*phi_dot) +
+        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_10));
+    f1[4] = em_real(0.0);
+    A1[0][0] = em_real(1.0);
+    A1[0][1] = em_real(0.0);
+    A1[0][2] = em_real(0.0);
+    A1[0][3] = em_real(0.0);
+    A1[0][4] = -z_12;
+    A1[1][0] = em_real(0.0);
+    A1[1][1] = em_real(1.0);
+    A1[1][2] = em_real(0.0);
+    A1[1][3] = em_real(0.0);
+    A1[1][4] = -z_13;
+    gamma[0] = z_13*z_11;
+    gamma[1] = -z_12*z_11;
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[4];
+    triangular_masses(y, c, M1, shared);
+
+    /* x, y, phi, theta, psi: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+
+    real Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    triangular_motion(dy, c, shared, Mdot1, f1, A1, gamma);
+
+    /* x, y, phi, theta, psi: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* x, y, phi, theta, psi: B = A L^-T */
+    real B1[N_ROWS][N1];
+    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[5] = a1[0];
+    dy[6] = a1[1];
+    dy[7] = a1[2];
+    dy[8] = a1[3];
+    dy[9] = a1[4];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes rolling_disk_lanes;
+em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes rolling_disk_lanes;
+__attribute__((weak)) em_lanes rolling_disk_lanes = {0, NULL};
+#define EM_MODEL_LANES rolling_disk_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0, 0 };
@@ -282,301 +605,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1],
-                                  double A1[N_ROWS][N1], double gamma[N_ROWS])
-{
-    const double r = c[1];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double c_2 = c[5];
-    const double c_3 = c[6];
-    const double c_4 = c[7];
-    const double c_5 = c[8];
-    const double c_6 = c[9];
-    const double c_7 = c[10];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta_dot = v[3];
-    const double psi_dot = v[4];
-    const double phi = x[2];
-    const double theta = x[3];
-    const double cos_phi = em_cos(phi);
-    const double cos_theta = em_cos(theta);
-    const double z_2 = theta_dot*cos_theta;
-    const double sin_phi = em_sin(phi);
-    const double sin_theta = em_sin(theta);
-    const double z_5 = phi_dot*sin_theta;
-    const double z_6 = theta_dot*sin_theta;
-    const double z_7 = phi_dot*cos_theta;
-    const double z_8 = phi_dot*phi_dot;
-    const double z_9 = phi_dot*psi_dot;
-    const double z_10 = r*cos_phi;
-    const double z_11 = r*sin_phi;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_2 - sin_phi*z_5));
-    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_5 + sin_phi*z_2);
-    Mdot1[2][2] = sin_theta*c_1*z_2;
-    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_6 - cos_phi*z_7);
-    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_7 + cos_phi*z_6);
-    Mdot1[2][3] = Mdot1[3][2] = 0.0;
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = 0.0;
-    Mdot1[1][4] = Mdot1[4][1] = 0.0;
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_2;
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f1[2] = -(cos_phi*(c_0*(x_dot*z_2 + y_dot*z_5)) + sin_phi*(c_0*(y_dot*z_2 - x_dot*z_5)));
-    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_8 -
-        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_9 + sin_phi*c_6*(y_dot*phi_dot) +
-        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_8));
-    f1[4] = 0.0;
-    A1[0][0] = 1.0;
-    A1[0][1] = 0.0;
-    A1[0][2] = 0.0;
-    A1[0][3] = 0.0;
-    A1[0][4] = -z_10;
-    A1[1][0] = 0.0;
-    A1[1][1] = 1.0;
-    A1[1][2] = 0.0;
-    A1[1][3] = 0.0;
-    A1[1][4] = -z_11;
-    gamma[0] = z_11*z_9;
-    gamma[1] = -z_10*z_9;
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
-    const double *const C1 = y + 10, *const s1 = y + 35;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-    dy[3] = v1[3];
-    dy[4] = v1[4];
-
-    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
-    eigenfactor_motion(y, dy, c, Mdot1, f1, A1, gamma);
-
-    /* x, y, phi, theta, psi: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-
-    /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 10, *const s1_dot = dy + 35;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
-
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[5] = a1[0];
-    dy[6] = a1[1];
-    dy[7] = a1[2];
-    dy[8] = a1[3];
-    dy[9] = a1[4];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[4])
-{
-    const double m = c[0];
-    const double c_0 = c[3];
-    const double c_2 = c[5];
-    const double c_3 = c[6];
-    const double c_8 = c[11];
-    const double phi = x[2];
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    const double z_2 = cos_phi*c_0;
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*c_0;
-    const double cos_theta = em_cos(theta);
-    M1[0][0] = m;
-    M1[1][0] = 0.0;
-    M1[1][1] = m;
-    M1[2][0] = -sin_theta*z_2;
-    M1[2][1] = -sin_theta*z_4;
-    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
-    M1[3][0] = -cos_theta*z_4;
-    M1[3][1] = cos_theta*z_2;
-    M1[3][2] = 0.0;
-    M1[3][3] = c_8;
-    M1[4][0] = 0.0;
-    M1[4][1] = 0.0;
-    M1[4][2] = -sin_theta*c_2;
-    M1[4][3] = 0.0;
-    M1[4][4] = c_2;
-    shared[0] = cos_phi;
-    shared[1] = cos_theta;
-    shared[2] = sin_phi;
-    shared[3] = sin_theta;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[4],
-                                 double Mdot1[N1][N1], double f1[N1], double A1[N_ROWS][N1],
-                                 double gamma[N_ROWS])
-{
-    const double r = c[1];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double c_2 = c[5];
-    const double c_3 = c[6];
-    const double c_4 = c[7];
-    const double c_5 = c[8];
-    const double c_6 = c[9];
-    const double c_7 = c[10];
-    const double cos_phi = shared[0];
-    const double cos_theta = shared[1];
-    const double sin_phi = shared[2];
-    const double sin_theta = shared[3];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta_dot = v[3];
-    const double psi_dot = v[4];
-    const double z_6 = theta_dot*cos_theta;
-    const double z_7 = phi_dot*sin_theta;
-    const double z_8 = theta_dot*sin_theta;
-    const double z_9 = phi_dot*cos_theta;
-    const double z_10 = phi_dot*phi_dot;
-    const double z_11 = phi_dot*psi_dot;
-    const double z_12 = r*cos_phi;
-    const double z_13 = r*sin_phi;
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
-    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
-    Mdot1[2][2] = sin_theta*c_1*z_6;
-    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
-    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
-    Mdot1[2][3] = Mdot1[3][2] = 0.0;
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = 0.0;
-    Mdot1[1][4] = Mdot1[4][1] = 0.0;
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = 0.0;
-    f1[2] = -(cos_phi*(c_0*(x_dot*z_6 + y_dot*z_7)) + sin_phi*(c_0*(y_dot*z_6 - x_dot*z_7)));
-    f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_10 -
-        cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_11 + sin_phi*c_6*(y_dot*phi_dot) +
-        cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_10));
-    f1[4] = 0.0;
-    A1[0][0] = 1.0;
-    A1[0][1] = 0.0;
-    A1[0][2] = 0.0;
-    A1[0][3] = 0.0;
-    A1[0][4] = -z_12;
-    A1[1][0] = 0.0;
-    A1[1][1] = 1.0;
-    A1[1][2] = 0.0;
-    A1[1][3] = 0.0;
-    A1[1][4] = -z_13;
-    gamma[0] = z_13*z_11;
-    gamma[1] = -z_12*z_11;
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[4];
-    triangular_masses(y, c, M1, shared);
-
-    /* x, y, phi, theta, psi: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-    dy[3] = v1[3];
-    dy[4] = v1[4];
-
-    double Mdot1[N1][N1], f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
-    triangular_motion(dy, c, shared, Mdot1, f1, A1, gamma);
-
-    /* x, y, phi, theta, psi: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* x, y, phi, theta, psi: B = A L^-T */
-    double B1[N_ROWS][N1];
-    em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[5] = a1[0];
-    dy[6] = a1[1];
-    dy[7] = a1[2];
-    dy[8] = a1[3];
-    dy[9] = a1[4];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -721,13 +749,13 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 25, A1[0], B1[0]);
         else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
-        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            double load = gamma[row];
+            real load = gamma[row];
             for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
             lambda[row] = load;
             for (int column = 0; column <= row; ++column) {
-                double product = 0.0;
+                real product = em_real(0.0);
                 for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
                 Delta[row*N_ROWS + column] = product;
             }
@@ -764,15 +792,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -967,3 +986,5 @@ const em_model rolling_disk_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

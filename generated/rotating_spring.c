@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:02b78b3a822dbff14cc69df2072db2d58d0eb00abb6074bc14b3281719d85750 */
+/* body sha256:e72608dd7fa25897578408545992a094523c5dae3dff4f2ca1e6a0715643d883 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -41,6 +41,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
@@ -48,6 +49,90 @@ enum {
     N1 = 1,             /* x */
     N2 = 1,             /* y */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real f1[N1], real f2[N2])
+{
+    const real c_0 = c[12];
+    const real c_1 = c[13];
+    const real c_2 = c[14];
+    const real x_dot = v[0];
+    const real y_dot = v[1];
+    const real x_ = x[0];
+    const real y = x[1];
+    const real z_0 = y_dot*c_0;
+    const real z_1 = x_dot*c_0;
+    f1[0] = z_0 + (z_0 - x_*c_1);
+    f2[0] = -(z_1 + (z_1 + y*c_2));
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2] };
+    const real *const C1 = c + 4, *const s1 = c + 5;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[3] };
+    const real *const C2 = c + 8, *const s2 = c + 9;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    real f1[N1], f2[N2];
+    eigenfactor_motion(y, dy, c, f1, f2);
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* etadot = a (45) */
+    dy[2] = a1[0];
+    dy[3] = a2[0];
+    return 0;
+}
+
+/* dy <- f(t, y). */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes rotating_spring_lanes;
+em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes rotating_spring_lanes;
+__attribute__((weak)) em_lanes rotating_spring_lanes = {0, NULL};
+#define EM_MODEL_LANES rotating_spring_lanes
+
+#include "em_eigenfactors.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
@@ -177,61 +262,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double f1[N1], double f2[N2])
-{
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double x_ = x[0];
-    const double y = x[1];
-    const double z_0 = y_dot*c_0;
-    const double z_1 = x_dot*c_0;
-    f1[0] = z_0 + (z_0 - x_*c_1);
-    f2[0] = -(z_1 + (z_1 + y*c_2));
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* x: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[2] };
-    const double *const C1 = c + 4, *const s1 = c + 5;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-
-    /* y: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[3] };
-    const double *const C2 = c + 8, *const s2 = c + 9;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    double f1[N1], f2[N2];
-    eigenfactor_motion(y, dy, c, f1, f2);
-
-    /* x: constant factors, a = S^-1 C f (41) */
-    double a1[N1];
-    em_rows_on_eta(1, N1, C1, r1, f1, a1);
-
-    /* y: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* etadot = a (45) */
-    dy[2] = a1[0];
-    dy[3] = a2[0];
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* After an accepted step, and at the start: nothing to do.
@@ -243,14 +273,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
 
     return changed;
-}
-
-/* dy <- f(t, y). */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state. */
@@ -416,3 +438,5 @@ const em_model rotating_spring_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

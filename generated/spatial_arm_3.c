@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:e7175a23bd9b939a0cd25229dd2cd4bf05e5f6ab31c3710775e90fd9cd398993 */
+/* body sha256:0dd1996bbceb2fe64eab45c40aa1ab7bba5a9e67a5109f3555b6cd2593bf5428 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -29,7 +29,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 3,              /* coordinates */
@@ -44,12 +43,357 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 8,
     N_PREPARED = 44,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* q_1, q_2, q_3 */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot1[N1][N1], real f1[N1])
+{
+    const real m_2 = c[1];
+    const real m_3 = c[2];
+    const real l_1 = c[3];
+    const real l_2 = c[4];
+    const real l_3 = c[5];
+    const real c_0 = c[8];
+    const real c_1 = c[9];
+    const real c_2 = c[10];
+    const real c_3 = c[11];
+    const real c_4 = c[12];
+    const real c_5 = c[13];
+    const real c_6 = c[14];
+    const real c_7 = c[15];
+    const real c_8 = c[16];
+    const real c_9 = c[17];
+    const real c_10 = c[18];
+    const real c_11 = c[19];
+    const real c_12 = c[20];
+    const real c_13 = c[21];
+    const real c_14 = c[22];
+    const real c_15 = c[23];
+    const real c_16 = c[24];
+    const real c_17 = c[25];
+    const real c_18 = c[26];
+    const real c_19 = c[27];
+    const real c_20 = c[28];
+    const real c_21 = c[29];
+    const real c_22 = c[30];
+    const real c_23 = c[31];
+    const real q_1_dot = v[0];
+    const real q_2_dot = v[1];
+    const real q_3_dot = v[2];
+    const real q_2 = x[1];
+    const real q_3 = x[2];
+    const real cos_q_2 = em_cos(q_2);
+    const real z_1 = l_2*cos_q_2;
+    const real z_2 = l_1 + z_1;
+    const real cos_q_3 = em_cos(q_3);
+    const real z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const real sin_q_2 = em_sin(q_2);
+    const real z_6 = q_2_dot*sin_q_2;
+    const real sin_q_3 = em_sin(q_3);
+    const real z_8 = q_3_dot*sin_q_3;
+    const real z_9 = l_3*z_6 + 2.0*(cos_q_3*(l_2*z_6) + z_2*z_8);
+    const real z_10 = c_0*z_6 + z_9*c_1;
+    const real z_11 = sin_q_3*sin_q_3;
+    const real z_12 = c_5*z_6;
+    const real z_13 = cos_q_3*z_8;
+    const real z_14 = m_3*(z_4*z_8 + cos_q_3*z_9) + 2.0*(c_6*z_11*z_6 - z_2*c_3*z_13);
+    const real z_15 = sin_q_2*sin_q_2*z_13;
+    const real z_16 = cos_q_2*z_6;
+    const real z_17 = cos_q_3*cos_q_3;
+    const real z_18 = q_3_dot*sin_q_2;
+    const real z_19 = q_2_dot*sin_q_3;
+    const real z_20 = cos_q_2*z_19;
+    const real z_21 = q_1_dot*sin_q_2;
+    const real z_22 = q_2_dot*cos_q_3 + sin_q_3*z_21;
+    const real z_23 = c_0*z_22 + (l_3*z_22 + q_2_dot*c_13)*c_1;
+    const real z_24 = q_1_dot*q_1_dot;
+    const real z_25 = c_18*(z_19 - cos_q_3*z_21);
+    const real z_26 = q_3_dot + q_1_dot*cos_q_2;
+    const real z_27 = q_1_dot*z_1;
+    const real z_28 = q_1_dot*l_1 + z_27;
+    const real z_29 = l_3*z_26 + 2.0*cos_q_3*z_28;
+    Mdot1[0][0] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*z_6 + cos_q_2*z_10) + 3.0*l_2*((m_2*(c_2 + z_1) +
+        cos_q_3*z_4*c_3 + z_2*c_4*z_11)*z_6 + cos_q_2*(z_12 + 2.0*z_14)) + 12.0*c_8*(z_15 - z_17*z_16) + (z_12 +
+        z_14)*c_9 - 2.0*c_7*(z_15 + z_11*z_16) - c_10*z_16);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_11*z_18 - z_17*z_18 - cos_q_3*z_20) -
+        6.0*c_12*(cos_q_3*z_18 + z_20));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_13 - (c_7*z_13 + (cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)*z_8) - c_15*z_8);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_10;
+    Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
+    Mdot1[2][2] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_23 + c_16 + c_17*(sin_q_2*z_24) + cos_q_3*c_19 -
+        z_25*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_24 + q_1_dot*(c_0*z_26 + z_29*c_1) +
+        c_21*(q_1_dot*(2.0*m_3*(2.0*z_28*z_11 + cos_q_3*z_29) + m_2*(z_27 + q_1_dot*c_2)))));
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_23*z_21 + q_2_dot*z_25 + c_22*(sin_q_3*(z_28*z_28))) + sin_q_3*(z_21*z_25 -
+        q_2_dot*z_23 - z_28*z_29*c_23 - sin_q_2*c_19));
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4], y[5] };
+    const real *const C1 = y + 6, *const s1 = y + 15;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    real Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, Mdot1, f1);
+
+    /* q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 6, *const s1_dot = dy + 15;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    real a1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+
+    /* etadot = a (45) */
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    dy[5] = a1[2];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[13])
+{
+    const real m_2 = c[1];
+    const real m_3 = c[2];
+    const real l_1 = c[3];
+    const real l_2 = c[4];
+    const real l_3 = c[5];
+    const real c_0 = c[8];
+    const real c_1 = c[9];
+    const real c_2 = c[10];
+    const real c_3 = c[11];
+    const real c_4 = c[12];
+    const real c_7 = c[15];
+    const real c_9 = c[17];
+    const real c_11 = c[19];
+    const real c_13 = c[21];
+    const real c_15 = c[23];
+    const real c_17 = c[25];
+    const real c_18 = c[26];
+    const real c_20 = c[28];
+    const real c_21 = c[29];
+    const real c_24 = c[32];
+    const real c_25 = c[33];
+    const real c_26 = c[34];
+    const real c_27 = c[35];
+    const real q_2 = x[1];
+    const real q_3 = x[2];
+    const real cos_q_2 = em_cos(q_2);
+    const real z_1 = l_2*cos_q_2;
+    const real z_2 = l_1 + z_1;
+    const real cos_q_3 = em_cos(q_3);
+    const real z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const real z_5 = cos_q_2*c_0 + z_4*c_1;
+    const real sin_q_2 = em_sin(q_2);
+    const real z_7 = sin_q_2*sin_q_2;
+    const real sin_q_3 = em_sin(q_3);
+    const real z_9 = sin_q_3*sin_q_3;
+    const real z_10 = m_2*(c_2 + z_1);
+    const real z_11 = z_2*z_9;
+    const real z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
+    const real z_13 = cos_q_3*cos_q_3;
+    const real z_14 = sin_q_3*sin_q_2;
+    const real z_15 = c_13 + l_3*cos_q_3;
+    const real z_16 = cos_q_3*c_0 + z_15*c_1;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
+        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
+    M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
+    M1[2][0] = (1.0/12.0)*z_5;
+    M1[2][1] = em_real(0.0);
+    M1[2][2] = c_27;
+    shared[0] = z_5;
+    shared[1] = sin_q_2;
+    shared[2] = cos_q_2;
+    shared[3] = cos_q_3;
+    shared[4] = z_2;
+    shared[5] = sin_q_3;
+    shared[6] = z_12;
+    shared[7] = z_4;
+    shared[8] = z_9;
+    shared[9] = z_7;
+    shared[10] = z_13;
+    shared[11] = z_16;
+    shared[12] = z_1;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[13],
+                                 real Mdot1[N1][N1], real f1[N1])
+{
+    const real m_2 = c[1];
+    const real m_3 = c[2];
+    const real l_1 = c[3];
+    const real l_2 = c[4];
+    const real l_3 = c[5];
+    const real c_0 = c[8];
+    const real c_1 = c[9];
+    const real c_2 = c[10];
+    const real c_3 = c[11];
+    const real c_5 = c[13];
+    const real c_6 = c[14];
+    const real c_7 = c[15];
+    const real c_8 = c[16];
+    const real c_9 = c[17];
+    const real c_10 = c[18];
+    const real c_11 = c[19];
+    const real c_12 = c[20];
+    const real c_13 = c[21];
+    const real c_14 = c[22];
+    const real c_15 = c[23];
+    const real c_16 = c[24];
+    const real c_17 = c[25];
+    const real c_18 = c[26];
+    const real c_19 = c[27];
+    const real c_20 = c[28];
+    const real c_21 = c[29];
+    const real c_22 = c[30];
+    const real c_23 = c[31];
+    const real z_5 = shared[0];
+    const real sin_q_2 = shared[1];
+    const real cos_q_2 = shared[2];
+    const real cos_q_3 = shared[3];
+    const real z_2 = shared[4];
+    const real sin_q_3 = shared[5];
+    const real z_12 = shared[6];
+    const real z_4 = shared[7];
+    const real z_9 = shared[8];
+    const real z_7 = shared[9];
+    const real z_13 = shared[10];
+    const real z_16 = shared[11];
+    const real z_1 = shared[12];
+    const real q_1_dot = v[0];
+    const real q_2_dot = v[1];
+    const real q_3_dot = v[2];
+    const real z_17 = q_2_dot*sin_q_2;
+    const real z_18 = q_3_dot*sin_q_3;
+    const real z_19 = l_3*z_17 + 2.0*(cos_q_3*(l_2*z_17) + z_2*z_18);
+    const real z_20 = c_0*z_17 + z_19*c_1;
+    const real z_21 = c_5*z_17;
+    const real z_22 = cos_q_3*z_18;
+    const real z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
+    const real z_24 = z_7*z_22;
+    const real z_25 = cos_q_2*z_17;
+    const real z_26 = q_3_dot*sin_q_2;
+    const real z_27 = q_2_dot*sin_q_3;
+    const real z_28 = cos_q_2*z_27;
+    const real z_29 = q_1_dot*sin_q_2;
+    const real z_30 = q_2_dot*cos_q_3 + sin_q_3*z_29;
+    const real z_31 = c_0*z_30 + (l_3*z_30 + q_2_dot*c_13)*c_1;
+    const real z_32 = q_1_dot*q_1_dot;
+    const real z_33 = c_18*(z_27 - cos_q_3*z_29);
+    const real z_34 = q_3_dot + q_1_dot*cos_q_2;
+    const real z_35 = q_1_dot*z_1;
+    const real z_36 = q_1_dot*l_1 + z_35;
+    const real z_37 = l_3*z_34 + 2.0*cos_q_3*z_36;
+    Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
+        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_28) - 6.0*c_12*(cos_q_3*z_26
+        + z_28));
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
+    Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
+    Mdot1[2][2] = em_real(0.0);
+    f1[0] = em_real(0.0);
+    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_31 + c_16 + c_17*(sin_q_2*z_32) + cos_q_3*c_19 -
+        z_33*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_32 + q_1_dot*(c_0*z_34 + z_37*c_1) +
+        c_21*(q_1_dot*(2.0*m_3*(2.0*z_36*z_9 + cos_q_3*z_37) + m_2*(z_35 + q_1_dot*c_2)))));
+    f1[2] = (1.0/12.0)*(cos_q_3*(z_31*z_29 + q_2_dot*z_33 + c_22*(sin_q_3*(z_36*z_36))) + sin_q_3*(z_29*z_33 -
+        q_2_dot*z_31 - z_36*z_37*c_23 - sin_q_2*c_19));
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[13];
+    triangular_masses(y, c, M1, shared);
+
+    /* q_1, q_2, q_3: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) {
+        static const int coordinate[N1] = { 0, 1, 2 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
+    }
+    const real eta1[N1] = { y[3], y[4], y[5] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    real Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, shared, Mdot1, f1);
+
+    /* q_1, q_2, q_3: a = L^-1 f - Phi eta */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* etadot = a (45) */
+    dy[3] = a1[0];
+    dy[4] = a1[1];
+    dy[5] = a1[2];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes spatial_arm_3_lanes;
+em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes spatial_arm_3_lanes;
+__attribute__((weak)) em_lanes spatial_arm_3_lanes = {0, NULL};
+#define EM_MODEL_LANES spatial_arm_3_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0 };
@@ -412,320 +756,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot1[N1][N1], double f1[N1])
-{
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double l_3 = c[5];
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double c_2 = c[10];
-    const double c_3 = c[11];
-    const double c_4 = c[12];
-    const double c_5 = c[13];
-    const double c_6 = c[14];
-    const double c_7 = c[15];
-    const double c_8 = c[16];
-    const double c_9 = c[17];
-    const double c_10 = c[18];
-    const double c_11 = c[19];
-    const double c_12 = c[20];
-    const double c_13 = c[21];
-    const double c_14 = c[22];
-    const double c_15 = c[23];
-    const double c_16 = c[24];
-    const double c_17 = c[25];
-    const double c_18 = c[26];
-    const double c_19 = c[27];
-    const double c_20 = c[28];
-    const double c_21 = c[29];
-    const double c_22 = c[30];
-    const double c_23 = c[31];
-    const double q_1_dot = v[0];
-    const double q_2_dot = v[1];
-    const double q_3_dot = v[2];
-    const double q_2 = x[1];
-    const double q_3 = x[2];
-    const double cos_q_2 = em_cos(q_2);
-    const double z_1 = l_2*cos_q_2;
-    const double z_2 = l_1 + z_1;
-    const double cos_q_3 = em_cos(q_3);
-    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
-    const double sin_q_2 = em_sin(q_2);
-    const double z_6 = q_2_dot*sin_q_2;
-    const double sin_q_3 = em_sin(q_3);
-    const double z_8 = q_3_dot*sin_q_3;
-    const double z_9 = l_3*z_6 + 2.0*(cos_q_3*(l_2*z_6) + z_2*z_8);
-    const double z_10 = c_0*z_6 + z_9*c_1;
-    const double z_11 = sin_q_3*sin_q_3;
-    const double z_12 = c_5*z_6;
-    const double z_13 = cos_q_3*z_8;
-    const double z_14 = m_3*(z_4*z_8 + cos_q_3*z_9) + 2.0*(c_6*z_11*z_6 - z_2*c_3*z_13);
-    const double z_15 = sin_q_2*sin_q_2*z_13;
-    const double z_16 = cos_q_2*z_6;
-    const double z_17 = cos_q_3*cos_q_3;
-    const double z_18 = q_3_dot*sin_q_2;
-    const double z_19 = q_2_dot*sin_q_3;
-    const double z_20 = cos_q_2*z_19;
-    const double z_21 = q_1_dot*sin_q_2;
-    const double z_22 = q_2_dot*cos_q_3 + sin_q_3*z_21;
-    const double z_23 = c_0*z_22 + (l_3*z_22 + q_2_dot*c_13)*c_1;
-    const double z_24 = q_1_dot*q_1_dot;
-    const double z_25 = c_18*(z_19 - cos_q_3*z_21);
-    const double z_26 = q_3_dot + q_1_dot*cos_q_2;
-    const double z_27 = q_1_dot*z_1;
-    const double z_28 = q_1_dot*l_1 + z_27;
-    const double z_29 = l_3*z_26 + 2.0*cos_q_3*z_28;
-    Mdot1[0][0] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*z_6 + cos_q_2*z_10) + 3.0*l_2*((m_2*(c_2 + z_1) +
-        cos_q_3*z_4*c_3 + z_2*c_4*z_11)*z_6 + cos_q_2*(z_12 + 2.0*z_14)) + 12.0*c_8*(z_15 - z_17*z_16) + (z_12 +
-        z_14)*c_9 - 2.0*c_7*(z_15 + z_11*z_16) - c_10*z_16);
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_11*z_18 - z_17*z_18 - cos_q_3*z_20) -
-        6.0*c_12*(cos_q_3*z_18 + z_20));
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_13 - (c_7*z_13 + (cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)*z_8) - c_15*z_8);
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_10;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_23 + c_16 + c_17*(sin_q_2*z_24) + cos_q_3*c_19 -
-        z_25*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_24 + q_1_dot*(c_0*z_26 + z_29*c_1) +
-        c_21*(q_1_dot*(2.0*m_3*(2.0*z_28*z_11 + cos_q_3*z_29) + m_2*(z_27 + q_1_dot*c_2)))));
-    f1[2] = (1.0/12.0)*(cos_q_3*(z_23*z_21 + q_2_dot*z_25 + c_22*(sin_q_3*(z_28*z_28))) + sin_q_3*(z_21*z_25 -
-        q_2_dot*z_23 - z_28*z_29*c_23 - sin_q_2*c_19));
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[3], y[4], y[5] };
-    const double *const C1 = y + 6, *const s1 = y + 15;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-
-    double Mdot1[N1][N1], f1[N1];
-    eigenfactor_motion(y, dy, c, Mdot1, f1);
-
-    /* q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
-    em_omega_apart(N1, s1, mu1, Omega1);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C1_dot = dy + 6, *const s1_dot = dy + 15;
-    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
-    double a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
-
-    /* etadot = a (45) */
-    dy[3] = a1[0];
-    dy[4] = a1[1];
-    dy[5] = a1[2];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                                 double shared[13])
-{
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double l_3 = c[5];
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double c_2 = c[10];
-    const double c_3 = c[11];
-    const double c_4 = c[12];
-    const double c_7 = c[15];
-    const double c_9 = c[17];
-    const double c_11 = c[19];
-    const double c_13 = c[21];
-    const double c_15 = c[23];
-    const double c_17 = c[25];
-    const double c_18 = c[26];
-    const double c_20 = c[28];
-    const double c_21 = c[29];
-    const double c_24 = c[32];
-    const double c_25 = c[33];
-    const double c_26 = c[34];
-    const double c_27 = c[35];
-    const double q_2 = x[1];
-    const double q_3 = x[2];
-    const double cos_q_2 = em_cos(q_2);
-    const double z_1 = l_2*cos_q_2;
-    const double z_2 = l_1 + z_1;
-    const double cos_q_3 = em_cos(q_3);
-    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
-    const double z_5 = cos_q_2*c_0 + z_4*c_1;
-    const double sin_q_2 = em_sin(q_2);
-    const double z_7 = sin_q_2*sin_q_2;
-    const double sin_q_3 = em_sin(q_3);
-    const double z_9 = sin_q_3*sin_q_3;
-    const double z_10 = m_2*(c_2 + z_1);
-    const double z_11 = z_2*z_9;
-    const double z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
-    const double z_13 = cos_q_3*cos_q_3;
-    const double z_14 = sin_q_3*sin_q_2;
-    const double z_15 = c_13 + l_3*cos_q_3;
-    const double z_16 = cos_q_3*c_0 + z_15*c_1;
-    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
-        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
-    M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
-    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
-    M1[2][0] = (1.0/12.0)*z_5;
-    M1[2][1] = 0.0;
-    M1[2][2] = c_27;
-    shared[0] = z_5;
-    shared[1] = sin_q_2;
-    shared[2] = cos_q_2;
-    shared[3] = cos_q_3;
-    shared[4] = z_2;
-    shared[5] = sin_q_3;
-    shared[6] = z_12;
-    shared[7] = z_4;
-    shared[8] = z_9;
-    shared[9] = z_7;
-    shared[10] = z_13;
-    shared[11] = z_16;
-    shared[12] = z_1;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void triangular_motion(const double *restrict v, const double *restrict c, const double shared[13],
-                                 double Mdot1[N1][N1], double f1[N1])
-{
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double l_3 = c[5];
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double c_2 = c[10];
-    const double c_3 = c[11];
-    const double c_5 = c[13];
-    const double c_6 = c[14];
-    const double c_7 = c[15];
-    const double c_8 = c[16];
-    const double c_9 = c[17];
-    const double c_10 = c[18];
-    const double c_11 = c[19];
-    const double c_12 = c[20];
-    const double c_13 = c[21];
-    const double c_14 = c[22];
-    const double c_15 = c[23];
-    const double c_16 = c[24];
-    const double c_17 = c[25];
-    const double c_18 = c[26];
-    const double c_19 = c[27];
-    const double c_20 = c[28];
-    const double c_21 = c[29];
-    const double c_22 = c[30];
-    const double c_23 = c[31];
-    const double z_5 = shared[0];
-    const double sin_q_2 = shared[1];
-    const double cos_q_2 = shared[2];
-    const double cos_q_3 = shared[3];
-    const double z_2 = shared[4];
-    const double sin_q_3 = shared[5];
-    const double z_12 = shared[6];
-    const double z_4 = shared[7];
-    const double z_9 = shared[8];
-    const double z_7 = shared[9];
-    const double z_13 = shared[10];
-    const double z_16 = shared[11];
-    const double z_1 = shared[12];
-    const double q_1_dot = v[0];
-    const double q_2_dot = v[1];
-    const double q_3_dot = v[2];
-    const double z_17 = q_2_dot*sin_q_2;
-    const double z_18 = q_3_dot*sin_q_3;
-    const double z_19 = l_3*z_17 + 2.0*(cos_q_3*(l_2*z_17) + z_2*z_18);
-    const double z_20 = c_0*z_17 + z_19*c_1;
-    const double z_21 = c_5*z_17;
-    const double z_22 = cos_q_3*z_18;
-    const double z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
-    const double z_24 = z_7*z_22;
-    const double z_25 = cos_q_2*z_17;
-    const double z_26 = q_3_dot*sin_q_2;
-    const double z_27 = q_2_dot*sin_q_3;
-    const double z_28 = cos_q_2*z_27;
-    const double z_29 = q_1_dot*sin_q_2;
-    const double z_30 = q_2_dot*cos_q_3 + sin_q_3*z_29;
-    const double z_31 = c_0*z_30 + (l_3*z_30 + q_2_dot*c_13)*c_1;
-    const double z_32 = q_1_dot*q_1_dot;
-    const double z_33 = c_18*(z_27 - cos_q_3*z_29);
-    const double z_34 = q_3_dot + q_1_dot*cos_q_2;
-    const double z_35 = q_1_dot*z_1;
-    const double z_36 = q_1_dot*l_1 + z_35;
-    const double z_37 = l_3*z_34 + 2.0*cos_q_3*z_36;
-    Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
-        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_28) - 6.0*c_12*(cos_q_3*z_26
-        + z_28));
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    f1[0] = 0.0;
-    f1[1] = (1.0/12.0)*(cos_q_2*(q_1_dot*sin_q_3*z_31 + c_16 + c_17*(sin_q_2*z_32) + cos_q_3*c_19 -
-        z_33*(q_1_dot*cos_q_3)) - sin_q_2*(cos_q_2*c_20*z_32 + q_1_dot*(c_0*z_34 + z_37*c_1) +
-        c_21*(q_1_dot*(2.0*m_3*(2.0*z_36*z_9 + cos_q_3*z_37) + m_2*(z_35 + q_1_dot*c_2)))));
-    f1[2] = (1.0/12.0)*(cos_q_3*(z_31*z_29 + q_2_dot*z_33 + c_22*(sin_q_3*(z_36*z_36))) + sin_q_3*(z_29*z_33 -
-        q_2_dot*z_31 - z_36*z_37*c_23 - sin_q_2*c_19));
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M1[N1][N1], shared[13];
-    triangular_masses(y, c, M1, shared);
-
-    /* q_1, q_2, q_3: M = L L^T */
-    double L1[N1][N1], r1[N1];
-    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
-    const double eta1[N1] = { y[3], y[4], y[5] };
-    double v1[N1];
-    em_copy(N1, eta1, v1);
-    em_backward(N1, L1[0], r1, v1);
-    dy[0] = v1[0];
-    dy[1] = v1[1];
-    dy[2] = v1[2];
-
-    double Mdot1[N1][N1], f1[N1];
-    triangular_motion(dy, c, shared, Mdot1, f1);
-
-    /* q_1, q_2, q_3: a = L^-1 f - Phi eta */
-    double a1[N1], q1[N1];
-    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
-
-    /* etadot = a (45) */
-    dy[3] = a1[0];
-    dy[4] = a1[1];
-    dy[5] = a1[2];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -927,15 +957,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
     return worst;
 }
 
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
-}
-
 /* v (n): xdot from a state, in the meaning of its mode. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
@@ -1120,3 +1141,5 @@ const em_model spatial_arm_3_model = {
     .release = em_release,
     .event = model_events,
 };
+
+#endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:0c7fdfb2b3c25ddff8527be24a8ee40102d0d6503bd1ab203021752922c4ebd8 */
+/* body sha256:10204b9e73c5c6f16f1cc58e52c09e61ee42087fc2ee3c7a5e108b7611d5acb7 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -34,7 +34,6 @@
 
 #include "em_functions.h"
 #include "em_multipliers.h"
-#include "em_takeover.h"
 
 enum {
     N = 5,              /* coordinates */
@@ -49,6 +48,7 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
@@ -57,6 +57,404 @@ enum {
     N2 = 1,             /* y */
     N3 = 3,             /* p_1, p_2, p_3 */
 };
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  real Mdot3[N3][N3], real f1[N1], real f2[N2], real f3[N3],
+                                  real A1[N_ROWS][N1], real A2[N_ROWS][N2], real A3[N_ROWS][N3],
+                                  real gamma[N_ROWS])
+{
+    const real R = c[1];
+    const real c_0 = c[12];
+    const real c_1 = c[13];
+    const real c_2 = c[14];
+    const real c_3 = c[15];
+    const real p_1_dot = v[2];
+    const real p_2_dot = v[3];
+    const real p_3_dot = v[4];
+    const real p_1 = x[2];
+    const real p_2 = x[3];
+    const real p_3 = x[4];
+    const real z_0 = p_1*p_1;
+    const real z_1 = p_2*p_2;
+    const real z_2 = p_3*p_3;
+    const real z_3 = 1.0 + z_0 + z_1 + z_2;
+    const real z_4 = z_3*z_3;
+    const real z_5 = 1.0/z_4;
+    const real z_6 = p_3_dot*z_5;
+    const real z_7 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const real z_8 = 1.0/(z_3*z_4);
+    const real z_9 = z_7*z_8;
+    const real z_10 = c_0*(p_3*z_6 - 2.0*z_2*z_9);
+    const real z_11 = p_2_dot*z_5;
+    const real z_12 = c_1*z_9;
+    const real z_13 = c_0*(p_2*z_11 - 2.0*z_1*z_9) - z_12;
+    const real z_14 = p_1_dot*z_5;
+    const real z_15 = c_0*(p_1*z_14 - 2.0*z_0*z_9);
+    const real z_16 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const real z_17 = c_0*z_5;
+    const real z_18 = p_2_dot*z_17;
+    const real z_19 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const real z_20 = p_3_dot*z_17;
+    const real z_21 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const real z_22 = c_0*(z_8*(z_16*z_16) + z_8*(z_19*z_19) + z_8*(z_21*z_21));
+    const real z_23 = p_1_dot*z_17;
+    const real z_24 = 1.0/z_3;
+    const real z_25 = c_3*z_24;
+    const real z_26 = z_7*z_5;
+    const real z_27 = R*(p_3_dot*z_24 - 2.0*p_3*z_26);
+    const real z_28 = c_3*z_26;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_10 - z_13);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_2*z_14 + p_1*z_11 - 4.0*z_9*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_12 - z_10 - z_15);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_14 + p_1*z_6 - 4.0*z_9*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_11 + p_2*z_6 - 4.0*z_9*(p_2*p_3)));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_15 - z_13);
+    f1[0] = c_2;
+    f2[0] = em_real(0.0);
+    f3[0] = (8.0/5.0)*(z_16*z_18 - z_19*z_20 - 2.0*p_1*z_22);
+    f3[1] = ((-8.0/5.0))*(z_16*z_23 + 2.0*p_2*z_22 - z_21*z_20);
+    f3[2] = (8.0/5.0)*(z_19*z_23 - z_21*z_18 - 2.0*p_3*z_22);
+    A1[0][0] = em_real(1.0);
+    A1[1][0] = em_real(0.0);
+    A2[0][0] = em_real(0.0);
+    A2[1][0] = em_real(1.0);
+    A3[0][0] = -p_3*z_25;
+    A3[0][1] = -z_25;
+    A3[0][2] = p_1*z_25;
+    A3[1][0] = z_25;
+    A3[1][1] = -p_3*z_25;
+    A3[1][2] = p_2*z_25;
+    gamma[0] = (-2.0)*(p_1_dot*z_27 - p_3_dot*(R*(p_1_dot*z_24 - 2.0*p_1*z_26)) - p_2_dot*z_28);
+    gamma[1] = (-2.0)*(p_2_dot*z_27 + p_1_dot*z_28 - p_3_dot*(R*(p_2_dot*z_24 - 2.0*p_2*z_26)));
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[5] };
+    const real *const C1 = c + 4, *const s1 = c + 5;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[6] };
+    const real *const C2 = c + 8, *const s2 = c + 9;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    /* p_1, p_2, p_3: xdot = C^T S^-1 eta (20) */
+    const real eta3[N3] = { y[7], y[8], y[9] };
+    const real *const C3 = y + 10, *const s3 = y + 19;
+    real r3[N3], w3[N3], v3[N3];
+    em_velocity(N3, C3, s3, eta3, r3, w3, v3);
+    dy[2] = v3[0];
+    dy[3] = v3[1];
+    dy[4] = v3[2];
+
+    real Mdot3[N3][N3], f1[N1], f2[N2], f3[N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], gamma[N_ROWS];
+    eigenfactor_motion(y, dy, c, Mdot3, f1, f2, f3, A1, A2, A3, gamma);
+
+    /* x: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* y: B = A C^T S^-1 (28) */
+    real B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+
+    /* p_1, p_2, p_3: B = A C^T S^-1 (28) */
+    real B3[N_ROWS][N3];
+    em_rows_on_eta(N_ROWS, N3, C3, r3, A3[0], B3[0]);
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* p_1, p_2, p_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu3[N3*N3], Omega3[N3*N3];
+    em_congruence(N3, C3, Mdot3[0], mu3);
+    em_omega_apart(N3, s3, mu3, Omega3);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C3_dot = dy + 10, *const s3_dot = dy + 19;
+    em_factor_rates(N3, C3, r3, mu3, Omega3, C3_dot, s3_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
+    real a3[N3], q3[N3];
+    em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
+
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[5] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[6] = a2[0];
+    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
+    dy[7] = a3[0];
+    dy[8] = a3[1];
+    dy[9] = a3[2];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M3[N3][N3],
+                                 real shared[8])
+{
+    const real c_0 = c[12];
+    const real c_4 = c[16];
+    const real p_1 = x[2];
+    const real p_2 = x[3];
+    const real p_3 = x[4];
+    const real z_0 = p_3*p_3;
+    const real z_1 = p_1*p_1;
+    const real z_2 = p_2*p_2;
+    const real z_3 = 1.0 + z_1 + z_2 + z_0;
+    const real z_4 = z_3*z_3;
+    const real z_5 = 1.0/z_4;
+    const real z_6 = z_0*z_5;
+    const real z_7 = z_5;
+    const real z_8 = z_7 + z_2*z_5;
+    const real z_9 = p_1*z_5;
+    const real z_10 = c_4*z_9;
+    const real z_11 = z_1*z_5;
+    const real z_12 = p_2*p_3;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
+    M3[1][0] = -p_2*z_10;
+    M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
+    M3[2][0] = -p_3*z_10;
+    M3[2][1] = -c_4*z_5*z_12;
+    M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
+    shared[0] = z_5;
+    shared[1] = z_0;
+    shared[2] = z_3;
+    shared[3] = z_4;
+    shared[4] = z_2;
+    shared[5] = z_9;
+    shared[6] = z_1;
+    shared[7] = z_12;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                 const real shared[8], real Mdot3[N3][N3], real f1[N1], real f2[N2],
+                                 real f3[N3], real A1[N_ROWS][N1], real A2[N_ROWS][N2], real A3[N_ROWS][N3],
+                                 real gamma[N_ROWS])
+{
+    const real R = c[1];
+    const real c_0 = c[12];
+    const real c_1 = c[13];
+    const real c_2 = c[14];
+    const real c_3 = c[15];
+    const real z_5 = shared[0];
+    const real z_0 = shared[1];
+    const real z_3 = shared[2];
+    const real z_4 = shared[3];
+    const real z_2 = shared[4];
+    const real z_9 = shared[5];
+    const real z_1 = shared[6];
+    const real z_12 = shared[7];
+    const real p_1_dot = v[2];
+    const real p_2_dot = v[3];
+    const real p_3_dot = v[4];
+    const real p_1 = x[2];
+    const real p_2 = x[3];
+    const real p_3 = x[4];
+    const real z_13 = p_3*z_5;
+    const real z_14 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const real z_15 = 1.0/(z_3*z_4);
+    const real z_16 = z_14*z_15;
+    const real z_17 = c_0*(p_3_dot*z_13 - 2.0*z_0*z_16);
+    const real z_18 = p_2*z_5;
+    const real z_19 = c_1*z_16;
+    const real z_20 = c_0*(p_2_dot*z_18 - 2.0*z_2*z_16) - z_19;
+    const real z_21 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
+    const real z_22 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const real z_23 = c_0*z_5;
+    const real z_24 = p_2_dot*z_23;
+    const real z_25 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const real z_26 = p_3_dot*z_23;
+    const real z_27 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const real z_28 = c_0*(z_15*(z_22*z_22) + z_15*(z_25*z_25) + z_15*(z_27*z_27));
+    const real z_29 = p_1_dot*z_23;
+    const real z_30 = 1.0/z_3;
+    const real z_31 = c_3*z_30;
+    const real z_32 = z_14*z_5;
+    const real z_33 = R*(p_3_dot*z_30 - 2.0*p_3*z_32);
+    const real z_34 = c_3*z_32;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_20);
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_18 + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
+    Mdot3[1][1] = ((-16.0/5.0))*(z_19 - z_17 - z_21);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_13 + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_13 + p_3_dot*z_18 - 4.0*z_16*z_12));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_21 - z_20);
+    f1[0] = c_2;
+    f2[0] = em_real(0.0);
+    f3[0] = (8.0/5.0)*(z_22*z_24 - z_25*z_26 - 2.0*p_1*z_28);
+    f3[1] = ((-8.0/5.0))*(z_22*z_29 + 2.0*p_2*z_28 - z_27*z_26);
+    f3[2] = (8.0/5.0)*(z_25*z_29 - z_27*z_24 - 2.0*p_3*z_28);
+    A1[0][0] = em_real(1.0);
+    A1[1][0] = em_real(0.0);
+    A2[0][0] = em_real(0.0);
+    A2[1][0] = em_real(1.0);
+    A3[0][0] = -p_3*z_31;
+    A3[0][1] = -z_31;
+    A3[0][2] = p_1*z_31;
+    A3[1][0] = z_31;
+    A3[1][1] = -p_3*z_31;
+    A3[1][2] = p_2*z_31;
+    gamma[0] = (-2.0)*(p_1_dot*z_33 - p_3_dot*(R*(p_1_dot*z_30 - 2.0*p_1*z_32)) - p_2_dot*z_34);
+    gamma[1] = (-2.0)*(p_2_dot*z_33 + p_1_dot*z_34 - p_3_dot*(R*(p_2_dot*z_30 - 2.0*p_2*z_32)));
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M3[N3][N3], shared[8];
+    triangular_masses(y, c, M3, shared);
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[5] };
+    const real *const C1 = c + 4, *const s1 = c + 5;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[6] };
+    const real *const C2 = c + 8, *const s2 = c + 9;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    /* p_1, p_2, p_3: M = L L^T */
+    real L3[N3][N3], r3[N3];
+    const int singular3 = em_cholesky(N3, M3[0], L3[0], r3, EM_SINGULAR_PIVOT);
+    if (singular3 >= 0) {
+        static const int coordinate[N3] = { 2, 3, 4 };
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular3], -1, 0.0);
+    }
+    const real eta3[N3] = { y[7], y[8], y[9] };
+    real v3[N3];
+    em_copy(N3, eta3, v3);
+    em_backward(N3, L3[0], r3, v3);
+    dy[2] = v3[0];
+    dy[3] = v3[1];
+    dy[4] = v3[2];
+
+    real Mdot3[N3][N3], f1[N1], f2[N2], f3[N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], gamma[N_ROWS];
+    triangular_motion(y, dy, c, shared, Mdot3, f1, f2, f3, A1, A2, A3, gamma);
+
+    /* x: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* y: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* p_1, p_2, p_3: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
+    real a3[N3], q3[N3];
+    em_triangular_push(N3, L3[0], r3, Mdot3[0], eta3, f3, a3, q3);
+
+    /* x: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+    /* y: B = A C^T S^-1 (28) */
+    real B2[N_ROWS][N2];
+    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+    /* p_1, p_2, p_3: B = A L^-T */
+    real B3[N_ROWS][N3];
+    em_rows_of_root(N_ROWS, N3, L3[0], r3, A3[0], B3[0]);
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        real load = gamma[row];
+        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
+        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
+        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
+        lambda[row] = load;
+        for (int column = 0; column <= row; ++column) {
+            real product = em_real(0.0);
+            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
+            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
+            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
+            Delta[row*N_ROWS + column] = product;
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[5] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    dy[6] = a2[0];
+    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
+    dy[7] = a3[0];
+    dy[8] = a3[1];
+    dy[9] = a3[2];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+extern em_lanes sphere_lanes;
+em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes};
+
+#else
+
+/* Where that is linked it takes the place of this. */
+extern em_lanes sphere_lanes;
+__attribute__((weak)) em_lanes sphere_lanes = {0, NULL};
+#define EM_MODEL_LANES sphere_lanes
+
+#include "em_takeover.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1, 2, 2, 2 };
@@ -350,374 +748,6 @@ static void quasi(EM_UNUSED double t, const double *restrict x, const double *re
     y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_0);
 }
 
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double Mdot3[N3][N3], double f1[N1],
-                                  double f2[N2], double f3[N3], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
-                                  double A3[N_ROWS][N3], double gamma[N_ROWS])
-{
-    const double R = c[1];
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double c_3 = c[15];
-    const double p_1_dot = v[2];
-    const double p_2_dot = v[3];
-    const double p_3_dot = v[4];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
-    const double p_3 = x[4];
-    const double z_0 = p_1*p_1;
-    const double z_1 = p_2*p_2;
-    const double z_2 = p_3*p_3;
-    const double z_3 = 1.0 + z_0 + z_1 + z_2;
-    const double z_4 = z_3*z_3;
-    const double z_5 = 1.0/z_4;
-    const double z_6 = p_3_dot*z_5;
-    const double z_7 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
-    const double z_8 = 1.0/(z_3*z_4);
-    const double z_9 = z_7*z_8;
-    const double z_10 = c_0*(p_3*z_6 - 2.0*z_2*z_9);
-    const double z_11 = p_2_dot*z_5;
-    const double z_12 = c_1*z_9;
-    const double z_13 = c_0*(p_2*z_11 - 2.0*z_1*z_9) - z_12;
-    const double z_14 = p_1_dot*z_5;
-    const double z_15 = c_0*(p_1*z_14 - 2.0*z_0*z_9);
-    const double z_16 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
-    const double z_17 = c_0*z_5;
-    const double z_18 = p_2_dot*z_17;
-    const double z_19 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
-    const double z_20 = p_3_dot*z_17;
-    const double z_21 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
-    const double z_22 = c_0*(z_8*(z_16*z_16) + z_8*(z_19*z_19) + z_8*(z_21*z_21));
-    const double z_23 = p_1_dot*z_17;
-    const double z_24 = 1.0/z_3;
-    const double z_25 = c_3*z_24;
-    const double z_26 = z_7*z_5;
-    const double z_27 = R*(p_3_dot*z_24 - 2.0*p_3*z_26);
-    const double z_28 = c_3*z_26;
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_10 - z_13);
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_2*z_14 + p_1*z_11 - 4.0*z_9*(p_1*p_2)));
-    Mdot3[1][1] = ((-16.0/5.0))*(z_12 - z_10 - z_15);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_14 + p_1*z_6 - 4.0*z_9*(p_1*p_3)));
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_11 + p_2*z_6 - 4.0*z_9*(p_2*p_3)));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_15 - z_13);
-    f1[0] = c_2;
-    f2[0] = 0.0;
-    f3[0] = (8.0/5.0)*(z_16*z_18 - z_19*z_20 - 2.0*p_1*z_22);
-    f3[1] = ((-8.0/5.0))*(z_16*z_23 + 2.0*p_2*z_22 - z_21*z_20);
-    f3[2] = (8.0/5.0)*(z_19*z_23 - z_21*z_18 - 2.0*p_3*z_22);
-    A1[0][0] = 1.0;
-    A1[1][0] = 0.0;
-    A2[0][0] = 0.0;
-    A2[1][0] = 1.0;
-    A3[0][0] = -p_3*z_25;
-    A3[0][1] = -z_25;
-    A3[0][2] = p_1*z_25;
-    A3[1][0] = z_25;
-    A3[1][1] = -p_3*z_25;
-    A3[1][2] = p_2*z_25;
-    gamma[0] = (-2.0)*(p_1_dot*z_27 - p_3_dot*(R*(p_1_dot*z_24 - 2.0*p_1*z_26)) - p_2_dot*z_28);
-    gamma[1] = (-2.0)*(p_2_dot*z_27 + p_1_dot*z_28 - p_3_dot*(R*(p_2_dot*z_24 - 2.0*p_2*z_26)));
-}
-
-/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
- *   y, dy (n_state)    c prepared parameters    u inputs */
-static int rhs_eigenfactor(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                           double *memory, int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
-
-    /* x: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[5] };
-    const double *const C1 = c + 4, *const s1 = c + 5;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-
-    /* y: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[6] };
-    const double *const C2 = c + 8, *const s2 = c + 9;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    /* p_1, p_2, p_3: xdot = C^T S^-1 eta (20) */
-    const double eta3[N3] = { y[7], y[8], y[9] };
-    const double *const C3 = y + 10, *const s3 = y + 19;
-    double r3[N3], w3[N3], v3[N3];
-    em_velocity(N3, C3, s3, eta3, r3, w3, v3);
-    dy[2] = v3[0];
-    dy[3] = v3[1];
-    dy[4] = v3[2];
-
-    double Mdot3[N3][N3], f1[N1], f2[N2], f3[N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], gamma[N_ROWS];
-    eigenfactor_motion(y, dy, c, Mdot3, f1, f2, f3, A1, A2, A3, gamma);
-
-    /* x: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-
-    /* y: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-
-    /* p_1, p_2, p_3: B = A C^T S^-1 (28) */
-    double B3[N_ROWS][N3];
-    em_rows_on_eta(N_ROWS, N3, C3, r3, A3[0], B3[0]);
-
-    /* x: constant factors, a = S^-1 C f (41) */
-    double a1[N1];
-    em_rows_on_eta(1, N1, C1, r1, f1, a1);
-
-    /* y: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* p_1, p_2, p_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    double mu3[N3*N3], Omega3[N3*N3];
-    em_congruence(N3, C3, Mdot3[0], mu3);
-    em_omega_apart(N3, s3, mu3, Omega3);
-    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
-    double *const C3_dot = dy + 10, *const s3_dot = dy + 19;
-    em_factor_rates(N3, C3, r3, mu3, Omega3, C3_dot, s3_dot);
-    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
-    double a3[N3], q3[N3];
-    em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
-
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[5] = a1[0];
-    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
-    dy[6] = a2[0];
-    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
-    dy[7] = a3[0];
-    dy[8] = a3[1];
-    dy[9] = a3[2];
-    return 0;
-}
-
-/* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const double *restrict x, const double *restrict c, double M3[N3][N3],
-                                 double shared[8])
-{
-    const double c_0 = c[12];
-    const double c_4 = c[16];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
-    const double p_3 = x[4];
-    const double z_0 = p_3*p_3;
-    const double z_1 = p_1*p_1;
-    const double z_2 = p_2*p_2;
-    const double z_3 = 1.0 + z_1 + z_2 + z_0;
-    const double z_4 = z_3*z_3;
-    const double z_5 = 1.0/z_4;
-    const double z_6 = z_0*z_5;
-    const double z_7 = z_5;
-    const double z_8 = z_7 + z_2*z_5;
-    const double z_9 = p_1*z_5;
-    const double z_10 = c_4*z_9;
-    const double z_11 = z_1*z_5;
-    const double z_12 = p_2*p_3;
-    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
-    M3[1][0] = -p_2*z_10;
-    M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
-    M3[2][0] = -p_3*z_10;
-    M3[2][1] = -c_4*z_5*z_12;
-    M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
-    shared[0] = z_5;
-    shared[1] = z_0;
-    shared[2] = z_3;
-    shared[3] = z_4;
-    shared[4] = z_2;
-    shared[5] = z_9;
-    shared[6] = z_1;
-    shared[7] = z_12;
-}
-
-/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const double *restrict x, const double *restrict v, const double *restrict c,
-                                 const double shared[8], double Mdot3[N3][N3], double f1[N1], double f2[N2],
-                                 double f3[N3], double A1[N_ROWS][N1], double A2[N_ROWS][N2],
-                                 double A3[N_ROWS][N3], double gamma[N_ROWS])
-{
-    const double R = c[1];
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double c_3 = c[15];
-    const double z_5 = shared[0];
-    const double z_0 = shared[1];
-    const double z_3 = shared[2];
-    const double z_4 = shared[3];
-    const double z_2 = shared[4];
-    const double z_9 = shared[5];
-    const double z_1 = shared[6];
-    const double z_12 = shared[7];
-    const double p_1_dot = v[2];
-    const double p_2_dot = v[3];
-    const double p_3_dot = v[4];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
-    const double p_3 = x[4];
-    const double z_13 = p_3*z_5;
-    const double z_14 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
-    const double z_15 = 1.0/(z_3*z_4);
-    const double z_16 = z_14*z_15;
-    const double z_17 = c_0*(p_3_dot*z_13 - 2.0*z_0*z_16);
-    const double z_18 = p_2*z_5;
-    const double z_19 = c_1*z_16;
-    const double z_20 = c_0*(p_2_dot*z_18 - 2.0*z_2*z_16) - z_19;
-    const double z_21 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
-    const double z_22 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
-    const double z_23 = c_0*z_5;
-    const double z_24 = p_2_dot*z_23;
-    const double z_25 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
-    const double z_26 = p_3_dot*z_23;
-    const double z_27 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
-    const double z_28 = c_0*(z_15*(z_22*z_22) + z_15*(z_25*z_25) + z_15*(z_27*z_27));
-    const double z_29 = p_1_dot*z_23;
-    const double z_30 = 1.0/z_3;
-    const double z_31 = c_3*z_30;
-    const double z_32 = z_14*z_5;
-    const double z_33 = R*(p_3_dot*z_30 - 2.0*p_3*z_32);
-    const double z_34 = c_3*z_32;
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_20);
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_18 + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
-    Mdot3[1][1] = ((-16.0/5.0))*(z_19 - z_17 - z_21);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_13 + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_13 + p_3_dot*z_18 - 4.0*z_16*z_12));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_21 - z_20);
-    f1[0] = c_2;
-    f2[0] = 0.0;
-    f3[0] = (8.0/5.0)*(z_22*z_24 - z_25*z_26 - 2.0*p_1*z_28);
-    f3[1] = ((-8.0/5.0))*(z_22*z_29 + 2.0*p_2*z_28 - z_27*z_26);
-    f3[2] = (8.0/5.0)*(z_25*z_29 - z_27*z_24 - 2.0*p_3*z_28);
-    A1[0][0] = 1.0;
-    A1[1][0] = 0.0;
-    A2[0][0] = 0.0;
-    A2[1][0] = 1.0;
-    A3[0][0] = -p_3*z_31;
-    A3[0][1] = -z_31;
-    A3[0][2] = p_1*z_31;
-    A3[1][0] = z_31;
-    A3[1][1] = -p_3*z_31;
-    A3[1][2] = p_2*z_31;
-    gamma[0] = (-2.0)*(p_1_dot*z_33 - p_3_dot*(R*(p_1_dot*z_30 - 2.0*p_1*z_32)) - p_2_dot*z_34);
-    gamma[1] = (-2.0)*(p_2_dot*z_33 + p_1_dot*z_34 - p_3_dot*(R*(p_2_dot*z_30 - 2.0*p_2*z_32)));
-}
-
-/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
- * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
-static int rhs_cholesky(double t, const double *restrict y, const double *restrict c, const double *restrict u,
-                        int flags, double *restrict dy, em_fault *restrict fault)
-{
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
-    double M3[N3][N3], shared[8];
-    triangular_masses(y, c, M3, shared);
-
-    /* x: xdot = C^T S^-1 eta (20) */
-    const double eta1[N1] = { y[5] };
-    const double *const C1 = c + 4, *const s1 = c + 5;
-    double r1[N1], w1[N1], v1[N1];
-    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
-    dy[0] = v1[0];
-
-    /* y: xdot = C^T S^-1 eta (20) */
-    const double eta2[N2] = { y[6] };
-    const double *const C2 = c + 8, *const s2 = c + 9;
-    double r2[N2], w2[N2], v2[N2];
-    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
-    dy[1] = v2[0];
-
-    /* p_1, p_2, p_3: M = L L^T */
-    double L3[N3][N3], r3[N3];
-    const int singular3 = em_cholesky(N3, M3[0], L3[0], r3, EM_SINGULAR_PIVOT);
-    if (singular3 >= 0) {
-        static const int coordinate[N3] = { 2, 3, 4 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular3], -1, 0.0);
-    }
-    const double eta3[N3] = { y[7], y[8], y[9] };
-    double v3[N3];
-    em_copy(N3, eta3, v3);
-    em_backward(N3, L3[0], r3, v3);
-    dy[2] = v3[0];
-    dy[3] = v3[1];
-    dy[4] = v3[2];
-
-    double Mdot3[N3][N3], f1[N1], f2[N2], f3[N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], gamma[N_ROWS];
-    triangular_motion(y, dy, c, shared, Mdot3, f1, f2, f3, A1, A2, A3, gamma);
-
-    /* x: constant factors, a = S^-1 C f (41) */
-    double a1[N1];
-    em_rows_on_eta(1, N1, C1, r1, f1, a1);
-
-    /* y: constant factors, a = S^-1 C f (41) */
-    double a2[N2];
-    em_rows_on_eta(1, N2, C2, r2, f2, a2);
-
-    /* p_1, p_2, p_3: a = L^-1 f - Phi eta;  Bdot eta = Adot xdot + B q */
-    double a3[N3], q3[N3];
-    em_triangular_push(N3, L3[0], r3, Mdot3[0], eta3, f3, a3, q3);
-
-    /* x: B = A C^T S^-1 (28) */
-    double B1[N_ROWS][N1];
-    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
-    /* y: B = A C^T S^-1 (28) */
-    double B2[N_ROWS][N2];
-    em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* p_1, p_2, p_3: B = A L^-T */
-    double B3[N_ROWS][N3];
-    em_rows_of_root(N_ROWS, N3, L3[0], r3, A3[0], B3[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
-    double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
-    for (int row = 0; row < N_ROWS; ++row) {
-        double load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
-        lambda[row] = load;
-        for (int column = 0; column <= row; ++column) {
-            double product = 0.0;
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-            Delta[row*N_ROWS + column] = product;
-        }
-    }
-    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-
-    /* etadot = a - B^T lambda (45) */
-    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
-    dy[5] = a1[0];
-    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
-    dy[6] = a2[0];
-    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
-    dy[7] = a3[0];
-    dy[8] = a3[1];
-    dy[9] = a3[2];
-    for (int k = 2*N; k < N_STATE; ++k) dy[k] = 0.0;
-    return 0;
-}
-
 #include "em_mechanics.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -883,15 +913,15 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         if (*mode) em_rows_of_root(N_ROWS, N3, memory + 0, memory + 9, A3[0], B3[0]);
         else em_rows_of_factors(N_ROWS, N3, C3, s3, A3[0], B3[0]);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
-        double Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            double load = gamma[row];
+            real load = gamma[row];
             for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
             for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
             for (int i = 0; i < N3; ++i) load += B3[row][i]*a3[i];
             lambda[row] = load;
             for (int column = 0; column <= row; ++column) {
-                double product = 0.0;
+                real product = em_real(0.0);
                 for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
                 for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
                 for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
@@ -932,15 +962,6 @@ static double model_factor_error(double t, const double *y, const double *c, int
         }
     }
     return worst;
-}
-
-/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory,
-                     int flags, double *dy, em_fault *fault)
-{
-    (void)mode, (void)memory;
-    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
-    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -1156,3 +1177,5 @@ const em_model sphere_model = {
     .initial_y = initial_y,
     .event = model_events,
 };
+
+#endif

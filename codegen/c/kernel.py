@@ -43,12 +43,19 @@ class Draft:
 
     arguments : their names, where others rely on them; else they are what the kernel reads and assigns
     actual : what the caller calls them, where that differs
+    on_lanes : whether it computes with `real` (em_real.h) in place of double
     """
 
     name: str
     entries: Sequence[Entry]
     arguments: tuple[str, ...] = ()
     actual: Mapping[str, str] | None = None
+    on_lanes: bool = False
+
+    @property
+    def number(self) -> str:
+        """The type of what it reads and assigns."""
+        return "real" if self.on_lanes else "double"
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +106,7 @@ class _Scope:
     def __init__(self, draft: Draft, plan: Schedule) -> None:
         self.draft = draft
         self.names: dict[int, str] = {}
-        self.printer = Printer(plan, self.names)
+        self.printer = Printer(plan, self.names, draft.on_lanes)
         self.read: dict[str, list[tuple[int, str]]] = {}
         self.temporaries: list[str] = []
         self.shares: list[str] = []
@@ -108,7 +115,7 @@ class _Scope:
         """Give a number of an array its name here."""
         loads = self.read.setdefault(array, [])
         if place is not None:
-            loads.append((place, f"const double {identifier} = {array}[{place}];"))
+            loads.append((place, f"const {self.draft.number} {identifier} = {array}[{place}];"))
 
 
 class _Writer:
@@ -183,7 +190,8 @@ class _Writer:
     def _compute(self, value: int) -> None:
         name = free(self._named_after(value), self.taken)
         self.taken.add(name)
-        self.here.temporaries.append(_wrap(f"const double {name} = {self.here.printer.bare(value)};"))
+        number = self.here.draft.number
+        self.here.temporaries.append(_wrap(f"const {number} {name} = {self.here.printer.bare(value)};"))
         self.here.names[value] = name
         self.known[value] = name, self.here
 
@@ -207,11 +215,11 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
     names = [*read, *(array.name for array in results)]
     actual = draft.actual or {}
     outputs = tuple(
-        _wrap(f"{_targets(entry)} = {scope.printer.bare(plan.roots[entry.node])};") for entry in draft.entries
+        _wrap(f"{_targets(entry)} = {scope.printer.whole(plan.roots[entry.node])};") for entry in draft.entries
     )
     return Kernel(
         head=_head(draft, names) if draft.arguments else _inner_head(draft, read, results, handed),
-        declared=_folded("double ", [one.name + one.shape for one in results if one.name not in actual], ";"),
+        declared=_folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         loads=tuple(load for array in sorted(scope.read) for _, load in sorted(scope.read[array])),
         temporaries=tuple(scope.temporaries), outputs=(*outputs, *scope.shares), cost=cost,
@@ -224,18 +232,19 @@ def _targets(entry: Entry) -> str:
 
 def _head(draft: Draft, used: Sequence[str]) -> str:
     """Of a function that others call: its arguments are given, and marked where it does not use them."""
-    given = [("" if name in used else "EM_UNUSED ") + (_input(name) if name in INPUTS else f"double *restrict {name}")
+    given = [("" if name in used else "EM_UNUSED ") + (_input(name, "double") if name in INPUTS else f"double *restrict {name}")
              for name in draft.arguments]  # fmt: skip
     return _folded(f"static void {draft.name}(", given, ")")
 
 
 def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:
-    given = [_input(name) if name != SHARED else f"const double {SHARED}[{handed}]" for name in read]
-    return _folded(f"EM_INLINE void {draft.name}(", [*given, *(f"double {a.name}{a.shape}" for a in results)], ")")
+    number = draft.number
+    given = [_input(name, number) if name != SHARED else f"const {number} {SHARED}[{handed}]" for name in read]
+    return _folded(f"EM_INLINE void {draft.name}(", [*given, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
 
 
-def _input(name: str) -> str:
-    return f"double {name}" if name == "t" else f"const double *restrict {name}"
+def _input(name: str, number: str) -> str:
+    return f"{number} {name}" if name == "t" else f"const {number} *restrict {name}"
 
 
 def _folded(before: str, items: Sequence[str], after: str) -> str:

@@ -133,7 +133,8 @@ class _Writing:
         if eigen and self.layout.row_groups:
             moving.extend(self.by_row("Adot", self.terms.Adot))
         return self.stages(
-            Draft(f"{name}_masses", masses, actual=OF_STATE), Draft(f"{name}_motion", moving, actual=OF_STATE)
+            Draft(f"{name}_masses", masses, actual=OF_STATE, on_lanes=True),
+            Draft(f"{name}_motion", moving, actual=OF_STATE, on_lanes=True),
         )
 
     def in_velocities(self, masses: list[Entry]) -> Stages:
@@ -142,7 +143,8 @@ class _Writing:
         entries = [*masses, *self.forces(self.terms.bias), *self.by_row("A", self.terms.A), *gamma]
         name = self.choices.formulation
         return self.stages(
-            Draft(f"{name}_masses", ()), Draft(f"{name}_motion", entries, actual={"x": "y", "v": "y + N"})
+            Draft(f"{name}_masses", ()),
+            Draft(f"{name}_motion", entries, actual={"x": "y", "v": "y + N"}, on_lanes=True),
         )
 
     def inverse_of(self, block: BlockView) -> list[Entry]:

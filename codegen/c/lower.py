@@ -40,6 +40,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
         carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
         extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
+        on_lanes=not (layout.couples and choices.extrapolate),
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         settling=_settling(scene, layout, bool(turning)),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,

@@ -13,9 +13,10 @@ SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""
 CALLS: Mapping[str, str] = {
     "sin": "em_sin", "cos": "em_cos", "abs": "fabs", "min": "em_least", "max": "em_greatest", "sign": "em_sign",
-    "step": "em_heaviside",
+    "step": "em_heaviside", "select": "em_select", "<": "em_less", "<=": "em_not_above", "==": "em_equal",
+    "and": "em_and", "or": "em_or", "not": "em_not",
 }  # fmt: skip
-INFIX: Mapping[str, str] = {"and": "&&", "or": "||"}
+TURNED: Mapping[str, str] = {">": "<", ">=": "<="}
 
 
 class Printer:
@@ -25,10 +26,17 @@ class Printer:
     ----------
     names
         Value -> identifier; grows as values get names.
+    on_lanes
+        Whether values may be vectors, so that a number that stands alone must be made one (em_real.h).
     """
 
-    def __init__(self, plan: Schedule, names: Mapping[int, str]) -> None:
-        self.plan, self.names = plan, names
+    def __init__(self, plan: Schedule, names: Mapping[int, str], on_lanes: bool) -> None:
+        self.plan, self.names, self.on_lanes = plan, names, on_lanes
+
+    def whole(self, value: int) -> str:
+        """Return the text of a value that stands alone: assigned, or the argument of a function."""
+        text = self.bare(value)
+        return f"em_real({text})" if self.on_lanes and self.plan.operations[value].kind == "number" else text
 
     def bare(self, value: int) -> str:
         """Return the text of a value without parentheses around it."""
@@ -52,8 +60,8 @@ class Printer:
         if kind == "inverse":
             return f"1.0/{self._bound(operands[0], ATOM)}", PRODUCT
         if kind == "sqrt":
-            return f"sqrt({self.bare(operands[0])})", ATOM
-        return self._call(operands[0], operands[1:])
+            return f"sqrt({self.whole(operands[0])})", ATOM
+        return self._call(operands[0], operands[1:]), ATOM
 
     def _sum(self, terms: Sequence[tuple[int, Number]]) -> tuple[str, int]:
         ordered = sorted(terms, key=lambda term: term[1] < 0)
@@ -81,16 +89,12 @@ class Printer:
     def _is_inverse(self, value: int) -> bool:
         return value not in self.names and self.plan.operations[value].kind == "inverse"
 
-    def _call(self, name: str, operands: Sequence[int]) -> tuple[str, int]:
-        texts = [self.bare(operand) for operand in operands]
-        if name == "select":
-            condition, yes, no = (f"({text})" for text in texts)
-            return f"({condition} ? {yes} : {no})", ATOM
-        if name == "not":
-            return f"!({texts[0]})", ATOM
-        if name in ("<", "<=", ">", ">=", "==", "!=", "and", "or"):
-            return f"(({texts[0]}) {INFIX.get(name, name)} ({texts[1]}))", ATOM
-        return f"{CALLS.get(name, name)}({', '.join(texts)})", ATOM
+    def _call(self, name: str, operands: Sequence[int]) -> str:
+        if name in TURNED:
+            return self._call(TURNED[name], operands[::-1])
+        if name == "!=":
+            return f"em_not({self._call('==', operands)})"
+        return f"{CALLS.get(name, name)}({', '.join(self.whole(operand) for operand in operands)})"
 
 
 def c_number(value: Number) -> str:

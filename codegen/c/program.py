@@ -142,6 +142,7 @@ class Program:
     bounded : whether a triangular root takes over where eigenvalues come close
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
     extrapolate : whether (32), (53) extrapolate Omega there; `extrapolated`: where the memory says so, and since when
+    on_lanes : whether the right-hand side can be compiled for vectors, too: it needs no memory
     needs_mass : whether velocities follow from the state only with M(x)
     augmented : whether M + A^T W A is factored in place of M, which is singular
     settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
@@ -161,6 +162,7 @@ class Program:
     delta_eigenfactors: bool
     extrapolate: bool
     extrapolated: int | None
+    on_lanes: bool
     needs_mass: bool
     settles: bool
     settling: tuple[str, ...]

@@ -8,7 +8,7 @@
  */
 #include "em_linear.h"
 
-enum { N = 2, N_ROWS = 1, N_POSITIONS = 1, N_STATE = 4, N_INPUTS = 1, N_EVENTS = 2, N_MEMORY = 0 };
+enum { N = 2, N_ROWS = 1, N_POSITIONS = 1, N_STATE = 4, N_INPUTS = 1, N_EVENTS = 2, N_MEMORY = 0, EM_SECOND_ORDER = 1 };
 enum { N_C = 0, N_S = 0, N_CD = 0, N_SD = 0 };
 enum { SETTLES = 1 };
 enum { MASS, GRAVITY, RADIUS, N_PARAMETERS };

@@ -50,10 +50,12 @@ def compile_and_link(work: Path, name: str, tools: Toolchain) -> None:
     (work / GLUE).mkdir()
     with ThreadPoolExecutor(max_workers=1) as pool:
         model = pool.submit(tools.compile_model, work, name)
+        lanes = pool.submit(tools.compile_lanes, work, name)
         run((sys.executable, "-P", "-m", "cython", "-3", "--module-name", name, f"{name}.pyx", "-o", f"{glue}.c"), work)
         tools.compile_glue(work, glue)
         model.result()
-    tools.link(work, (name, glue), name)
+        lanes.result()
+    tools.link(work, (name, f"{name}_lanes", glue), name)
 
 
 def load(binary: Path) -> System:

@@ -64,6 +64,11 @@ class Toolchain:
         flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}")
         self._run(*flags, "-c", f"{stem}.c", "-o", f"{stem}.o", folder=folder)
 
+    def compile_lanes(self, folder: Path, stem: str) -> None:
+        """STEM.c -> STEM_lanes.o, its right-hand side on vectors."""
+        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", "-DEM_ON_LANES")
+        self._run(*flags, "-c", f"{stem}.c", "-o", f"{stem}_lanes.o", folder=folder)
+
     def compile_glue(self, folder: Path, stem: str) -> None:
         """STEM.c, written by Cython -> STEM.o."""
         headers = (f"-I{INCLUDE}", f"-I{sysconfig.get_path('include')}", f"-I{sysconfig.get_path('platinclude')}")

@@ -49,6 +49,7 @@ METHODS = _table(
     Method("rk34", order=4, number=0),
     Method("dopri5", order=5, number=1),
     Method("dop853", order=8, number=2),
+    Method("ra15", order=15, number=3),
     Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau"),
     Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF"),
     Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA"),

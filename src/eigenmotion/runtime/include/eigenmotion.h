@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 4 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 5 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -53,9 +53,9 @@ typedef struct em_signal {
     const double *values;      /* (count); EM_CUBIC: (count - 1, 4) coefficients, highest power first, local time */
 } em_signal;
 
-typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853 } em_method;
+typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15 } em_method;
 
-enum { EM_DENSE_COEFFICIENTS = 8 }; /* rows a dense step stores at the most, each (n_state) */
+enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
 
 /* A growing table: one time and `width` numbers a row. Owned by the run; em_release frees it. */
 typedef struct em_rows {
@@ -109,6 +109,15 @@ typedef struct em_run {
     double t_reached;
     const struct em_model *model; /* the caller's, where the run is to be held against its energy, or NULL */
 } em_run;
+
+/* The right-hand side of `width` states side by side, number by number: y[k width + lane], and so t, c, u, dy. Where a
+ * lane is singular its dy is NaN. width 0: there is none. */
+typedef struct em_lanes {
+    int width;
+    void (*rhs)(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy);
+    /* v (n): xdot alone, of states in mode 0, where it costs little; or NULL */
+    void (*velocity)(const double *t, const double *y, const double *c, double *v);
+} em_lanes;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
  * x, v (n); y, dy (n_state); c: the prepared parameters (n_prepared); u (n_inputs).

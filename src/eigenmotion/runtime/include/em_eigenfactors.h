@@ -1,8 +1,8 @@
-/* em_eigenfactors.h: M = C^T S^2 C. How C and s are found and kept, and what they make of velocities and forces. */
+/* em_eigenfactors.h: M = C^T S^2 C. How C and s are found and kept. */
 #ifndef EM_EIGENFACTORS_H
 #define EM_EIGENFACTORS_H
 
-#include "em_linear.h"
+#include "em_quasivelocities.h"
 
 /* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, as often as
  * it takes. */
@@ -135,38 +135,6 @@ EM_COLD double em_factor_error(int n, const double *M, const double *C, const do
     return worst;
 }
 
-/* eta <- C^T S^-1 eta, the velocities (20) */
-EM_INLINE void em_velocity_of_eta(int n, const double *restrict C, const double *restrict s, double *restrict eta) {
-    double v[n];
-    for (int j = 0; j < n; ++j) {
-        v[j] = 0.0;
-        for (int i = 0; i < n; ++i) v[j] += C[i * n + j] * eta[i] / s[i];
-    }
-    memcpy(eta, v, sizeof v);
-}
-
-/* v <- S C v, the quasi-velocities (17) */
-EM_INLINE void em_eta_of_velocity(int n, const double *restrict C, const double *restrict s, double *restrict v) {
-    double eta[n];
-    for (int i = 0; i < n; ++i) {
-        eta[i] = 0.0;
-        for (int j = 0; j < n; ++j) eta[i] += C[i * n + j] * v[j];
-        eta[i] *= s[i];
-    }
-    memcpy(v, eta, sizeof eta);
-}
-
-/* f <- S^-1 C f: a force, or a constraint row, as the quasi-velocities feel it (28) */
-EM_INLINE void em_force_on_eta(int n, const double *restrict C, const double *restrict s, double *restrict f) {
-    double a[n];
-    for (int i = 0; i < n; ++i) {
-        a[i] = 0.0;
-        for (int j = 0; j < n; ++j) a[i] += C[i * n + j] * f[j];
-        a[i] /= s[i];
-    }
-    memcpy(f, a, sizeof a);
-}
-
 /* whole (n, n) <- with the entries of a block (size, size) at its coordinates */
 EM_INLINE void em_spread(int n, int size, const int *coordinate, const double *block, double *whole) {
     for (int i = 0; i < size; ++i)
@@ -177,29 +145,6 @@ EM_INLINE void em_spread(int n, int size, const int *coordinate, const double *b
 EM_INLINE void em_gather(int n, int size, const int *coordinate, const double *whole, double *block) {
     for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j) block[i * size + j] = whole[coordinate[i] * n + coordinate[j]];
-}
-
-/* v <- C^T S^-1 eta (20), and on the way r = 1 / s and w = S^-1 eta. */
-EM_INLINE void em_velocity(int n, const double *restrict C, const double *restrict s, const double *restrict eta,
-                           double *restrict r, double *restrict w, double *restrict v) {
-    for (int i = 0; i < n; ++i) {
-        r[i] = 1.0 / s[i];
-        w[i] = r[i] * eta[i];
-        v[i] = n == 1 ? w[i] : 0.0;
-    }
-    for (int i = 0; n > 1 && i < n; ++i)
-        for (int j = 0; j < n; ++j) v[j] += C[i * n + j] * w[i];
-}
-
-/* B (m, n) <- A C^T S^-1 (28), r = 1 / s; of one row, a force: a = S^-1 C f. */
-EM_INLINE void em_rows_on_eta(int m, int n, const double *restrict C, const double *restrict r,
-                              const double *restrict A, double *restrict B) {
-    for (int row = 0; row < m; ++row)
-        for (int i = 0; i < n; ++i) {
-            double sum = n == 1 ? A[row] : 0.0;
-            for (int j = 0; n > 1 && j < n; ++j) sum += A[row * n + j] * C[i * n + j];
-            B[row * n + i] = r[i] * sum;
-        }
 }
 
 #endif

@@ -1,24 +1,27 @@
-/* em_functions.h: functions of expressions that C does not have, or not as a potential needs them. */
+/* em_functions.h: functions of expressions that C does not have, or not as a potential needs them. Comparisons are
+ * numbers, 1 and 0, as they are where they are computed once per parameter set. */
 #ifndef EM_FUNCTIONS_H
 #define EM_FUNCTIONS_H
 
 #include "em_linear.h"
 
-EM_INLINE double em_sign(double a) {
-    return a != a ? a : (a > 0.0) - (a < 0.0);
-}
+EM_INLINE real em_is(em_truth condition) { return em_where(condition, em_real(1.0), em_real(0.0)); }
 
-EM_INLINE double em_heaviside(double a) {
-    return a != a ? a : a > 0.0 ? 1.0 : a < 0.0 ? 0.0 : 0.5;
-}
+EM_INLINE real em_less(real a, real b) { return em_is(a < b); }
+EM_INLINE real em_not_above(real a, real b) { return em_is(a <= b); }
+EM_INLINE real em_equal(real a, real b) { return em_is(a == b); }
+EM_INLINE real em_and(real a, real b) { return em_is((a != 0.0) & (b != 0.0)); }
+EM_INLINE real em_or(real a, real b) { return em_is((a != 0.0) | (b != 0.0)); }
+EM_INLINE real em_not(real a) { return em_is(a == 0.0); }
+EM_INLINE real em_select(real condition, real yes, real no) { return em_where(condition != 0.0, yes, no); }
+
+EM_INLINE real em_sign(real a) { return em_where(a != a, a, em_is(a > 0.0) - em_is(a < 0.0)); }
+
+EM_INLINE real em_heaviside(real a) { return em_where(a != a, a, em_is(a > 0.0) + 0.5 * em_is(a == 0.0)); }
 
 /* Unlike fmin and fmax these pass on what is not a number: a potential that is undefined must not look defined. */
-EM_INLINE double em_least(double a, double b) {
-    return a < b || a != a ? a : b;
-}
+EM_INLINE real em_least(real a, real b) { return em_where((a < b) | (a != a), a, b); }
 
-EM_INLINE double em_greatest(double a, double b) {
-    return a > b || a != a ? a : b;
-}
+EM_INLINE real em_greatest(real a, real b) { return em_where((a > b) | (a != a), a, b); }
 
 #endif

@@ -8,15 +8,19 @@
 #include <string.h>
 
 #include "eigenmotion.h"
+#include "em_real.h"
+#ifdef EM_ON_LANES
+#include "em_lane_functions.h"
+#else
 #include "em_trigonometry.h"
+#endif
 
-enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8 };
+/* Flags of right-hand sides and of what follows an accepted step; from EM_FIRST_KEPT on a bit for each constraint row
+ * that is kept, none: not known (em_rank.h). */
+enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 };
 
+#define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
-
-#define EM_INLINE static inline __attribute__((always_inline, unused))
-#define EM_COLD static __attribute__((noinline, unused))
-#define EM_UNUSED __attribute__((unused))
 
 EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
     fault->status = status;
@@ -29,16 +33,16 @@ EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, do
 /* L (n, n) lower with M = L L^T; reads the lower triangle of M. r (n): 1 / L_ii.
  * Returns -1, or the index of the first pivot that is not above `tolerance` M_ii.
  * By way of L D L^T: from pivot to pivot leads one division then, and the roots are not waited for. */
-EM_INLINE int em_cholesky(int n, const double *restrict M, double *restrict L, double *restrict r, double tolerance) {
-    double W[n * n]; /* L D^-1, while L D is in L and D^-1 in r */
+EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
+    real W[n * n]; /* L D^-1, while L D is in L and D^-1 in r */
     for (int j = 0; j < n; ++j) {
-        double pivot = M[j * n + j];
+        real pivot = M[j * n + j];
         for (int k = 0; k < j; ++k) pivot -= L[j * n + k] * W[j * n + k];
-        if (!(pivot > tolerance * M[j * n + j])) return j;
+        if (em_fails(&pivot, pivot > tolerance * M[j * n + j])) return j;
         L[j * n + j] = pivot;
         r[j] = 1.0 / pivot;
         for (int i = j + 1; i < n; ++i) {
-            double sum = M[i * n + j];
+            real sum = M[i * n + j];
             for (int k = 0; k < j; ++k) sum -= L[i * n + k] * W[j * n + k];
             L[i * n + j] = sum;
             W[i * n + j] = sum * r[j];
@@ -52,69 +56,74 @@ EM_INLINE int em_cholesky(int n, const double *restrict M, double *restrict L, d
 }
 
 /* b <- L^-1 b */
-EM_INLINE void em_forward(int n, const double *restrict L, const double *restrict r, double *restrict b) {
+EM_INLINE void em_forward(int n, const real *restrict L, const real *restrict r, real *restrict b) {
     for (int i = 0; i < n; ++i) {
-        double sum = b[i];
+        real sum = b[i];
         for (int k = 0; k < i; ++k) sum -= L[i * n + k] * b[k];
         b[i] = sum * r[i];
     }
 }
 
 /* b <- L^-T b */
-EM_INLINE void em_backward(int n, const double *restrict L, const double *restrict r, double *restrict b) {
+EM_INLINE void em_backward(int n, const real *restrict L, const real *restrict r, real *restrict b) {
     for (int i = n - 1; i >= 0; --i) {
-        double sum = b[i];
+        real sum = b[i];
         for (int k = i + 1; k < n; ++k) sum -= L[k * n + i] * b[k];
         b[i] = sum * r[i];
     }
 }
 
 /* X (n, n) <- L^-1 X */
-EM_INLINE void em_forward_columns(int n, const double *restrict L, const double *restrict r, double *restrict X) {
+EM_INLINE void em_forward_columns(int n, const real *restrict L, const real *restrict r, real *restrict X) {
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            double sum = X[i * n + j];
+            real sum = X[i * n + j];
             for (int k = 0; k < i; ++k) sum -= L[i * n + k] * X[k * n + j];
             X[i * n + j] = sum * r[i];
         }
 }
 
 /* eta = S C v <-> eta = L^T v: the same velocities under another root of M. */
-EM_INLINE void em_transposed(int n, const double *restrict L, double *restrict v) {
+EM_INLINE void em_transposed(int n, const real *restrict L, real *restrict v) {
     for (int i = 0; i < n; ++i) {
-        double sum = 0.0;
+        real sum = em_real(0.0);
         for (int k = i; k < n; ++k) sum += L[k * n + i] * v[k];
         v[i] = sum;
     }
 }
 
 /* b <- a, number by number: memcpy would read wider words than were just written, and wait for them. */
-EM_INLINE void em_copy(int n, const double *restrict a, double *restrict b) {
+EM_INLINE void em_copy(int n, const real *restrict a, real *restrict b) {
     for (int i = 0; i < n; ++i) b[i] = a[i];
 }
 
+/* b <- 0 */
+EM_INLINE void em_clear(int n, real *restrict b) {
+    for (int i = 0; i < n; ++i) b[i] = em_real(0.0);
+}
+
 /* Y (m, n) <- A W^T */
-EM_INLINE void em_product(int m, int n, const double *restrict A, const double *restrict W, double *restrict Y) {
+EM_INLINE void em_product(int m, int n, const real *restrict A, const real *restrict W, real *restrict Y) {
     for (int row = 0; row < m; ++row)
         for (int i = 0; i < n; ++i) {
-            double sum = 0.0;
+            real sum = em_real(0.0);
             for (int j = 0; j < n; ++j) sum += W[i * n + j] * A[row * n + j];
             Y[row * n + i] = sum;
         }
 }
 
 /* Lambda (n, n) <- C M C^T, both triangles; M full. */
-EM_INLINE void em_congruence(int n, const double *restrict C, const double *restrict M, double *restrict Lambda) {
-    double W[n * n];
+EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
+    real W[n * n];
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            double sum = 0.0;
+            real sum = em_real(0.0);
             for (int k = 0; k < n; ++k) sum += C[i * n + k] * M[k * n + j];
             W[i * n + j] = sum;
         }
     for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) {
-            double sum = 0.0;
+            real sum = em_real(0.0);
             for (int k = 0; k < n; ++k) sum += W[i * n + k] * C[j * n + k];
             Lambda[i * n + j] = sum;
             Lambda[j * n + i] = sum;

@@ -6,6 +6,7 @@
 #ifndef EM_METHODS_H
 #define EM_METHODS_H
 
+#include "em_nodes.h"
 #include "em_runge_kutta.h"
 
 #define EM_RUNGE_KUTTA(name, tableau)                                                                    \
@@ -13,7 +14,8 @@
     static int em_##name##_interpolate(em_walk *w) { return em_rk_interpolate(&tableau, w); }            \
     static int em_##name##_sketch(em_walk *w) { return em_rk_sketch(&tableau, w); }                      \
     static em_scheme em_##name(void) {                                                                   \
-        return (em_scheme){tableau.error_order, 3 + tableau.corrections, em_##name##_step,               \
+        return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
+                           em_##name##_step, NULL,                                                       \
                            em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate};                 \
     }
 
@@ -21,11 +23,17 @@ EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU)
 EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU)
 EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU)
 
+static em_scheme em_ra15(void) {
+    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.0, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
+                       em_nodes_sketch, em_nodes_evaluate};
+}
+
 /* The table. */
 static em_scheme em_scheme_of(em_method method) {
     switch (method) {
         case EM_RK34: return em_rk34();
         case EM_DOPRI5: return em_dopri5();
+        case EM_RA15: return em_ra15();
         case EM_DOP853: break;
     }
     return em_dop853();

@@ -2,84 +2,141 @@
 #ifndef EM_MULTIPLIERS_H
 #define EM_MULTIPLIERS_H
 
-#include "em_rank.h"
 #include "em_rates.h"
+#ifndef EM_ON_LANES
+#include "em_rank.h"
+#endif
 
 /* B (m, n) <- A L^-T */
-EM_INLINE void em_rows_of_root(int m, int n, const double *restrict L, const double *restrict r,
-                               const double *restrict A, double *restrict B) {
+EM_INLINE void em_rows_of_root(int m, int n, const real *restrict L, const real *restrict r,
+                               const real *restrict A, real *restrict B) {
     em_copy(m * n, A, B);
     for (int row = 0; row < m; ++row) em_forward(n, L, r, B + row * n);
 }
 
 /* B (m, n) <- A C^T S^-1 (28) */
-EM_INLINE void em_rows_of_factors(int m, int n, const double *restrict C, const double *restrict s,
-                                  const double *restrict A, double *restrict B) {
+EM_INLINE void em_rows_of_factors(int m, int n, const real *restrict C, const real *restrict s,
+                                  const real *restrict A, real *restrict B) {
     em_copy(m * n, A, B);
     for (int row = 0; row < m; ++row) em_force_on_eta(n, C, s, B + row * n);
 }
 
 /* load[row] += B (a + q), of one block: what stands on the right of (46). q NULL where B rests. */
-EM_INLINE void em_add_to_load(int n, int row, const double *restrict B, const double *restrict a,
-                              const double *restrict q, double *restrict load) {
-    double sum = load[row];
-    for (int i = 0; i < n; ++i) sum += B[row * n + i] * (q ? a[i] + q[i] : a[i]);
+EM_INLINE void em_add_to_load(int n, int row, const real *restrict B, const real *restrict a,
+                              const real *restrict q, real *restrict load) {
+    real sum = load[row];
+    for (int i = 0; i < n; ++i) {
+        real part = a[i];
+        if (q) part += q[i];
+        sum += B[row * n + i] * part;
+    }
     load[row] = sum;
 }
 
 /* a (n) -= B^T lambda (45) */
-EM_INLINE void em_subtract_reactions(int m, int n, const double *restrict B, const double *restrict lambda,
-                                     double *restrict a) {
+EM_INLINE void em_subtract_reactions(int m, int n, const real *restrict B, const real *restrict lambda,
+                                     real *restrict a) {
     for (int i = 0; i < n; ++i) {
-        double sum = a[i];
+        real sum = a[i];
         for (int row = 0; row < m; ++row) sum -= B[row * n + i] * lambda[row];
         a[i] = sum;
     }
 }
 
+/* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */
+EM_INLINE int em_vanished_row(int m, real *restrict Delta) {
+    real largest = em_real(0.0);
+    for (int i = 0; i < m; ++i) largest = em_where(Delta[i * m + i] > largest, Delta[i * m + i], largest);
+    for (int i = 0; i < m; ++i)
+        if (em_fails(&Delta[i * m + i], Delta[i * m + i] > EM_VANISHED * largest)) return i;
+    return -1;
+}
+
+/* Delta, rhs <- with ones and zeros for the rows that are not kept, whose multipliers are zero then. */
+EM_INLINE void em_drop_rows(int m, real *restrict Delta, real *restrict rhs, int flags) {
+    for (int i = 0; i < m && i < EM_MOST_ROWS; ++i) {
+        if (flags & EM_FIRST_KEPT << i) continue;
+        for (int j = 0; j < i; ++j) Delta[i * m + j] = em_real(0.0);
+        for (int j = i + 1; j < m; ++j) Delta[j * m + i] = em_real(0.0);
+        Delta[i * m + i] = em_real(1.0);
+        rhs[i] = em_real(0.0);
+    }
+}
+
+/* rhs (m) <- Delta^-1 rhs, of the rows that are kept or of all; Delta (m, m) by its lower triangle. Returns -1, or a row
+ * that depends on those before it. */
+EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict rhs, int flags) {
+    if (m == 1) {
+        if (em_fails(&Delta[0], Delta[0] > 0.0)) return 0;
+        rhs[0] *= 1.0 / Delta[0]; /* ready before rhs is */
+        return -1;
+    }
+    real L[m * m], r[m];
+    int row = -1;
+    if (flags >= EM_FIRST_KEPT) em_drop_rows(m, Delta, rhs, flags);
+    else row = em_vanished_row(m, Delta);
+    if (row < 0) row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
+    if (row >= 0) return row;
+    em_forward(m, L, r, rhs);
+    em_backward(m, L, r, rhs);
+    return -1;
+}
+
+/* The same; where dependent rows are allowed and none are kept, the multipliers of least norm. 0, or -1 and *fault. */
+EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
+#ifdef EM_ON_LANES
+    return (void)fault, em_solve_independent(m, Delta, rhs, flags), 0;
+#else
+    const int least_norm = (flags & EM_LEAST_NORM) && flags < EM_FIRST_KEPT;
+    if (m > 1 && least_norm) return em_solve_dependent(m, Delta, rhs, NULL, 0, flags, fault);
+    const int row = em_solve_independent(m, Delta, rhs, flags);
+    return row < 0 ? 0 : em_solve_dependent(m, Delta, rhs, NULL, row, m == 1 ? flags : 0, fault);
+#endif
+}
+
 /* part (g, g) <- the rows and columns listed of the lower triangle of Delta (m, m) */
-EM_INLINE void em_part_of_delta(int m, int g, const int *rows, const double *restrict Delta, double *restrict part) {
+EM_INLINE void em_part_of_delta(int m, int g, const int *rows, const real *restrict Delta, real *restrict part) {
     for (int i = 0; i < g; ++i)
         for (int j = 0; j <= i; ++j) part[i * g + j] = part[j * g + i] = Delta[rows[i] * m + rows[j]];
 }
 
 /* Bdot (m, n) <- (Adot C^T + A Cdot^T - B Sdot) S^-1 (40); C_dot NULL where C rests */
-EM_INLINE void em_row_rates(int m, int n, const double *restrict C, const double *restrict r,
-                            const double *restrict C_dot, const double *restrict s_dot, const double *restrict A,
-                            const double *restrict A_dot, const double *restrict B, double *restrict B_dot) {
+EM_INLINE void em_row_rates(int m, int n, const real *restrict C, const real *restrict r,
+                            const real *restrict C_dot, const real *restrict s_dot, const real *restrict A,
+                            const real *restrict A_dot, const real *restrict B, real *restrict B_dot) {
     for (int row = 0; row < m; ++row)
         for (int i = 0; i < n; ++i) {
-            double sum = -B[row * n + i] * s_dot[i];
-            for (int j = 0; j < n; ++j)
-                sum += A_dot[row * n + j] * C[i * n + j] + (C_dot ? A[row * n + j] * C_dot[i * n + j] : 0.0);
+            real sum = -B[row * n + i] * s_dot[i];
+            for (int j = 0; j < n; ++j) {
+                sum += A_dot[row * n + j] * C[i * n + j];
+                if (C_dot) sum += A[row * n + j] * C_dot[i * n + j];
+            }
             B_dot[row * n + i] = r[i] * sum;
         }
 }
 
 /* Delta_dot (g, g) += Bdot B^T + B Bdot^T (51), of one block, for the rows listed */
-EM_INLINE void em_add_to_delta_rate(int g, int n, const int *rows, const double *restrict B,
-                                    const double *restrict B_dot, double *restrict Delta_dot) {
+EM_INLINE void em_add_to_delta_rate(int g, int n, const int *rows, const real *restrict B,
+                                    const real *restrict B_dot, real *restrict Delta_dot) {
     for (int i = 0; i < g; ++i)
         for (int j = 0; j <= i; ++j) {
-            double sum = Delta_dot[i * g + j];
+            real sum = Delta_dot[i * g + j];
             for (int k = 0; k < n; ++k)
                 sum += B_dot[rows[i] * n + k] * B[rows[j] * n + k] + B[rows[i] * n + k] * B_dot[rows[j] * n + k];
             Delta_dot[i * g + j] = Delta_dot[j * g + i] = sum;
         }
 }
 
-/* The eigenfactors of Delta (m, m), of the rows listed: C_Ddot = -Omega_D C_D (55), s_Ddot = beta_ii / (2 s_D) (54),
- * Omega_D of (53), continued from `kept` as in em_omega, and lambda <- C_D^T S_D^-2 C_D lambda (48). */
-EM_INLINE int em_delta_rates_near(int m, const int *rows, const double *restrict C, const double *restrict s,
-                                  const double *restrict Delta_dot, const double *kept, double since,
-                                  double *restrict C_dot, double *restrict s_dot, double *restrict lambda) {
-    double beta[m * m], Omega[m * m], part[m];
-    em_congruence(m, C, Delta_dot, beta);
-    const int continued = em_omega(m, s, beta, kept, since, Omega);
+/* With the eigenfactors of Delta (m, m), of the rows listed: C_Ddot = -Omega_D C_D (55), s_Ddot = beta_ii / (2 s_D) (54),
+ * and lambda <- C_D^T S_D^-2 C_D lambda (48). */
+EM_INLINE void em_delta_rates(int m, const int *rows, const real *restrict C, const real *restrict s,
+                              const real *restrict beta, const real *restrict Omega, real *restrict C_dot,
+                              real *restrict s_dot, real *restrict lambda) {
+    real part[m];
     for (int i = 0; i < m; ++i) {
-        part[i] = 0.0;
+        part[i] = em_real(0.0);
         for (int j = 0; j < m; ++j) {
-            double sum = 0.0;
+            real sum = em_real(0.0);
             for (int k = 0; k < m; ++k) sum -= Omega[i * m + k] * C[k * m + j];
             C_dot[i * m + j] = sum;
             part[i] += C[i * m + j] * lambda[rows[j]];
@@ -88,30 +145,9 @@ EM_INLINE int em_delta_rates_near(int m, const int *rows, const double *restrict
         s_dot[i] = 0.5 * beta[i * m + i] / s[i];
     }
     for (int j = 0; j < m; ++j) {
-        lambda[rows[j]] = 0.0;
+        lambda[rows[j]] = em_real(0.0);
         for (int i = 0; i < m; ++i) lambda[rows[j]] += C[i * m + j] * part[i];
     }
-    return continued;
-}
-
-/* The same as published. */
-EM_INLINE void em_delta_rates(int m, const int *rows, const double *restrict C, const double *restrict s,
-                              const double *restrict Delta_dot, double *restrict C_dot, double *restrict s_dot,
-                              double *restrict lambda) {
-    em_delta_rates_near(m, rows, C, s, Delta_dot, NULL, 0.0, C_dot, s_dot, lambda);
-}
-
-/* Delta_dot (m, m) += Adot Y^T + Y Adot^T - Y Mdot Y^T, the part of one block in the rate of A M^-1 A^T;
- * Y (m, n) = A M^-1, Mdot NULL where M is constant. (51) without Bdot. */
-EM_COLD void em_add_delta_rate(int m, int n, const double *Adot, const double *Y, const double *Mdot,
-                               double *Delta_dot) {
-    for (int row = 0; row < m; ++row)
-        for (int column = 0; column < m; ++column)
-            for (int i = 0; i < n; ++i) {
-                double sum = Adot[row * n + i] * Y[column * n + i] + Y[row * n + i] * Adot[column * n + i];
-                for (int j = 0; Mdot && j < n; ++j) sum -= Y[row * n + i] * Mdot[i * n + j] * Y[column * n + j];
-                Delta_dot[row * m + column] += sum;
-            }
 }
 
 #endif

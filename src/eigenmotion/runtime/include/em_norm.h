@@ -5,14 +5,14 @@
 
 #include "em_walk.h"
 
-/* sum_k (e_k weight_k)^2, in EM_LANES partial sums so that it is vectorised. */
+/* sum_k (e_k weight_k)^2, in EM_PACK partial sums so that it is vectorised. */
 EM_INLINE double em_weighted_squares(int n, const double *restrict e, const double *restrict weight) {
-    double sum[EM_LANES] = {0.0}, rest = 0.0;
+    double sum[EM_PACK] = {0.0}, rest = 0.0;
     int k = 0;
-    for (; k + EM_LANES <= n; k += EM_LANES)
-        for (int lane = 0; lane < EM_LANES; ++lane) {
-            const double r = e[k + lane] * weight[k + lane];
-            sum[lane] += r * r;
+    for (; k + EM_PACK <= n; k += EM_PACK)
+        for (int place = 0; place < EM_PACK; ++place) {
+            const double r = e[k + place] * weight[k + place];
+            sum[place] += r * r;
         }
     for (; k < n; ++k) rest += e[k] * weight[k] * (e[k] * weight[k]);
     return (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest;

@@ -10,10 +10,8 @@
 #include "em_linear.h"
 
 #define EM_DEPENDENT 1e-11 /* the square of what a row of length one must add to others to be independent of them */
-#define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
 #define EM_CONTRADICTS 1e-4 /* of the terms that cancel in a row: what is left where rows do not contradict each other */
 
-enum { EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 }; /* flags / EM_FIRST_KEPT: a bit for each row kept, 0: not known */
 enum { EM_ABOUT_ROWS = ~(EM_FIRST_KEPT - 1) | EM_LEAST_NORM };
 
 /* Units (m) in which the rows of B are of length one; rows that vanish beside the others keep theirs. */
@@ -133,15 +131,6 @@ EM_COLD int em_least_norm(int m, const double *Delta, double *rhs, const double 
     return worst;
 }
 
-/* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */
-EM_INLINE int em_vanished_row(int m, const double *restrict Delta) {
-    double largest = 0.0;
-    for (int i = 0; i < m; ++i) largest = fmax(largest, Delta[i * m + i]);
-    for (int i = 0; i < m; ++i)
-        if (!(Delta[i * m + i] > EM_VANISHED * largest)) return i;
-    return -1;
-}
-
 /* rhs (m) <- least-norm solution of Delta x = rhs where row `row` depends on those before it, if that is asked for. */
 EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, const double *terms, int row, int flags,
                                em_fault *fault) {
@@ -150,37 +139,6 @@ EM_COLD int em_solve_dependent(int m, const double *Delta, double *rhs, const do
     if (!(flags & EM_LEAST_NORM)) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
     const int wrong = em_least_norm(m, Delta, rhs, terms);
     return wrong < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, wrong, wrong, NAN);
-}
-
-/* Delta, rhs <- with ones and zeros for the rows that are not kept, whose multipliers are zero then. */
-EM_INLINE void em_drop_rows(int m, double *restrict Delta, double *restrict rhs, int flags) {
-    for (int i = 0; i < m && i < EM_MOST_ROWS; ++i) {
-        if (flags & EM_FIRST_KEPT << i) continue;
-        for (int j = 0; j < i; ++j) Delta[i * m + j] = 0.0;
-        for (int j = i + 1; j < m; ++j) Delta[j * m + i] = 0.0;
-        Delta[i * m + i] = 1.0;
-        rhs[i] = 0.0;
-    }
-}
-
-/* rhs (m) <- Delta^-1 rhs; Delta (m, m) by its lower triangle. Where rows are kept, the others have no multipliers;
- * where dependent rows are allowed without, those of least norm. */
-EM_INLINE int em_solve_delta(int m, double *restrict Delta, double *restrict rhs, int flags, em_fault *fault) {
-    if (m == 1) {
-        if (!(Delta[0] > 0.0)) return em_solve_dependent(m, Delta, rhs, NULL, 0, flags, fault);
-        rhs[0] *= 1.0 / Delta[0]; /* ready before rhs is */
-        return 0;
-    }
-    double L[m * m], r[m];
-    const int kept = flags >= EM_FIRST_KEPT;
-    if (kept) em_drop_rows(m, Delta, rhs, flags);
-    else if (flags & EM_LEAST_NORM) return em_solve_dependent(m, Delta, rhs, NULL, 0, flags, fault);
-    int row = kept ? -1 : em_vanished_row(m, Delta);
-    if (row < 0) row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
-    if (row >= 0) return em_solve_dependent(m, Delta, rhs, NULL, row, 0, fault);
-    em_forward(m, L, r, rhs);
-    em_backward(m, L, r, rhs);
-    return 0;
 }
 
 #endif

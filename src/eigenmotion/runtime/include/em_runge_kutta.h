@@ -9,16 +9,8 @@
 #include "em_norm.h"
 #include "em_tableaux.h"
 
-/* Before a loop over stages or coefficients: unroll it wholly, so that the tableau's numbers become constants. */
-#if defined(__clang__)
-#pragma clang diagnostic ignored "-Wpass-failed" /* below -O2 it does not, and says so: slower, not wrong */
-#define EM_UNROLL _Pragma("unroll")
-#else
-#define EM_UNROLL _Pragma("GCC unroll 16")
-#endif
-
-/* EM_LANES numbers in one register, from wherever they stand. */
-typedef double em_lanes __attribute__((vector_size(8 * EM_LANES), aligned(8), may_alias));
+/* EM_PACK numbers in one register, from wherever they stand. */
+typedef double em_pack __attribute__((vector_size(8 * EM_PACK), aligned(8), may_alias));
 
 /* out <- y + h sum_j a_j K_j over j < n, with a constant. Where the rates of K_(n - 1) are `fresh`, written number by
  * number just now, a read of several at once would wait until all have reached the cache: they are read one by one,
@@ -26,15 +18,15 @@ typedef double em_lanes __attribute__((vector_size(8 * EM_LANES), aligned(8), ma
 EM_INLINE void em_combine(const double *restrict a, int n, int fresh, double h, const double *restrict y,
                           double (*restrict K)[EM_WIDTH], double *restrict out) {
     const volatile double *const last = K[n - 1];
-    for (int k = 0; k < EM_WIDTH; k += EM_LANES) {
-        em_lanes sum = {0.0};
+    for (int k = 0; k < EM_WIDTH; k += EM_PACK) {
+        em_pack sum = {0.0};
         EM_UNROLL
         for (int j = 0; j < n; ++j) {
             if (a[j] == 0.0) continue;
-            if (fresh && j == n - 1 && k < 2 * N) sum += a[j] * (em_lanes){last[k], last[k + 1], last[k + 2], last[k + 3]};
-            else sum += a[j] * *(const em_lanes *)&K[j][k];
+            if (fresh && j == n - 1 && k < 2 * N) sum += a[j] * (em_pack){last[k], last[k + 1], last[k + 2], last[k + 3]};
+            else sum += a[j] * *(const em_pack *)&K[j][k];
         }
-        *(em_lanes *)(out + k) = *(const em_lanes *)(y + k) + h * sum;
+        *(em_pack *)(out + k) = *(const em_pack *)(y + k) + h * sum;
     }
 }
 
@@ -69,7 +61,7 @@ EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
     if (em_stages(rk, w, 1, rk->stages - 1)) return -1;
     w->end_rate = em_is_fsal(rk) ? w->K[rk->solution] : NULL;
     if (!em_is_fsal(rk)) em_combine(rk->a[rk->solution], rk->stages, 1, w->h, w->y, w->K, w->y_new);
-    w->error_norm = em_error_norm(rk, w);
+    w->error_norm = w->size_norm = em_error_norm(rk, w);
     return 0;
 }
 

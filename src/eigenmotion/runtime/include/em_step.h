@@ -42,6 +42,9 @@ static int em_land(em_walk *w) {
     if (w->end_rate != NULL && !w->moved) memcpy(w->f_new, w->end_rate, sizeof w->f_new);
     else if (em_rhs(w, w->mode_new, w->t_new, w->y_new, w->memory_new, w->f_new)) return -1;
     if (!em_all_finite(w->y_new) || !em_all_finite(w->f_new)) return em_not_finite(w, w->y_new, w->f_new);
+    if (w->scheme.judge != NULL && w->scheme.judge(w)) return -1;
+    if (!isfinite(w->error_norm)) return em_not_finite(w, w->y_new, w->f_new);
+    if (!(w->error_norm < 1.0)) return 0;
     if (em_check_step(w)) return -1;
     if (N_EVENTS > 0 && em_watch(w)) return -1;
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
@@ -49,7 +52,7 @@ static int em_land(em_walk *w) {
 
 /* 0, or -1 and w->reason; then the error norm may still be 1 or more. */
 static int em_attempt(em_walk *w) {
-    w->error_norm = INFINITY;
+    w->error_norm = w->size_norm = INFINITY;
     if (w->scheme.step(w)) return -1;
     if (!isfinite(w->error_norm) || !em_all_finite(w->y_new)) return em_not_finite(w, w->y_new, w->error);
     return w->error_norm < 1.0 ? em_land(w) : 0;

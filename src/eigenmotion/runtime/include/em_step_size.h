@@ -12,11 +12,11 @@
  * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one for its error alone.
  * A step that failed otherwise is quartered. */
 static double em_size_factor(const em_walk *w, int failed) {
-    const double safety = 0.9, least = 0.2, most = 4.0, order = w->scheme.error_order + 1;
+    const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1;
     if (failed) return 0.25;
-    const double error = log(w->error_norm);
-    const double wanted = error < 0.0 ? 0.4 * w->last_error - 0.7 * error : -error;
-    return em_min(most, em_max(least, safety * exp(wanted / order)));
+    const double error = log(w->size_norm);
+    const double wanted = error < 0.0 ? w->scheme.past * w->last_error - w->scheme.present * error : -error;
+    return em_min(w->scheme.growth, em_max(least, safety * exp(wanted / order)));
 }
 
 #define EM_LEAST_ERROR -9.2 /* log 1e-4: a step by chance without error says nothing of the next */

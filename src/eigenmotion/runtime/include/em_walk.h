@@ -4,12 +4,13 @@
 
 #include <time.h>
 
+#include "em_radau.h"
 #include "em_signals.h"
 #include "em_tableaux.h"
 
 enum {
-    EM_LANES = 4,
-    EM_WIDTH = (N_STATE + EM_LANES - 1) / EM_LANES * EM_LANES, /* a state padded with zeros */
+    EM_PACK = 4,
+    EM_WIDTH = (N_STATE + EM_PACK - 1) / EM_PACK * EM_PACK, /* a state padded with zeros */
     EM_SOME_EVENTS = N_EVENTS > 0 ? N_EVENTS : 1,
     EM_GLANCES = 3,    /* states within every step at which events are looked at, */
     EM_NODES = 9,      /* those at its ends included where a closer look is needed, */
@@ -17,8 +18,12 @@ enum {
     EM_PLACES = EM_QUARTERS + EM_NODES,
     EM_MOST_FOUND = N_EVENTS > 0 ? N_EVENTS * (EM_PLACES + EM_NODES) : 1,
     EM_SOME_INPUTS = N_INPUTS > 0 ? N_INPUTS : 1,
-    EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1
+    EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1,
+    EM_BUNDLES = EM_NODE_COUNT / EM_LANES,
+    EM_FIRST_RATE = EM_SECOND_ORDER ? N : 0 /* of the state: what the rates at nodes are integrated for */
 };
+
+#define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding */
 
 /* fmin and fmax for numbers: inline where the library's, which mind NaN, are calls. */
 EM_INLINE double em_min(double a, double b) { return a < b ? a : b; }
@@ -29,9 +34,12 @@ typedef struct em_walk em_walk;
 /* A method as the stepper sees it (em_methods.h): how it steps from w->t, w->y by w->h to w->t_new, and what it knows of
  * the states between. What the rows of F mean is its own affair. */
 typedef struct em_scheme {
-    int error_order;                /* steps are chosen by an error that is O(h^(error_order + 1)) */
+    int error_order;                /* steps are chosen by an error that is O(h^(error_order + 1)), */
+    double present, past;           /* with what weight that of this step, and that of the one before, */
+    double growth;                  /* and no step is longer than so many times the one before */
     int terms;                      /* of its interpolant */
     int (*step)(em_walk *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
+    int (*judge)(em_walk *w);       /* error_norm, size_norm anew with f_new known, where a step alone does not tell; or NULL */
     int (*interpolate)(em_walk *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
     int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
     void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
@@ -47,12 +55,31 @@ typedef struct em_found {
     int event;
 } em_found;
 
+/* Numbers at EM_LANES nodes of a step (em_nodes.h) in one register. */
+typedef double em_bundle __attribute__((vector_size(8 * EM_LANES), may_alias));
+
+/* What a step by nodes carries from one to the next. */
+typedef struct em_nodes {
+    em_bundle Y[EM_BUNDLES][N_STATE], F[EM_BUNDLES][N_STATE]; /* the states there and their rates */
+    em_bundle a[EM_BUNDLES][N_STATE];                         /* the rates that the states were made of */
+    em_bundle series[EM_BUNDLES][N_STATE], before[EM_BUNDLES][N_STATE]; /* Legendre's, of this step and the one before */
+    em_bundle times[EM_BUNDLES], u[EM_BUNDLES][EM_SOME_INPUTS];
+#ifdef EM_MODEL_LANES
+    em_bundle c[N_PREPARED > 0 ? N_PREPARED : 1];
+#endif
+    double weight[N_STATE];                  /* what a rate counts */
+    double t, t_new, h, before_h, before_t_new; /* of the step that `series` is of, and `before` */
+    double aimed;                            /* the error after as many iterations as a step is made for */
+    int mode, before_mode, converged, known, blind, on_lanes, prepared; /* converged: there is a series; known: a step before */
+} em_nodes;
+
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
 struct em_walk {
     double K[EM_STAGES][EM_WIDTH];             /* K[0] = f(t, y); the others are the method's */
     double y[EM_WIDTH], y_new[EM_WIDTH], f_new[EM_WIDTH];
     double y_raw[EM_WIDTH];                    /* y_new before it was settled */
     double argument[EM_WIDTH], error[EM_WIDTH], weight[EM_WIDTH];
+    em_nodes nodes;
     double F[EM_DENSE_COEFFICIENTS][N_STATE];  /* the interpolant of the step: what it means is the method's */
     double memory[EM_SOME_MEMORY], memory_new[EM_SOME_MEMORY];
     double u[EM_SOME_INPUTS];
@@ -68,7 +95,8 @@ struct em_walk {
     double stretch;                            /* rtol^(-1 / order): h stretch is the time on which the motion varies */
     double h_next;                             /* size the controller proposes, positive */
     double signals_end;                        /* where the first piece ends: no step goes beyond */
-    double error_norm, last_error;             /* of the step under way; log of that of the last accepted one */
+    double error_norm;                         /* of the step under way: it counts below 1 */
+    double size_norm, last_error;              /* what the next step is chosen by; log of that of the last accepted one */
     double longest[N_ROWS > 0 ? N_ROWS : 1];   /* squared lengths of the rows of B, the largest so far */
     double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta with rows in such units */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
@@ -132,9 +160,9 @@ EM_INLINE int em_stage_rate(em_walk *w, double t, const double *y, double *dy) {
 
 /* NaN and infinity survive a product with zero. */
 EM_INLINE int em_all_finite(const double *restrict y) {
-    double sum[EM_LANES] = {0.0};
-    for (int k = 0; k < EM_WIDTH; k += EM_LANES)
-        for (int lane = 0; lane < EM_LANES; ++lane) sum[lane] += 0.0 * y[k + lane];
+    double sum[EM_PACK] = {0.0};
+    for (int k = 0; k < EM_WIDTH; k += EM_PACK)
+        for (int place = 0; place < EM_PACK; ++place) sum[place] += 0.0 * y[k + place];
     return (sum[0] + sum[1]) + (sum[2] + sum[3]) == 0.0;
 }
 

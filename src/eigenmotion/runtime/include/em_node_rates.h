@@ -1,0 +1,79 @@
+/* em_node_rates.h: the rates at the nodes of a step: on lanes where the model is there on lanes, else one by one. */
+#ifndef EM_NODE_RATES_H
+#define EM_NODE_RATES_H
+
+#include "em_bundles.h"
+
+/* F <- f at the nodes, one by one. 0, or -1 and w->reason. */
+EM_COLD int em_rates_one_by_one(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    double y[EM_WIDTH] = {0.0}, dy[EM_WIDTH];
+    for (int i = 0; i < EM_NODE_COUNT; ++i) {
+        for (int k = 0; k < N_STATE; ++k) y[k] = em_number_at(q->Y, k, i);
+        if (em_stage_rate(w, w->t + em_node_place[i] * w->h, y, dy)) return -1;
+        for (int k = 0; k < N_STATE; ++k) em_put(q->F, k, i, dy[k]);
+    }
+    return 0;
+}
+
+/* Y's x <- as Y's velocities make it, which need not wait for their forces; velocities that want x take what was there. */
+static void em_drift(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    for (int k = 0; k < N; ++k)
+        for (int b = 0; b < EM_BUNDLES; ++b) q->Y[b][k] = w->y[k] + w->h * em_mapped(em_integral, q->a, k, b);
+}
+
+#ifdef EM_MODEL_LANES
+
+/* Whether the model can be asked on lanes: it is linked for the same machine, stages are not settled, and no multipliers
+ * of least norm are wanted. */
+static int em_lanes_serve(const em_walk *w) {
+    const int flags = em_constraint_flags(w->run), least_norm = (flags & EM_LEAST_NORM) && flags < EM_FIRST_KEPT;
+    return EM_MODEL_LANES.width == EM_LANES && !least_norm && !(N_POSITIONS > 0 && w->near);
+}
+
+/* What does not change while a step is iterated: times, signals, parameters. */
+static void em_begin_nodes(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    q->on_lanes = em_lanes_serve(w);
+    for (int i = 0; q->on_lanes && i < EM_NODE_COUNT; ++i) {
+        const int b = i / EM_LANES, lane = i % EM_LANES;
+        const double t = w->t + em_node_place[i] * w->h;
+        ((double *)&q->times[b])[lane] = t;
+        if (N_INPUTS > 0) em_signals(w, t);
+        for (int k = 0; k < N_INPUTS; ++k) ((double *)&q->u[b][k])[lane] = w->u[k];
+    }
+    if (q->prepared) return;
+    for (int k = 0; k < N_PREPARED; ++k) q->c[k] = (em_bundle){0.0} + w->run->prepared[k];
+    q->prepared = 1;
+}
+
+/* F <- f at the nodes; NaN at those that have none. 0, or -1 and w->reason. */
+static int em_rates_at_nodes(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    if (!q->on_lanes) return em_rates_one_by_one(w);
+    for (int b = 0; b < EM_BUNDLES; ++b)
+        EM_MODEL_LANES.rhs(w->mode, (double *)&q->times[b], (double *)q->Y[b], (double *)q->c, (double *)q->u[b],
+                           em_constraint_flags(w->run), (double *)q->F[b]);
+    w->run->n_rhs += EM_NODE_COUNT;
+    return 0;
+}
+
+/* a <- the velocities at the nodes, and the places that they lead to, where those are had for little. */
+static void em_velocities_at_nodes(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    if (!q->on_lanes || w->mode != 0 || EM_MODEL_LANES.velocity == NULL) return;
+    for (int b = 0; b < EM_BUNDLES; ++b)
+        EM_MODEL_LANES.velocity((double *)&q->times[b], (double *)q->Y[b], (double *)q->c, (double *)q->a[b]);
+    em_drift(w);
+}
+
+#else
+
+static void em_velocities_at_nodes(em_walk *w) { (void)w; }
+static void em_begin_nodes(em_walk *w) { w->nodes.on_lanes = 0; }
+static int em_rates_at_nodes(em_walk *w) { return em_rates_one_by_one(w); }
+
+#endif
+
+#endif

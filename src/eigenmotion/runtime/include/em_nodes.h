@@ -1,0 +1,288 @@
+/* em_nodes.h: a step as a polynomial through the rates at eight left Radau nodes, all of which are evaluated side by side.
+ *
+ * The method is of order 15 (Everhart 1985; Rein & Spiegel, MNRAS 446 (2015)). The rates at the nodes are found by fixed
+ * point iteration, which begins with the polynomial of the step before, extrapolated. Where the state is (x, v), x is
+ * the double integral of the rates of v. Two errors are watched: that of the iteration, by how fast its changes fall off;
+ * and that of the polynomial, by how fast its Legendre coefficients fall off and by how far it misses the rate at the
+ * end of the step (em_nodes_judge). */
+#ifndef EM_NODES_H
+#define EM_NODES_H
+
+#include "em_bundles.h"
+#include "em_node_rates.h"
+#include "em_norm.h"
+
+enum {
+    EM_NODES_ORDER = 15,
+    EM_AIMED = 3,        /* iterations that a step is made for, */
+    EM_MOST = 7,         /* that it may take, */
+    EM_MOST_AT_START = 14, /* and where nothing is known of the rates */
+    EM_SIZES_ORDER = 11  /* after so many the error falls with the power 1 + 8 + 3 of the step's size */
+};
+
+#define EM_DIVERGES 1157.0 /* (2 * 0.9)^12: the error norm that halves the step */
+
+/* --- the rates a step begins with --- */
+
+/* P (8, 8) <- P_l(start + ratio z) at the nodes z, l first. */
+EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT]) {
+    for (int b = 0; b < EM_BUNDLES; ++b) {
+        const em_bundle x = 2.0 * ratio * em_bundle_at(em_node_place + b * EM_LANES) + (2.0 * start - 1.0);
+        em_bundle before = x - x + 1.0, here = x;
+        EM_UNROLL
+        for (int l = 0; l < EM_NODE_COUNT; ++l) {
+            *(em_bundle *)&P[l][b * EM_LANES] = before;
+            const em_bundle next = (2.0 * l + 3.0) / (l + 2.0) * x * here - (l + 1.0) / (l + 2.0) * before;
+            before = here, here = next;
+        }
+    }
+}
+
+/* a <- the polynomial of `series` at start + ratio nodes, in units of its step, moved so that it begins with the rate there. */
+static void em_continue(em_walk *w, em_bundle (*series)[N_STATE], double start, double ratio) {
+    double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED;
+    em_legendre(start, ratio, P);
+    for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+        for (int b = 0; b < EM_BUNDLES; ++b) w->nodes.a[b][k] = em_mapped((const double (*)[EM_NODE_COUNT])P, series, k, b);
+        const double jump = w->K[0][k] - em_number_at(w->nodes.a, k, 0);
+        for (int b = 0; b < EM_BUNDLES; ++b) w->nodes.a[b][k] += jump;
+    }
+}
+
+/* What is known of the step before, once it has been accepted. */
+static void em_remember(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
+    memcpy(q->before, q->series, sizeof q->before);
+    q->before_h = q->h;
+    q->before_t_new = q->t_new;
+    q->before_mode = q->mode;
+    q->known = 1;
+    q->converged = 0;
+}
+
+/* Returns how many iterations there may be. */
+static int em_predict(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    em_remember(w);
+    if (q->converged && q->t == w->t && q->mode == w->mode) return em_continue(w, q->series, 0.0, w->h / q->h), EM_MOST;
+    if (q->known && q->before_t_new == w->t && q->before_mode == w->mode)
+        return em_continue(w, q->before, 1.0, w->h / q->before_h), EM_MOST;
+    for (int k = EM_FIRST_RATE; k < N_STATE; ++k)
+        for (int b = 0; b < EM_BUNDLES; ++b) q->a[b][k] = (em_bundle){0.0} + w->K[0][k];
+    return EM_MOST_AT_START;
+}
+
+/* --- the iteration --- */
+
+/* What a rate of each number of the state counts: x by its tolerance, eta by what it makes of v and, within the step, of x. */
+static void em_weigh_rates(em_walk *w) {
+    const double *const y = w->y;
+    double *const weight = w->nodes.weight;
+    em_set_weights(w, y, w->K[0], y, w->K[0]);
+    for (int k = 0; k < N; ++k) weight[k] = w->weight[k];
+    for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
+        const double by_x = w->h * w->weight[k], by_v = w->weight[N + k];
+        weight[N + k] = sqrt(by_v * by_v + by_x * by_x);
+    }
+    for (int i = 0; !EM_SECOND_ORDER && i < N; ++i) {
+        double e[N] = {0.0}, ev[N], sum = 0.0;
+        e[i] = 1.0;
+        model_velocity_error(w->mode, y, w->run->prepared, w->memory, e, ev);
+        for (int k = 0; k < N; ++k) {
+            const double by_x = w->h * w->weight[k], by_v = w->weight[N + k];
+            sum += ev[k] * ev[k] * (by_v * by_v + by_x * by_x);
+        }
+        weight[N + i] = sqrt(sum);
+    }
+    const int counts = !w->run->stabilise || w->mode == 0;
+    for (int k = 2 * N; k < N_STATE; ++k) weight[k] = counts ? w->weight[k] : 0.0;
+}
+
+static double em_rates_count(const em_walk *w) { return EM_SECOND_ORDER ? N : em_count(w); }
+
+/* Y <- the states that the rates make. */
+static void em_node_states(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    for (int b = 0; b < EM_BUNDLES; ++b) {
+        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) q->Y[b][k] = w->y[k] + h * em_mapped(em_integral, q->a, k, b);
+        for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
+            const em_bundle drift = em_bundle_at(em_node_place + b * EM_LANES) * w->y[N + k];
+            q->Y[b][k] = w->y[k] + h * (drift + h * em_mapped(em_integral_twice, q->a, N + k, b));
+        }
+    }
+}
+
+/* The size in tolerances of something at the nodes, of which `square` is the sum of squares over the rates. */
+EM_INLINE double em_over_nodes(const em_walk *w, const em_bundle *square) {
+    double sum = 0.0;
+    for (int b = 0; b < EM_BUNDLES; ++b) sum += em_sum_of(square[b] * em_bundle_at(em_end_weight + b * EM_LANES));
+    return fabs(w->h) * sqrt(sum / em_rates_count(w));
+}
+
+/* a <- F. Returns by how much they differed. */
+EM_INLINE double em_take_rates(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    em_bundle square[EM_BUNDLES] = {{0.0}};
+    for (int b = 0; b < EM_BUNDLES; ++b)
+        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+            const em_bundle change = (q->F[b][k] - q->a[b][k]) * q->weight[k];
+            square[b] += change * change;
+            q->a[b][k] = q->F[b][k];
+        }
+    return em_over_nodes(w, square);
+}
+
+/* How large they are. */
+EM_COLD double em_rates_size(const em_walk *w) {
+    em_bundle square[EM_BUNDLES] = {{0.0}};
+    for (int b = 0; b < EM_BUNDLES; ++b)
+        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+            const em_bundle rate = w->nodes.a[b][k] * w->nodes.weight[k];
+            square[b] += rate * rate;
+        }
+    return em_over_nodes(w, square);
+}
+
+/* One iteration: its change in tolerances, NaN where there are no rates and w->reason says why. */
+static double em_iterate(em_walk *w) {
+    em_node_states(w);
+    em_velocities_at_nodes(w);
+    if (em_rates_at_nodes(w)) return NAN;
+    const double change = em_take_rates(w);
+    if (isfinite(change) || !w->nodes.on_lanes) return change;
+    if (em_rates_one_by_one(w)) return NAN; /* some lane knows no rate: numbers say why */
+    return em_take_rates(w);
+}
+
+/* Iterates until what is left is below the tolerances. *aimed <- what it was after as many as a step is made for. Returns
+ * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates. */
+static double em_solve_nodes(em_walk *w, int most, double *aimed) {
+    double before = 0.0, left = EM_DIVERGES;
+    *aimed = EM_DIVERGES;
+    for (int k = 1; k <= most; ++k) {
+        const double change = em_iterate(w), factor = k > 1 ? change / before : 1.0;
+        if (!isfinite(change)) return NAN;
+        left = factor < 0.9 ? change * factor / (1.0 - factor) : EM_DIVERGES;
+        if (k >= EM_AIMED && !(left < 1.0) && change <= EM_ITERATED * em_rates_size(w)) left = 0.5;
+        if (k <= EM_AIMED) *aimed = left;
+        if (k >= 2 && left < (k < EM_AIMED ? 1e-3 : 1.0)) return left;
+        if (k > 2 && factor > 1.0) return EM_DIVERGES;
+        before = change;
+    }
+    return EM_DIVERGES;
+}
+
+/* --- the step --- */
+
+/* y_new, and the series of the rates. */
+static void em_finish_nodes(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+        for (int b = 0; b < EM_BUNDLES; ++b) q->series[b][k] = em_mapped(em_series_of, q->a, k, b);
+        w->y_new[k] = w->y[k] + h * em_number_at(q->series, k, 0); /* the others' integrals vanish */
+    }
+    for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
+        const double twice = em_number_at(q->series, N + k, 0) / 2.0 - em_number_at(q->series, N + k, 1) / 6.0;
+        w->y_new[k] = w->y[k] + h * (w->y[N + k] + h * twice);
+    }
+    q->t = w->t;
+    q->t_new = w->t_new;
+    q->h = h;
+    q->mode = w->mode;
+    q->converged = 1;
+}
+
+static int em_nodes_step(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    const int most = em_predict(w);
+    q->blind = most == EM_MOST_AT_START; /* how long that took says nothing of the next step */
+    q->converged = 0;
+    em_weigh_rates(w);
+    em_begin_nodes(w);
+    const double left = em_solve_nodes(w, most, &q->aimed);
+    w->end_rate = NULL;
+    w->error_norm = w->size_norm = em_min(left, EM_DIVERGES);
+    if (left != left) return -1;
+    memcpy(w->y_new, w->y, sizeof w->y);
+    if (left < 1.0) em_finish_nodes(w);
+    return 0;
+}
+
+/* The error of the polynomial: how fast its last coefficients fall off, and how far it misses the rate at the end, f. A
+ * kink behind the last node shows there alone. */
+static double em_truncation(const em_walk *w, const double *f) {
+    const em_nodes *const q = &w->nodes;
+    em_bundle squares[EM_BUNDLES] = {{0.0}};
+    double missed = 0.0;
+    for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+        em_bundle end = {0.0};
+        for (int b = 0; b < EM_BUNDLES; ++b) {
+            const em_bundle weighed = q->series[b][k] * q->weight[k];
+            squares[b] += weighed * weighed;
+            end += q->series[b][k];
+        }
+        const double miss = (f[k] - em_sum_of(end)) * q->weight[k];
+        missed += miss * miss;
+    }
+    const double *const square = (const double *)squares;
+    const double b5 = sqrt(square[5]), b6 = sqrt(square[6]), b7 = sqrt(square[7]), delta = sqrt(missed);
+    const double falls = em_max(em_max(b7 / (b6 + DBL_MIN), sqrt(b7 / (b5 + DBL_MIN))), delta / (b7 + DBL_MIN));
+    const double rho = em_min(1.0, falls), rho2 = rho * rho, rho4 = rho2 * rho2;
+    return fabs(w->h) * rho4 * rho4 * em_max(b7, 0.1 * delta) / sqrt(em_rates_count(w));
+}
+
+/* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */
+static int em_nodes_judge(em_walk *w) {
+    const double *f = w->f_new;
+    if (w->mode_new != w->mode) {
+        if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, w->K[1])) return -1;
+        f = w->K[1];
+    }
+    const double truncation = em_truncation(w, f);
+    w->error_norm = em_max(w->error_norm, truncation);
+    const double root = sqrt(truncation), by_truncation = root * sqrt(root); /* ^((EM_SIZES_ORDER + 1) / (EM_NODES_ORDER + 1)) */
+    w->size_norm = em_max(w->nodes.blind ? 0.1 : w->nodes.aimed, by_truncation);
+    return 0;
+}
+
+/* --- the states within --- */
+
+/* F <- y, then h times the coefficients of the rate on P_0 .. P_8. */
+static int em_nodes_interpolate(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    memset(w->F, 0, sizeof w->F);
+    memcpy(w->F[0], w->y, sizeof w->F[0]);
+    for (int k = EM_FIRST_RATE; k < N_STATE; ++k)
+        for (int l = 0; l < EM_NODE_COUNT; ++l) w->F[1 + l][k] = h * em_number_at(q->series, k, l);
+    for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
+        w->F[1][k] = h * (w->y[N + k] + 0.5 * w->F[1][N + k]);
+        w->F[2][k] = 0.5 * h * w->F[1][N + k];
+        for (int l = 1; l < EM_NODE_COUNT; ++l) {
+            const double part = h * w->F[1 + l][N + k] / (2 * (2 * l + 1));
+            w->F[2 + l][k] += part;
+            w->F[l][k] -= part;
+        }
+    }
+    return 0;
+}
+
+static int em_nodes_sketch(em_walk *w) { return em_nodes_interpolate(w), w->scheme.terms; }
+
+/* y <- F_0 + sum_l F_(l + 1) times the integral of P_l from 0 to theta. */
+static void em_nodes_evaluate(const double *F, int terms, double theta, double *y) {
+    double P[EM_NODE_COUNT + 2], integral[EM_NODE_COUNT + 1];
+    const double x = 2.0 * theta - 1.0;
+    P[0] = 1.0, P[1] = x;
+    for (int l = 2; l < EM_NODE_COUNT + 2; ++l) P[l] = ((2 * l - 1) * x * P[l - 1] - (l - 1) * P[l - 2]) / l;
+    integral[0] = theta;
+    for (int l = 1; l < EM_NODE_COUNT + 1; ++l) integral[l] = (P[l + 1] - P[l - 1]) / (2 * (2 * l + 1));
+    memcpy(y, F, N_STATE * sizeof *y);
+    for (int l = 0; l < terms; ++l)
+        for (int k = 0; k < N_STATE; ++k) y[k] += integral[l] * F[(1 + l) * N_STATE + k];
+}
+
+#endif

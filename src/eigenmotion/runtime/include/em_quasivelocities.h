@@ -1,0 +1,63 @@
+/* em_quasivelocities.h: what C and s make of velocities, forces and constraint rows. */
+#ifndef EM_QUASIVELOCITIES_H
+#define EM_QUASIVELOCITIES_H
+
+#include "em_linear.h"
+
+/* eta <- C^T S^-1 eta, the velocities (20) */
+EM_INLINE void em_velocity_of_eta(int n, const real *restrict C, const real *restrict s, real *restrict eta) {
+    real v[n], w[n];
+    for (int i = 0; i < n; ++i) w[i] = eta[i] / s[i];
+    for (int j = 0; j < n; ++j) {
+        v[j] = em_real(0.0);
+        for (int i = 0; i < n; ++i) v[j] += C[i * n + j] * w[i];
+    }
+    memcpy(eta, v, sizeof v);
+}
+
+/* v <- S C v, the quasi-velocities (17) */
+EM_INLINE void em_eta_of_velocity(int n, const real *restrict C, const real *restrict s, real *restrict v) {
+    real eta[n];
+    for (int i = 0; i < n; ++i) {
+        eta[i] = em_real(0.0);
+        for (int j = 0; j < n; ++j) eta[i] += C[i * n + j] * v[j];
+        eta[i] *= s[i];
+    }
+    memcpy(v, eta, sizeof eta);
+}
+
+/* f <- S^-1 C f: a force, or a constraint row, as the quasi-velocities feel it (28) */
+EM_INLINE void em_force_on_eta(int n, const real *restrict C, const real *restrict s, real *restrict f) {
+    real a[n];
+    for (int i = 0; i < n; ++i) {
+        a[i] = em_real(0.0);
+        for (int j = 0; j < n; ++j) a[i] += C[i * n + j] * f[j];
+        a[i] /= s[i];
+    }
+    memcpy(f, a, sizeof a);
+}
+
+/* v <- C^T S^-1 eta (20), and on the way r = 1 / s and w = S^-1 eta. */
+EM_INLINE void em_velocity(int n, const real *restrict C, const real *restrict s, const real *restrict eta,
+                           real *restrict r, real *restrict w, real *restrict v) {
+    for (int i = 0; i < n; ++i) {
+        r[i] = 1.0 / s[i];
+        w[i] = r[i] * eta[i];
+        v[i] = n == 1 ? w[i] : em_real(0.0);
+    }
+    for (int i = 0; n > 1 && i < n; ++i)
+        for (int j = 0; j < n; ++j) v[j] += C[i * n + j] * w[i];
+}
+
+/* B (m, n) <- A C^T S^-1 (28), r = 1 / s; of one row, a force: a = S^-1 C f. */
+EM_INLINE void em_rows_on_eta(int m, int n, const real *restrict C, const real *restrict r,
+                              const real *restrict A, real *restrict B) {
+    for (int row = 0; row < m; ++row)
+        for (int i = 0; i < n; ++i) {
+            real sum = n == 1 ? A[row] : em_real(0.0);
+            for (int j = 0; n > 1 && j < n; ++j) sum += A[row * n + j] * C[i * n + j];
+            B[row * n + i] = r[i] * sum;
+        }
+}
+
+#endif

@@ -1,0 +1,69 @@
+/* em_real.h: `real`, what a right-hand side computes with.
+ *
+ * NAME.c as it stands computes with numbers. Compiled a second time with EM_ON_LANES defined it computes with vectors of
+ * EM_LANES numbers, at the price of one: as many states side by side, which know nothing of each other. What cannot go
+ * on where a lane is singular leaves NaN there; whoever asked looks at that state again with numbers, which say why. */
+#ifndef EM_REAL_H
+#define EM_REAL_H
+
+#include <math.h>
+
+#define EM_INLINE static inline __attribute__((always_inline, unused))
+#define EM_COLD static __attribute__((noinline, unused))
+#define EM_UNUSED __attribute__((unused))
+
+/* Before a loop over what is constant: unroll it wholly, so that its numbers become constants. */
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpass-failed" /* below -O2 it does not, and says so: slower, not wrong */
+#define EM_UNROLL _Pragma("unroll")
+#else
+#define EM_UNROLL _Pragma("GCC unroll 16")
+#endif
+
+/* The width of the machine: wider vectors than it has are slower than none. */
+#ifndef EM_LANES
+#if defined(__AVX512F__)
+#define EM_LANES 8
+#elif defined(__AVX__)
+#define EM_LANES 4
+#elif defined(__SSE2__) || defined(__ARM_NEON)
+#define EM_LANES 2
+#else
+#define EM_LANES 1
+#endif
+#endif
+
+#ifdef EM_ON_LANES
+
+typedef double real __attribute__((vector_size(8 * EM_LANES), may_alias));
+typedef long long em_truth __attribute__((vector_size(8 * EM_LANES))); /* of a comparison: -1 or 0 */
+
+/* a in every lane */
+EM_INLINE real em_real(double a) { return a - (real){0.0}; }
+
+EM_INLINE real em_where(em_truth condition, real yes, real no) {
+    return (real)((condition & (em_truth)yes) | (~condition & (em_truth)no));
+}
+
+/* Some lane of a, for messages. */
+EM_INLINE double em_number(real a) { return a[0]; }
+
+/* Where `holds` does not, *value becomes NaN; all go on. */
+EM_INLINE int em_fails(real *value, em_truth holds) {
+    *value = em_where(holds, *value, em_real(NAN));
+    return 0;
+}
+
+#else
+
+typedef double real;
+typedef int em_truth;
+
+EM_INLINE real em_real(double a) { return a; }
+EM_INLINE real em_where(em_truth condition, real yes, real no) { return condition ? yes : no; }
+EM_INLINE double em_number(real a) { return a; }
+EM_INLINE int em_fails(EM_UNUSED const real *value, em_truth holds) { return !holds; }
+
+#endif
+
+#endif

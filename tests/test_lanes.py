@@ -1,0 +1,109 @@
+"""Right-hand sides on lanes against the same with numbers: every model, formulation and mode; one singular lane."""
+
+import ctypes as ct
+import subprocess
+
+import numpy as np
+import pytest
+from eigenmotion.codegen import compiler
+from eigenmotion.codegen.choices import FORMULATIONS, Choices
+
+from eigenmotion.building.toolchain import INCLUDE, toolchain
+
+from .generation import NAMES, STRICT, loaded, model_of, states
+
+SHIM = """
+#include "{name}.c"
+int scalar_rhs(int mode, double t, const double *y, const double *c, const double *u, int flags, double *dy);
+int scalar_rhs(int mode, double t, const double *y, const double *c, const double *u, int flags, double *dy) {{
+    em_fault fault;
+    return model_rhs(mode, t, y, c, u, NULL, flags, dy, &fault);
+}}
+int prepared(const double *parameters, double *c);
+int prepared(const double *parameters, double *c) {{
+    em_fault fault;
+    return prepare(parameters, c, &fault) ? -1 : N_PREPARED;
+}}
+"""
+FLAGS = (*STRICT, "-O1", "-march=native", "-ffp-contract=fast", "-fno-math-errno", "-fPIC", f"-I{INCLUDE}")
+
+
+class Lanes(ct.Structure):
+    _fields_ = [("width", ct.c_int), ("rhs", ct.c_void_p)]
+
+
+class Both:
+    """The two compilations of one model."""
+
+    def __init__(self, folder, model, choices, *flags):
+        sources = compiler.generate(model, choices)
+        self.system = loaded(sources, "-O0")
+        for file in sources.files:
+            (folder / file.name).write_text(file.text)
+        (folder / "shim.c").write_text(SHIM.format(name=model.name))
+        cc = (*toolchain().command, *FLAGS, *flags)
+        for source, *more in (("shim.c",), (f"{model.name}.c", "-DEM_ON_LANES")):
+            subprocess.run([*cc, *more, "-c", source], cwd=folder, check=True)
+        subprocess.run([*cc, "-shared", "shim.o", f"{model.name}.o", "-lm", "-o", "both.so"], cwd=folder, check=True)
+        library = ct.CDLL(str(folder / "both.so"))
+        lanes = Lanes.in_dll(library, f"{model.name}_lanes")
+        self.width, real = lanes.width, ct.c_double
+        self.on_lanes = ct.CFUNCTYPE(None, ct.c_int, *[ct.c_void_p] * 4, ct.c_int, ct.c_void_p)(lanes.rhs)
+        self.scalar = library.scalar_rhs
+        self.scalar.argtypes = [ct.c_int, real, *[ct.c_void_p] * 3, ct.c_int, ct.c_void_p]
+        self.prepared = library.prepared
+        self.prepared.argtypes = [ct.c_void_p] * 2
+
+    def prepare(self, parameters):
+        given, c = np.array([*parameters.values()], float), np.empty(4096)
+        return c[: self.prepared(given.ctypes.data, c.ctypes.data)]
+
+    def compare(self, mode, t, y, c, u):
+        """Return dy (count, n_state) by lanes and by numbers, and whether the latter failed."""
+        count, n_state = y.shape
+        dy, expected, failed = np.full(y.shape, np.nan), np.full(y.shape, np.nan), np.zeros(count, bool)
+        for first in range(0, count, self.width):
+            some = slice(first, first + self.width)
+            given = [aligned(part[some].T) for part in (t[:, None], y, c, u)]
+            out = aligned(np.empty((n_state, self.width)))
+            self.on_lanes(mode, *(part.ctypes.data for part in given), 0, out.ctypes.data)
+            dy[some] = out.T
+        for k in range(count):
+            one = [np.ascontiguousarray(part[k]) for part in (y, c, u)]
+            out = np.empty(n_state)
+            failed[k] = self.scalar(mode, t[k], *(part.ctypes.data for part in one), 0, out.ctypes.data)
+            expected[k] = out
+        return dy, expected, failed
+
+
+def aligned(values):
+    """Return a copy on a cache line of its own."""
+    room = np.empty(values.size + 8)
+    start = -room.ctypes.data % 64 // 8
+    copy = room[start : start + values.size].reshape(values.shape)
+    copy[...] = values
+    return copy
+
+
+def at_random(both, count):
+    """Give t, y, c, u of different states, parameters and inputs."""
+    system, random = both.system, np.random.default_rng(3)
+    some = list(states(system, count))
+    t = np.array([t for _, _, t in some])
+    parameters = [{name: value * random.uniform(0.9, 1.1) for name, value in system.parameters.items()} for _ in some]
+    y = np.array([system.state(x, v, t, parameters=p) for (x, v, t), p in zip(some, parameters, strict=True)])
+    c = np.array([both.prepare(p) for p in parameters])
+    return t, y, c, random.normal(size=(count, max(1, len(system.inputs))))
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("name", NAMES)
+def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
+    both = Both(tmp_path, model_of(name), Choices(formulation))
+    t, y, c, u = at_random(both, 16)
+    for mode in (0, 1) if formulation == "eigenfactor" else (0,):
+        dy, expected, failed = both.compare(mode, t, y, c, u)
+        size = np.abs(expected[~failed]).max(axis=1, keepdims=True)
+        assert np.isnan(dy[failed]).any(axis=1).all()
+        assert (np.abs(dy - expected)[~failed] <= 1e-12 * size).all()
+        assert (~failed).sum() > 8
