@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:f58c3e0fef9d2d197752911ac8598013daf355a3cf41cfcf3230781a4885dd58 */
+/* body sha256:5e3ba20c34780de51868ce49f42659d00fb86075ece38c45e486890c105fb7a6 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -139,6 +139,25 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
     f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
     f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta_1, theta_2, theta_3, theta_4, theta_5: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    const real *const C1 = y + 10, *const s1 = y + 35;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -390,14 +409,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes chain_5_lanes;
-em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes chain_5_lanes;
-__attribute__((weak)) em_lanes chain_5_lanes = {0, NULL};
+__attribute__((weak)) em_lanes chain_5_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES chain_5_lanes
 
 #include "em_takeover.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:453d4d1f04fef9336ae4174bf72334dd34ba4d0e15c1e0e71c7928f56674cbe0 */
+/* body sha256:eb6803ee59cc9018d0ff46c59f322c9b65c02f889ea53c3b86e24ca3739c6af6 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -79,6 +79,23 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A1[0][1] = cos_theta;
     A1[0][2] = em_real(0.0);
     gamma[0] = -z_3;
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* x, y, theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4], y[5] };
+    const real *const C1 = y + 6, *const s1 = y + 15;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -259,14 +276,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes chaplygin_sleigh_lanes;
-em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes chaplygin_sleigh_lanes;
-__attribute__((weak)) em_lanes chaplygin_sleigh_lanes = {0, NULL};
+__attribute__((weak)) em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES chaplygin_sleigh_lanes
 
 #include "em_takeover.h"

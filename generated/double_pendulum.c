@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:40c91ed3026ffa589b70e5debe3279918027b4ca141766a361dca6d51b6825d8 */
+/* body sha256:677171270cf786a5e22e3f3b7726633f18cd161c76e7f0155c15c983c94daf43 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -73,6 +73,22 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     Mdot1[1][1] = em_real(0.0);
     f1[0] = -(z_6 + sin_theta1*c_1);
     f1[1] = z_6 - sin_theta2*c_2;
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta1, theta2: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2], y[3] };
+    const real *const C1 = y + 4, *const s1 = y + 8;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -210,14 +226,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes double_pendulum_lanes;
-em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
-__attribute__((weak)) em_lanes double_pendulum_lanes = {0, NULL};
+__attribute__((weak)) em_lanes double_pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES double_pendulum_lanes
 
 #include "em_takeover.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:28ad0bdbeb873fbe0358d55baa91f0c933190febb77001f49e4c7c5c675a7d98 */
+/* body sha256:44d2bd6b056a097ddc1a83c91e778fa7862c4a95313974fe1eaaa0ab7df3fa40 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -111,6 +111,30 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A1[0][1] = z_14;
     A1[0][2] = sin_theta1;
     gamma[0] = theta1_dot*(z_18 - theta1_dot*z_12) + theta1_dot*z_18 - z_11*(theta2_dot*theta2_dot);
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta1, theta2, theta3: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[4], y[5], y[6] };
+    const real *const C1 = y + 8, *const s1 = y + 17;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+
+    /* theta4: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[7] };
+    const real *const C2 = c + 9, *const s2 = c + 10;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[3] = v2[0];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -359,14 +383,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes dual_link_lanes;
-em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes dual_link_lanes;
-__attribute__((weak)) em_lanes dual_link_lanes = {0, NULL};
+__attribute__((weak)) em_lanes dual_link_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES dual_link_lanes
 
 #include "em_takeover.h"

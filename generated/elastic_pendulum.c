@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:754ccda0393c500681d32c44099778eb67889dad70e37582308d3af621412a62 */
+/* body sha256:397264bb88faa78e947bb4504302792d3c45df3eb16de4346e29b0aaaa0b7da2 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -81,6 +81,31 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
 }
 
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+    real M1[N1][N1];
+    eigenfactor_masses(y, c, M1);
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2] };
+    if (em_fails(M1[0], M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* r: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[3] };
+    const real *const C2 = c + 4, *const s2 = c + 5;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+    return 0;
+}
+
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
@@ -139,14 +164,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes elastic_pendulum_lanes;
-em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes elastic_pendulum_lanes;
-__attribute__((weak)) em_lanes elastic_pendulum_lanes = {0, NULL};
+__attribute__((weak)) em_lanes elastic_pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES elastic_pendulum_lanes
 
 #include "em_eigenfactors.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:ed76465d05e78d399f202f6e3a6ac202465082e86514876b6f66b650097ee52f */
+/* body sha256:bd7039d4d3cf5f619fa858aca3bc2fd64ae35d04d1d7bb57d45216928d7bc44d */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -105,6 +105,29 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A2[1][0] = -z_14;
     gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
     gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* q1, q2: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4] };
+    const real *const C1 = y + 6, *const s1 = y + 10;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    /* q3: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[5] };
+    const real *const C2 = c + 6, *const s2 = c + 7;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[2] = v2[0];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -343,14 +366,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes four_bar_lanes;
-em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
-__attribute__((weak)) em_lanes four_bar_lanes = {0, NULL};
+__attribute__((weak)) em_lanes four_bar_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES four_bar_lanes
 
 #include "em_takeover.h"

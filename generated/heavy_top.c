@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:32c60c0ffddf7d933dfd0e2589343dd732b3fd94aa28b58bdc27d818f0dc5582 */
+/* body sha256:724812ef890531eddeb0c214d8dcbd5bbed2421ed432cf41b71d3982d38d5cee */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -76,6 +76,29 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f1[0] = em_real(0.0);
     f1[1] = em_real(0.0);
     f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* phi, psi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[5] };
+    const real *const C1 = y + 6, *const s1 = y + 10;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[2] = v1[1];
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[4] };
+    const real *const C2 = c + 5, *const s2 = c + 6;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -230,14 +253,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes heavy_top_lanes;
-em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes heavy_top_lanes;
-__attribute__((weak)) em_lanes heavy_top_lanes = {0, NULL};
+__attribute__((weak)) em_lanes heavy_top_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES heavy_top_lanes
 
 #include "em_takeover.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:6242e5e61adfae32d053b9578293635b2c949927bc408bf12a8613a9690a22d2 */
+/* body sha256:0d9493fe3058048762a33c5d866bbf34364b449eb4202936c6c1c5c3ad6c4073 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -57,6 +57,21 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c
     f1[0] = -c_0*sin_theta;
 }
 
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[1] };
+    const real *const C1 = c + 3, *const s1 = c + 4;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    return 0;
+}
+
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
@@ -100,14 +115,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes pendulum_lanes;
-em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes pendulum_lanes;
-__attribute__((weak)) em_lanes pendulum_lanes = {0, NULL};
+__attribute__((weak)) em_lanes pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES pendulum_lanes
 
 #include "em_eigenfactors.h"

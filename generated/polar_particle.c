@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:cac6d2468f2df00f9758dc69563c29c04ebb3c4d01a1c74b788626fe2a595d29 */
+/* body sha256:0128fe9d6470e5b6a9de7d5102d3572fec593cd9a5aee2b67de630c5cc62e5fc */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -80,6 +80,31 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f2[0] = em_real(0.0);
 }
 
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+    real M2[N2][N2], shared[1];
+    eigenfactor_masses(y, c, M2, shared);
+
+    /* r: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2] };
+    const real *const C1 = c + 2, *const s1 = c + 3;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[3] };
+    if (em_fails(M2[0], M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
+    const real C2[1] = { em_real(1.0) }, s2[1] = { sqrt(M2[0][0]) };
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+    return 0;
+}
+
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
@@ -138,14 +163,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes polar_particle_lanes;
-em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes polar_particle_lanes;
-__attribute__((weak)) em_lanes polar_particle_lanes = {0, NULL};
+__attribute__((weak)) em_lanes polar_particle_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES polar_particle_lanes
 
 #include "em_eigenfactors.h"

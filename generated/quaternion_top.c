@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:7dff9555e488b46deb353b95f2d37ecff5dafab6efa319748a2588d559f042c9 */
+/* body sha256:18f9efa71178cc129b1f4ec233d103f898c9ac591211b6aed50187f5655ca079 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -119,6 +119,24 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A1[0][2] = 2.0*q_2;
     A1[0][3] = 2.0*q_3;
     gamma[0] = 2.0*(q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot);
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[4], y[5], y[6], y[7] };
+    const real *const C1 = y + 8, *const s1 = y + 24;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -360,14 +378,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes quaternion_top_lanes;
-em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes quaternion_top_lanes;
-__attribute__((weak)) em_lanes quaternion_top_lanes = {0, NULL};
+__attribute__((weak)) em_lanes quaternion_top_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES quaternion_top_lanes
 
 #include "em_takeover.h"

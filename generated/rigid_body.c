@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:f770e15eb7e49653a79f8034fbc6c79f56dc536cd0beb501ee65da5cbd30c6da */
+/* body sha256:8f010a99e877cd63def699061687340bee13409ea9b65d87519fa67e096e2e37 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -90,6 +90,23 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f1[0] = em_real(0.0);
     f1[1] = -(cos_theta*(psi_dot*cos_phi*z_13 - psi_dot*sin_phi*z_14) + J3*(phi_dot + psi_dot*cos_theta)*z_12);
     f1[2] = sin_phi*(z_12*z_13 - theta_dot*z_14) + cos_phi*(theta_dot*z_13 + z_12*z_14);
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* psi, theta, phi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4], y[5] };
+    const real *const C1 = y + 6, *const s1 = y + 15;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -259,14 +276,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes rigid_body_lanes;
-em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes rigid_body_lanes;
-__attribute__((weak)) em_lanes rigid_body_lanes = {0, NULL};
+__attribute__((weak)) em_lanes rigid_body_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rigid_body_lanes
 
 #include "em_takeover.h"

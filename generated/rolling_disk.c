@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:ea111275e4b683f1865d3fb3619927fcd69d7f5084dc2a1e8d042b421cca644c */
+/* body sha256:31576537f1218d116119dd7c6a8b5ae7340797e535b709e9e4e7423da0d0150b */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -117,6 +117,25 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A1[1][4] = -z_11;
     gamma[0] = z_11*z_9;
     gamma[1] = -z_10*z_9;
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    const real *const C1 = y + 10, *const s1 = y + 35;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    dy[3] = v1[3];
+    dy[4] = v1[4];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -362,14 +381,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes rolling_disk_lanes;
-em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
-__attribute__((weak)) em_lanes rolling_disk_lanes = {0, NULL};
+__attribute__((weak)) em_lanes rolling_disk_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rolling_disk_lanes
 
 #include "em_takeover.h"

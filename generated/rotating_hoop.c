@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:ee333ba41acd952cb6797f4c2f2dbe4381fd948efc610a30506af9eac6a97681 */
+/* body sha256:c8c77d430370e891f3e3cc5a30fb529bf9bf84a2cdbf01a6447785128019c03c */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -58,6 +58,21 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c
     f1[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
 }
 
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[1] };
+    const real *const C1 = c + 4, *const s1 = c + 5;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    return 0;
+}
+
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
@@ -101,14 +116,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes rotating_hoop_lanes;
-em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes rotating_hoop_lanes;
-__attribute__((weak)) em_lanes rotating_hoop_lanes = {0, NULL};
+__attribute__((weak)) em_lanes rotating_hoop_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rotating_hoop_lanes
 
 #include "em_eigenfactors.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:e72608dd7fa25897578408545992a094523c5dae3dff4f2ca1e6a0715643d883 */
+/* body sha256:4418afb605f4e7534904cfea615c88fc1b5469d170e7253d1801bcba9535a2d9 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -67,6 +67,28 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     f2[0] = -(z_1 + (z_1 + y*c_2));
 }
 
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2] };
+    const real *const C1 = c + 4, *const s1 = c + 5;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[3] };
+    const real *const C2 = c + 8, *const s2 = c + 9;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+    return 0;
+}
+
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
  *   y, dy (n_state)    c prepared parameters    u inputs */
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
@@ -122,14 +144,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes rotating_spring_lanes;
-em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes rotating_spring_lanes;
-__attribute__((weak)) em_lanes rotating_spring_lanes = {0, NULL};
+__attribute__((weak)) em_lanes rotating_spring_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rotating_spring_lanes
 
 #include "em_eigenfactors.h"

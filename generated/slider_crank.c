@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:26ae9c829a731716f596a97679111bde82989d47b77741cd283ff8e833ab40c2 */
+/* body sha256:784186ea5d501e63c79b1b2edf36104e46659d5b155b477ed4c225989aa8b252 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -96,6 +96,29 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A2[1][0] = em_real(0.0);
     gamma[0] = z_9*z_11 + z_10*z_12;
     gamma[1] = -(z_7*z_11 - z_8*z_12);
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta, phi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4] };
+    const real *const C1 = y + 6, *const s1 = y + 10;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[5] };
+    const real *const C2 = c + 6, *const s2 = c + 7;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[2] = v2[0];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -325,14 +348,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes slider_crank_lanes;
-em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
-__attribute__((weak)) em_lanes slider_crank_lanes = {0, NULL};
+__attribute__((weak)) em_lanes slider_crank_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES slider_crank_lanes
 
 #include "em_takeover.h"

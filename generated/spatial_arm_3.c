@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:0dd1996bbceb2fe64eab45c40aa1ab7bba5a9e67a5109f3555b6cd2593bf5428 */
+/* body sha256:09c5f7d79c112e55a55acefdfbc90d257e3e848518b07feb28191a723c99b82f */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -134,6 +134,23 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
         c_21*(q_1_dot*(2.0*m_3*(2.0*z_28*z_11 + cos_q_3*z_29) + m_2*(z_27 + q_1_dot*c_2)))));
     f1[2] = (1.0/12.0)*(cos_q_3*(z_23*z_21 + q_2_dot*z_25 + c_22*(sin_q_3*(z_28*z_28))) + sin_q_3*(z_21*z_25 -
         q_2_dot*z_23 - z_28*z_29*c_23 - sin_q_2*c_19));
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[3], y[4], y[5] };
+    const real *const C1 = y + 6, *const s1 = y + 15;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    dy[2] = v1[2];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -383,14 +400,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes spatial_arm_3_lanes;
-em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes spatial_arm_3_lanes;
-__attribute__((weak)) em_lanes spatial_arm_3_lanes = {0, NULL};
+__attribute__((weak)) em_lanes spatial_arm_3_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES spatial_arm_3_lanes
 
 #include "em_takeover.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:10204b9e73c5c6f16f1cc58e52c09e61ee42087fc2ee3c7a5e108b7611d5acb7 */
+/* body sha256:f9e9b3c2ab2e549d82fa5b94cfa59a6607edbe9b15be3909bd37fd3a90a2b1c6 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -127,6 +127,37 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A3[1][2] = p_2*z_25;
     gamma[0] = (-2.0)*(p_1_dot*z_27 - p_3_dot*(R*(p_1_dot*z_24 - 2.0*p_1*z_26)) - p_2_dot*z_28);
     gamma[1] = (-2.0)*(p_2_dot*z_27 + p_1_dot*z_28 - p_3_dot*(R*(p_2_dot*z_24 - 2.0*p_2*z_26)));
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* x: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[5] };
+    const real *const C1 = c + 4, *const s1 = c + 5;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* y: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[6] };
+    const real *const C2 = c + 8, *const s2 = c + 9;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    /* p_1, p_2, p_3: xdot = C^T S^-1 eta (20) */
+    const real eta3[N3] = { y[7], y[8], y[9] };
+    const real *const C3 = y + 10, *const s3 = y + 19;
+    real r3[N3], w3[N3], v3[N3];
+    em_velocity(N3, C3, s3, eta3, r3, w3, v3);
+    dy[2] = v3[0];
+    dy[3] = v3[1];
+    dy[4] = v3[2];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -444,14 +475,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes sphere_lanes;
-em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes sphere_lanes;
-__attribute__((weak)) em_lanes sphere_lanes = {0, NULL};
+__attribute__((weak)) em_lanes sphere_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES sphere_lanes
 
 #include "em_takeover.h"

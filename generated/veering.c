@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:50bc83e7405eaa78e11bd5e2aafa73d50789035ea90e3b5d2ee1c8d8e33bd081 */
+/* body sha256:9e9625adcca2add01e83c57c0ab1b3d2e50ae9364e1d9a22c7c299d1f5a3f869 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -66,6 +66,22 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     Mdot1[1][1] = (-0.5)*x_dot;
     f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
     f1[1] = -k_z*z;
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* x, z: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2], y[3] };
+    const real *const C1 = y + 4, *const s1 = y + 8;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    return 0;
 }
 
 /* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
@@ -185,14 +201,20 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
 extern em_lanes veering_lanes;
-em_lanes veering_lanes = {EM_LANES, rhs_on_lanes};
+em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
 /* Where that is linked it takes the place of this. */
 extern em_lanes veering_lanes;
-__attribute__((weak)) em_lanes veering_lanes = {0, NULL};
+__attribute__((weak)) em_lanes veering_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES veering_lanes
 
 #include "em_takeover.h"

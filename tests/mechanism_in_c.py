@@ -3,13 +3,14 @@
 import string
 from dataclasses import dataclass
 
+from eigenmotion.building.toolchain import INCLUDE
 from eigenmotion.running.methods import COMPILED
 
 SOURCE = string.Template(r"""
 #include "eigenmotion.h"
 #include "em_linear.h"
 enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0, N_STATE = 2 * N + N_C + N_S };
-enum { EM_SECOND_ORDER = 0, N_INPUTS = $n_inputs, N_EVENTS = $n_events, N_MEMORY = $n_memory, SETTLES = $settles };
+enum { EM_SECOND_ORDER = $second_order, N_INPUTS = $n_inputs, N_EVENTS = $n_events, N_MEMORY = $n_memory, SETTLES = $settles };
 #define UNUSED (void)mode, (void)t, (void)y, (void)c, (void)u, (void)memory, (void)flags, (void)h, (void)fault
 $preamble
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,
@@ -61,7 +62,8 @@ const em_tableau *tableau(int method) {
 }
 $main
 """)
-TABLEAUX = ", ".join(f"[{method.number}] = &EM_{name.upper()}_TABLEAU" for name, method in COMPILED.items())
+RUNGE_KUTTA = tuple(name for name in COMPILED if f"EM_{name.upper()}_TABLEAU" in (INCLUDE / "em_tableaux.h").read_text())
+TABLEAUX = ", ".join(f"[{COMPILED[name].number}] = &EM_{name.upper()}_TABLEAU" for name in RUNGE_KUTTA)
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,6 +82,7 @@ class Mechanism:
     n_events: int = 0
     n_memory: int = 0
     settles: int = 0
+    second_order: int = 0
 
     def text(self) -> str:
         given = {name: getattr(self, name) for name in self.__slots__}

@@ -21,6 +21,7 @@ from scipy.special import ellipj, ellipk
 
 from eigenmotion.running.methods import COMPILED
 
+from .mechanism_in_c import RUNGE_KUTTA as RUNGE_KUTTA
 from .mechanism_in_c import Mechanism as Mechanism
 from .structures import INCLUDE as INCLUDE
 from .structures import NUMBERS, POLL

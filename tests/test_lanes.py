@@ -103,7 +103,7 @@ def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
     t, y, c, u = at_random(both, 16)
     for mode in (0, 1) if formulation == "eigenfactor" else (0,):
         dy, expected, failed = both.compare(mode, t, y, c, u)
-        size = np.abs(expected[~failed]).max(axis=1, keepdims=True)
-        assert np.isnan(dy[failed]).any(axis=1).all()
-        assert (np.abs(dy - expected)[~failed] <= 1e-12 * size).all()
-        assert (~failed).sum() > 8
+        good = ~failed & np.isfinite(expected).all(axis=1)
+        size = np.abs(expected[good]).max(axis=1, keepdims=True)
+        assert not np.isfinite(dy[~good]).all(axis=1).any()
+        assert (np.abs(dy[good] - expected[good]) <= 1e-12 * size).all()

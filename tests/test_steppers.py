@@ -19,6 +19,7 @@ from .stepping import (
     FINISHED,
     METHODS,
     PENDULUM,
+    RUNGE_KUTTA,
     TWO_MODES,
     Array,
     Build,
@@ -47,7 +48,7 @@ def fixed_steps(compiled: Compiled, method: str, count: int, t_end: float, **opt
     return simulate(compiled, [2.0, 0.0], (0.0, t_end), method, rtol=1e9, first_step=h, max_step=h, **options)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_order_of_convergence(build: Build, method: str) -> None:
     order, errors = COMPILED[method].order, []
     for count in (16, 32) if order > 5 else (80, 160):
@@ -57,7 +58,7 @@ def test_order_of_convergence(build: Build, method: str) -> None:
     assert math.log2(errors[0] / errors[1]) > order - 0.4
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_order_of_dense_output(build: Build, method: str) -> None:
     order, errors = COMPILED[method].order, []
     for count in (16, 32) if order > 5 else (80, 160):
@@ -142,7 +143,7 @@ def test_factors_count_where_the_published_equations_run(build: Build, stabilise
         assert abs(resting.y[2, -1] - math.sin(120.0)) > 1e-4
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_the_first_step_is_sized_by_the_norm_of_all_others(build: Build, method: str) -> None:
     """Over 2 n numbers where factors are added to the norm, and over all where they count like others: d0, d1 and d2
     differ by sqrt(3 / 2), and with them the first step by the root of the order of that."""
@@ -160,7 +161,7 @@ def test_roots_of_eigenvalues_count_relative_to_themselves(build: Build) -> None
     assert large.run.n_steps > 2 * simulate(resting, [1.0, 0.0, 1.0], (0.0, 3.0), stabilise=1).run.n_steps
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_counts_and_end(build: Build, method: str) -> None:
     result = simulate(build(PENDULUM), [2.0, 0.0], (0.0, 7.3), method, max_step=0.05, first_step=0.01)
     assert result.status == FINISHED
@@ -234,7 +235,7 @@ def test_settled_steps_evaluate_the_first_stage_anew(build: Build) -> None:
     assert run.n_rhs == 1 + 12 * run.n_steps + 11 * run.n_rejected
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_a_change_of_mode_leaves_no_trace(build: Build, method: str) -> None:
     """The internal state jumps at the change; rows, interpolants, events and step sizes do not."""
     times = np.linspace(0.0, 20.0, 201)

@@ -12,7 +12,7 @@ from scipy.integrate._ivp import dop853_coefficients
 
 from eigenmotion.running.methods import COMPILED
 
-from .stepping import METHODS, PENDULUM, Array, Build, Tableau, builder
+from .stepping import PENDULUM, RUNGE_KUTTA, Array, Build, Tableau, builder
 
 EMBEDDED = {"rk34": (3,), "dopri5": (4,), "dop853": (5, 3)}
 WITHIN = {"rk34": 3, "dopri5": 4, "dop853": 7}
@@ -81,7 +81,7 @@ class Coefficients:
         return row
 
 
-@pytest.fixture(params=METHODS)
+@pytest.fixture(params=RUNGE_KUTTA)
 def coefficients(request: pytest.FixtureRequest, build: Build) -> tuple[str, Coefficients]:
     table = build(PENDULUM).library.tableau(COMPILED[request.param].number).contents
     arrays = (np.array(getattr(table, name)) for name in "caed")

@@ -7,20 +7,13 @@
 /* F <- f at the nodes, one by one. 0, or -1 and w->reason. */
 EM_COLD int em_rates_one_by_one(em_walk *w) {
     em_nodes *q = &w->nodes;
-    double y[EM_WIDTH] = {0.0}, dy[EM_WIDTH];
+    double y[EM_WIDTH] = {0.0}, dy[EM_WIDTH] = {0.0};
     for (int i = 0; i < EM_NODE_COUNT; ++i) {
         for (int k = 0; k < N_STATE; ++k) y[k] = em_number_at(q->Y, k, i);
         if (em_stage_rate(w, w->t + em_node_place[i] * w->h, y, dy)) return -1;
         for (int k = 0; k < N_STATE; ++k) em_put(q->F, k, i, dy[k]);
     }
     return 0;
-}
-
-/* Y's x <- as Y's velocities make it, which need not wait for their forces; velocities that want x take what was there. */
-static void em_drift(em_walk *w) {
-    em_nodes *q = &w->nodes;
-    for (int k = 0; k < N; ++k)
-        for (int b = 0; b < EM_BUNDLES; ++b) q->Y[b][k] = w->y[k] + w->h * em_mapped(em_integral, q->a, k, b);
 }
 
 #ifdef EM_MODEL_LANES
@@ -57,6 +50,13 @@ static int em_rates_at_nodes(em_walk *w) {
                            em_constraint_flags(w->run), (double *)q->F[b]);
     w->run->n_rhs += EM_NODE_COUNT;
     return 0;
+}
+
+/* Y's x <- as Y's velocities make it, which need not wait for their forces; velocities that want x take what was there. */
+static void em_drift(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    for (int k = 0; k < N; ++k)
+        for (int b = 0; b < EM_BUNDLES; ++b) q->Y[b][k] = w->y[k] + w->h * em_mapped(em_integral, q->a, k, b);
 }
 
 /* a <- the velocities at the nodes, and the places that they lead to, where those are had for little. */

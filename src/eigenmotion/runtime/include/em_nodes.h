@@ -8,6 +8,7 @@
 #ifndef EM_NODES_H
 #define EM_NODES_H
 
+#include "em_blame.h"
 #include "em_bundles.h"
 #include "em_node_rates.h"
 #include "em_norm.h"
@@ -20,6 +21,7 @@ enum {
     EM_SIZES_ORDER = 11  /* after so many the error falls with the power 1 + 8 + 3 of the step's size */
 };
 
+#define EM_ROUNDED 0.1 /* the error norm where changes are rounding: as good as it gets */
 #define EM_DIVERGES 1157.0 /* (2 * 0.9)^12: the error norm that halves the step */
 
 /* --- the rates a step begins with --- */
@@ -145,15 +147,29 @@ EM_COLD double em_rates_size(const em_walk *w) {
     return em_over_nodes(w, square);
 }
 
+/* -1 and w->reason: rates are not finite, of the first coordinate at the first node. */
+EM_COLD int em_fail_nodes(em_walk *w) {
+    double y[EM_WIDTH] = {0.0}, dy[EM_WIDTH] = {0.0};
+    for (int i = 0; i < EM_NODE_COUNT; ++i) {
+        for (int k = 0; k < N_STATE; ++k) y[k] = em_number_at(w->nodes.Y, k, i), dy[k] = em_number_at(w->nodes.F, k, i);
+        if (!em_all_finite(y) || !em_all_finite(dy)) return em_not_finite(w, y, dy);
+    }
+    return em_not_finite(w, w->y, w->K[0]); /* none is, but their squares overflow */
+}
+
 /* One iteration: its change in tolerances, NaN where there are no rates and w->reason says why. */
 static double em_iterate(em_walk *w) {
     em_node_states(w);
     em_velocities_at_nodes(w);
     if (em_rates_at_nodes(w)) return NAN;
-    const double change = em_take_rates(w);
-    if (isfinite(change) || !w->nodes.on_lanes) return change;
-    if (em_rates_one_by_one(w)) return NAN; /* some lane knows no rate: numbers say why */
-    return em_take_rates(w);
+    double change = em_take_rates(w);
+    if (isfinite(change)) return change;
+    if (w->nodes.on_lanes) { /* some lane knows no rate: numbers say why */
+        if (em_rates_one_by_one(w)) return NAN;
+        change = em_take_rates(w);
+    }
+    if (!isfinite(change)) em_fail_nodes(w);
+    return change;
 }
 
 /* Iterates until what is left is below the tolerances. *aimed <- what it was after as many as a step is made for. Returns
@@ -162,10 +178,10 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
     double before = 0.0, left = EM_DIVERGES;
     *aimed = EM_DIVERGES;
     for (int k = 1; k <= most; ++k) {
-        const double change = em_iterate(w), factor = k > 1 ? change / before : 1.0;
+        const double change = em_iterate(w), factor = k == 1 ? 1.0 : before > 0.0 ? change / before : 0.0;
         if (!isfinite(change)) return NAN;
         left = factor < 0.9 ? change * factor / (1.0 - factor) : EM_DIVERGES;
-        if (k >= EM_AIMED && !(left < 1.0) && change <= EM_ITERATED * em_rates_size(w)) left = 0.5;
+        if (k >= EM_AIMED && !(left < 1.0) && change <= EM_ITERATED * em_rates_size(w)) left = EM_ROUNDED;
         if (k <= EM_AIMED) *aimed = left;
         if (k >= 2 && left < (k < EM_AIMED ? 1e-3 : 1.0)) return left;
         if (k > 2 && factor > 1.0) return EM_DIVERGES;
@@ -211,8 +227,8 @@ static int em_nodes_step(em_walk *w) {
     return 0;
 }
 
-/* The error of the polynomial: how fast its last coefficients fall off, and how far it misses the rate at the end, f. A
- * kink behind the last node shows there alone. */
+/* The error of the polynomial: how fast its coefficients fall off, and how far it misses the rate at the end, f. A kink
+ * behind the last node shows there alone. By pairs of coefficients, for one of them may vanish by chance, or for symmetry. */
 static double em_truncation(const em_walk *w, const double *f) {
     const em_nodes *const q = &w->nodes;
     em_bundle squares[EM_BUNDLES] = {{0.0}};
@@ -228,10 +244,9 @@ static double em_truncation(const em_walk *w, const double *f) {
         missed += miss * miss;
     }
     const double *const square = (const double *)squares;
-    const double b5 = sqrt(square[5]), b6 = sqrt(square[6]), b7 = sqrt(square[7]), delta = sqrt(missed);
-    const double falls = em_max(em_max(b7 / (b6 + DBL_MIN), sqrt(b7 / (b5 + DBL_MIN))), delta / (b7 + DBL_MIN));
-    const double rho = em_min(1.0, falls), rho2 = rho * rho, rho4 = rho2 * rho2;
-    return fabs(w->h) * rho4 * rho4 * em_max(b7, 0.1 * delta) / sqrt(em_rates_count(w));
+    const double before = sqrt(square[4] + square[5]), last = sqrt(square[6] + square[7]), delta = sqrt(missed);
+    const double falls = em_min(1.0, em_max(last / (before + DBL_MIN), delta / (last + DBL_MIN))), twice = falls * falls;
+    return fabs(w->h) * twice * twice * em_max(sqrt(falls) * last, 0.1 * delta) / sqrt(em_rates_count(w));
 }
 
 /* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */

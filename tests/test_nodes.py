@@ -1,0 +1,153 @@
+"""Steps by nodes, "ra15": coefficients, order, and what a polynomial does not see of itself: kinks, jumps, peaks."""
+
+import math
+import re
+
+import mpmath
+import numpy as np
+import pytest
+
+from .mechanism_in_c import Mechanism
+from .stepping import FINISHED, INCLUDE, PENDULUM, Build, builder, pendulum_angle, signal, simulate
+from .structures import NUMBERS
+
+CONSTANT = NUMBERS["EM_CONSTANT"]
+KINDS = pytest.mark.parametrize("second_order", [0, 1])
+
+
+@pytest.fixture(scope="module")
+def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
+    return builder(tmp_path_factory.mktemp("nodes"))
+
+
+# --- coefficients -----------------------------------------------------------------------------------------------------
+
+
+def stated(name):
+    text = (INCLUDE / "em_radau.h").read_text()
+    body = re.findall(rf"{name}\[.*?= {{(.*?)}};", text, re.DOTALL)[0]
+    numbers = np.array([float(word) for word in re.findall(r"[-\d.e]+", body)])
+    return numbers if len(numbers) == 8 else numbers.reshape(8, 8)
+
+
+def lagrange_polynomials(nodes):
+    """Coefficients (8, 8), highest power first, of the polynomials that are 1 at one node and 0 at the others."""
+    found = []
+    for j, node in enumerate(nodes):
+        others = [other for k, other in enumerate(nodes) if k != j]
+        polynomial = [mpmath.mpf(1)]
+        for other in others:
+            shifted = [*polynomial, 0]
+            for k, coefficient in enumerate(polynomial):
+                shifted[k + 1] -= other * coefficient
+            polynomial = shifted
+        scale = mpmath.fprod(node - other for other in others)
+        found.append([coefficient / scale for coefficient in polynomial])
+    return found
+
+
+def integral(polynomial):
+    return [c / (len(polynomial) - k) for k, c in enumerate(polynomial)] + [0]
+
+
+def test_coefficients_are_those_of_left_radau():
+    with mpmath.workdps(50):
+        guesses = stated("em_node_place")
+        defining = lambda x: mpmath.legendre(7, 2 * x - 1) + mpmath.legendre(8, 2 * x - 1)  # noqa: E731
+        nodes = [mpmath.mpf(0), *(mpmath.findroot(defining, guess) for guess in guesses[1:])]
+        polynomials = lagrange_polynomials(nodes)
+        once = [integral(p) for p in polynomials]
+        twice = [integral(p) for p in once]
+        legendre = [[float((2 * l + 1) * mpmath.quad(lambda x, p=p, l=l: mpmath.polyval(p, x) * mpmath.legendre(l, 2 * x - 1), [0, 1]))
+                     for l in range(8)] for p in polynomials]  # fmt: skip
+        expected = {
+            "em_node_place": nodes,
+            "em_end_weight": [mpmath.polyval(p, 1) for p in once],
+            "em_integral": [[mpmath.polyval(p, x) for x in nodes] for p in once],
+            "em_integral_twice": [[mpmath.polyval(p, x) for x in nodes] for p in twice],
+            "em_series_of": legendre,
+        }
+    for name, numbers in expected.items():
+        np.testing.assert_allclose(stated(name), np.array(numbers, dtype=float), rtol=1e-14, atol=1e-17)
+
+
+# --- order ------------------------------------------------------------------------------------------------------------
+
+
+@KINDS
+def test_order_seen_on_a_smooth_problem(build: Build, second_order: int) -> None:
+    """The error over many tolerances, rows within included, falls with the number of steps: in (x, v) as the polynomial's
+    does; in a state of first order as the iteration's, which gains a power each time, and not two."""
+    compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
+    times, steps, errors = np.linspace(0.0, 200.0, 1000), [], []
+    for rtol in 10.0 ** -np.arange(3, 13):
+        run = simulate(compiled, [2.0, 0.0], (0.0, 200.0), "ra15", rtol=rtol, atol=rtol, t_eval=times)
+        assert run.status == FINISHED
+        steps.append(run.run.n_steps)
+        errors.append(np.abs(run.y[0] - pendulum_angle(times, 2.0)).max())
+    order = -np.polyfit(np.log(steps), np.log(errors), 1)[0]
+    assert (12.5 if second_order else 10.5) < order < 19.0
+
+
+# --- what a polynomial does not see -----------------------------------------------------------------------------------
+
+KINK = "dy[0] = y[1]; dy[1] = t > u[0] ? t - u[0] : 0.0;"
+JUMP = "dy[0] = y[1]; dy[1] = t > u[0] ? 1.0 : 0.0;"
+KNOCK = "dy[0] = y[1]; dy[1] = t > u[0] && t < u[0] + 0.3 ? 1.0 : 0.0;"
+PEAK = "dy[0] = y[1]; dy[1] = 1e-3 / ((t - u[0]) * (t - u[0]) + 1e-6) - y[0];"
+
+
+@KINDS
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize(
+    ("rhs", "end"),
+    [(KINK, lambda s: (s**3 / 6, s**2 / 2)), (JUMP, lambda s: (s**2 / 2, s)), (KNOCK, lambda s: (0.3 * (s - 0.15), 0.3))],
+    ids=["kink", "jump", "knock"],
+)
+def test_kinks_and_jumps_anywhere_in_a_step(build: Build, second_order: int, rtol: float, rhs: str, end) -> None:
+    """A force that sets in at u: found at whatever place within a step it lies, also behind the last node."""
+    compiled, worst = build(Mechanism(rhs=rhs, n_inputs=1, second_order=second_order)), 0.0
+    for start in np.linspace(1.0, 3.0, 67):
+        given = [signal(CONSTANT, [0.0], [start])]
+        run = simulate(compiled, [1.0, 0.0], (0.0, 10.0), "ra15", rtol=rtol, atol=rtol, inputs=given, max_step=1.0)
+        assert run.status == FINISHED
+        x, v = end(10.0 - start)
+        worst = max(worst, abs(run.y[0, -1] - 1.0 - x) / (1.0 + x), abs(run.y[1, -1] - v) / (1.0 + v))
+    assert worst < 30 * rtol
+
+
+def peak_response(t: float, centre: float) -> tuple[float, float]:
+    """x, v at t of x'' = -x + peak, from rest: Duhamel's integral."""
+    force = lambda z: 1e-3 / ((z - centre) ** 2 + 1e-6)  # noqa: E731
+    places = [0, centre - 0.1, centre - 0.01, centre, centre + 0.01, centre + 0.1, t]
+    return tuple(float(mpmath.quad(lambda z, f=f: f(t - z) * force(z), places)) for f in (mpmath.sin, mpmath.cos))
+
+
+@KINDS
+@pytest.mark.parametrize("rtol", [1e-4, 1e-7, 1e-10])
+def test_a_peak_as_narrow_as_a_thousandth_of_a_step(build: Build, second_order: int, rtol: float) -> None:
+    compiled = build(Mechanism(rhs=PEAK, n_inputs=1, second_order=second_order))
+    for centre in (1.234, 2.5):
+        given = [signal(CONSTANT, [0.0], [centre])]
+        run = simulate(compiled, [0.0, 0.0], (0.0, 5.0), "ra15", rtol=rtol, atol=rtol, inputs=given)
+        assert run.status == FINISHED
+        assert np.abs(run.y[:, -1] - peak_response(5.0, centre)).max() < 100 * rtol
+
+
+def test_a_stiff_damper_ends_right_or_by_name(build: Build) -> None:
+    """Its rate lets no iteration converge but in short steps: they are taken, or the run says that they are too many."""
+    compiled = build(Mechanism(rhs="dy[0] = y[1]; dy[1] = -1e5 * y[1];"))
+    run = simulate(compiled, [0.0, 1.0], (0.0, 1.0), "ra15", rtol=1e-6, atol=1e-9, max_steps=3_000_000)
+    assert run.status == FINISHED
+    assert run.y[0, -1] == pytest.approx(1e-5, rel=1e-6)
+    few = simulate(compiled, [0.0, 1.0], (0.0, 1.0), "ra15", rtol=1e-6, atol=1e-9, max_steps=1000)
+    assert few.status == NUMBERS["EM_TOO_MANY_STEPS"]
+
+
+@KINDS
+def test_backwards_is_forwards(build: Build, second_order: int) -> None:
+    compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
+    there = simulate(compiled, [2.0, 0.3], (0.0, 7.0), "ra15", rtol=1e-11, atol=1e-11)
+    back = simulate(compiled, there.y[:2, -1], (7.0, 0.0), "ra15", rtol=1e-11, atol=1e-11)
+    np.testing.assert_allclose(back.y[:, -1], [2.0, 0.3], atol=1e-9)
+    assert math.isclose(back.t[-1], 0.0)
