@@ -1,16 +1,19 @@
-"""Right-hand sides on lanes against the same with numbers: every model, formulation and mode; one singular lane."""
+"""Right-hand sides on lanes against the same with numbers: every model, formulation and mode; and functions on lanes."""
 
 import ctypes as ct
+import math
 import subprocess
 
+import mpmath
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
 
+from eigenmotion import build, simulate
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 
-from .generation import NAMES, STRICT, loaded, model_of, states
+from .generation import NAMES, STRICT, loaded, model_of, states, system_of
 
 SHIM = """
 #include "{name}.c"
@@ -107,3 +110,58 @@ def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
         size = np.abs(expected[good]).max(axis=1, keepdims=True)
         assert not np.isfinite(dy[~good]).all(axis=1).any()
         assert (np.abs(dy[good] - expected[good]) <= 1e-12 * size).all()
+
+
+# --- functions --------------------------------------------------------------------------------------------------------
+
+FUNCTIONS = """
+#define EM_ON_LANES
+#include "em_functions.h"
+enum { COUNT = %d };
+void sines(const double *a, double *s, double *c);
+void sines(const double *a, double *s, double *c) {
+    for (int i = 0; i < COUNT; i += EM_LANES) {
+        const real angle = *(const real *)(a + i);
+        *(real *)(s + i) = em_sin(angle);
+        *(real *)(c + i) = em_cos(angle);
+    }
+}
+"""
+
+
+def angles():
+    random = np.random.default_rng(5)
+    near = [math.nextafter(k * math.pi / 2, way) for k in range(-200, 200) for way in (-math.inf, math.inf)]
+    far = [math.nextafter(k * math.pi / 2, 0.0) for k in random.integers(1, 600000, 400)]
+    spread = [*random.uniform(-8, 8, 2000), *random.uniform(-9.9e5, 9.9e5, 2000), *(10.0 ** random.uniform(-300, 0, 200))]
+    return aligned(np.array([0.0, -0.0, *near, *far, *spread, *[1.0] * 6]))
+
+
+@pytest.mark.parametrize("flags", [["-march=native", "-ffp-contract=fast"], ["-mavx", "-ffp-contract=off"], []])
+def test_sines_within_two_units_in_the_last_place(tmp_path, flags):
+    """Whatever the width, with fused multiply-add and without."""
+    given = angles()
+    given = given[: len(given) // 8 * 8]
+    (tmp_path / "sines.c").write_text(FUNCTIONS % len(given))
+    command = [*toolchain().command, *STRICT, "-O2", *flags, "-fPIC", "-shared", f"-I{INCLUDE}", "sines.c", "-lm"]
+    done = subprocess.run([*command, "-o", "sines.so"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    sine, cosine = aligned(np.zeros(len(given))), aligned(np.zeros(len(given)))
+    ct.CDLL(str(tmp_path / "sines.so")).sines(*(ct.c_void_p(part.ctypes.data) for part in (given, sine, cosine)))
+    with mpmath.workdps(60):
+        for angle, *values in zip(given, sine, cosine, strict=True):
+            for value, true in zip(values, (mpmath.sin(angle), mpmath.cos(angle)), strict=True):
+                assert abs(mpmath.mpf(value) - true) <= 2 * math.ulp(float(true)) + 1e-26, angle
+
+
+# --- runs -------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_a_run_is_the_same_on_lanes_and_without(formulation):
+    """To rounding: what users build has lanes, what is compiled in a hurry has none."""
+    lanes, numbers = build(model_of("dual_link"), formulation=formulation), system_of("dual_link", formulation)
+    runs = [simulate(system, (0.0, 10.0), method="ra15", rtol=1e-9, atol=1e-9) for system in (lanes, numbers)]
+    assert all(run.success for run in runs)
+    np.testing.assert_allclose(runs[0].x[:, -1], runs[1].x[:, -1], atol=1e-9)
+    assert abs(runs[0].nfev - runs[1].nfev) <= 0.05 * runs[1].nfev
