@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:515790162c31f43779196c1a15d2dca0eadaeb22535ce61d59ace68bd696cdc4 */
+/* body sha256:1c12f2bf1df18d1278d5f60d7c581d5ea8200b04c78ef076ab62c064e6e21877 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -25,7 +25,7 @@
 #include "pendulum.h"
 
 #include "em_functions.h"
-#include "em_multipliers.h"
+#include "em_blocks.h"
 
 enum {
     N = 1,              /* coordinates */
@@ -41,7 +41,6 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
     N_PREPARED = 10,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
@@ -50,6 +49,11 @@ enum {
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
 static const double scales[N] = { 1.0 };
+
+/* Coordinates of the blocks, where their roots are, and the places there: C, s, L, 1 / diag L. */
+static const int coordinate1[N1] = { 0 };
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 3, 4, 5, 6 };
+static const em_block *const blocks[] = { &block1, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
@@ -72,10 +76,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
-    /* block 1 (theta): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 3, c + 4, c + 5, c + 6);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
     return 0;
 }
 
@@ -94,6 +95,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *res
     memset(dM, 0, sizeof *dM * N * N * N);
     dM[0] = 0.0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -192,10 +197,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-
-    return changed;
+    return 0;
 }
 
 /* dy <- f(t, y). */
@@ -210,11 +213,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
-    {
-        double eta[N1] = { y[1] };
-        em_velocity_of_eta(N1, c + 3, c + 4, eta);
-        v[0] = eta[0];
-    }
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -223,11 +222,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 3, c + 4, eta);
-        ev[0] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

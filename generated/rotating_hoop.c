@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:3c6f61d2c04632f9732293d15576474b36af66c2f2e104b3d5dd0c5cf0cc006b */
+/* body sha256:22e1ce6207b21ac6eec96d3ffa629f56ee0b5dafd5e8c0da9d1e15c6608db711 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -24,7 +24,7 @@
 #include "rotating_hoop.h"
 
 #include "em_functions.h"
-#include "em_multipliers.h"
+#include "em_blocks.h"
 
 enum {
     N = 1,              /* coordinates */
@@ -40,7 +40,6 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
     N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
@@ -49,6 +48,11 @@ enum {
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
 static const double scales[N] = { 1.0 };
+
+/* Coordinates of the blocks, where their roots are, and the places there: C, s, L, 1 / diag L. */
+static const int coordinate1[N1] = { 0 };
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 4, 5, 6, 7 };
+static const em_block *const blocks[] = { &block1, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
@@ -75,10 +79,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
-    /* block 1 (theta): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
     return 0;
 }
 
@@ -97,6 +98,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *res
     memset(dM, 0, sizeof *dM * N * N * N);
     dM[0] = 0.0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -201,10 +206,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-
-    return changed;
+    return 0;
 }
 
 /* dy <- f(t, y). */
@@ -219,11 +222,7 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
-    {
-        double eta[N1] = { y[1] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        v[0] = eta[0];
-    }
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -232,11 +231,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        ev[0] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:02b78b3a822dbff14cc69df2072db2d58d0eb00abb6074bc14b3281719d85750 */
+/* body sha256:09f675979b63471eab153dd57fbb128fbec45211df4ac53242db4b666ef06eac */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -26,7 +26,7 @@
 #include "rotating_spring.h"
 
 #include "em_functions.h"
-#include "em_multipliers.h"
+#include "em_blocks.h"
 
 enum {
     N = 2,              /* coordinates */
@@ -42,7 +42,6 @@ enum {
     N_EVENTS = 0,
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
     N_PREPARED = 17,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
@@ -52,6 +51,13 @@ enum {
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
+
+/* Coordinates of the blocks, where their roots are, and the places there: C, s, L, 1 / diag L. */
+static const int coordinate1[N1] = { 0 };
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 4, 5, 6, 7 };
+static const int coordinate2[N2] = { 1 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 8, 9, 10, 11 };
+static const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
@@ -79,14 +85,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
-    /* block 1 (x): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-    /* block 2 (y): C, s, L, 1 / diag L */
-    static const int coordinate2[N2] = { 1 };
-    const int singular2 = em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11);
-    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
+    if (em_prepare(&block2, M2[0], c, fault)) return -1;
     return 0;
 }
 
@@ -107,6 +107,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *res
     memset(dM, 0, sizeof *dM * N * N * N);
     dM[0] = 0.0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -239,10 +243,8 @@ static int rhs_eigenfactor(double t, const double *restrict y, const double *res
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-
-    return changed;
+    return 0;
 }
 
 /* dy <- f(t, y). */
@@ -257,16 +259,8 @@ static int model_rhs(int mode, double t, const double *y, const double *c, const
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
-    {
-        double eta[N1] = { y[2] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        v[0] = eta[0];
-    }
-    {
-        double eta[N2] = { y[3] };
-        em_velocity_of_eta(N2, c + 8, c + 9, eta);
-        v[1] = eta[0];
-    }
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -275,16 +269,8 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        ev[0] = eta[0];
-    }
-    {
-        double eta[N2] = { e[1] };
-        em_velocity_of_eta(N2, c + 8, c + 9, eta);
-        ev[1] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

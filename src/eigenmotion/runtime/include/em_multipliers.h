@@ -27,6 +27,13 @@ EM_INLINE void em_add_to_load(int n, int row, const double *restrict B, const do
     load[row] = sum;
 }
 
+/* *sum += a . b */
+EM_INLINE void em_add_product(int n, const double *restrict a, const double *restrict b, double *restrict sum) {
+    double whole = *sum;
+    for (int i = 0; i < n; ++i) whole += a[i] * b[i];
+    *sum = whole;
+}
+
 /* a (n) -= B^T lambda (45) */
 EM_INLINE void em_subtract_reactions(int m, int n, const double *restrict B, const double *restrict lambda,
                                      double *restrict a) {
