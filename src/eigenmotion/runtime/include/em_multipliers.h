@@ -76,10 +76,10 @@ EM_INLINE void em_add_to_delta_rate(int g, int n, const int *rows, const double 
 }
 
 /* The eigenfactors of Delta (m, m), of the rows listed: C_Ddot = -Omega_D C_D (55), s_Ddot = beta_ii / (2 s_D) (54),
- * Omega_D of (53), continued from `kept` as in em_omega, and lambda <- C_D^T S_D^-2 C_D lambda (48). */
-EM_INLINE int em_delta_rates_near(int m, const int *rows, const double *restrict C, const double *restrict s,
-                                  const double *restrict Delta_dot, const double *kept, double since,
-                                  double *restrict C_dot, double *restrict s_dot, double *restrict lambda) {
+ * Omega_D of (53), continued from `kept` (NULL: not) as in em_omega, and lambda <- C_D^T S_D^-2 C_D lambda (48). */
+EM_INLINE int em_delta_rates(int m, const int *rows, const double *restrict C, const double *restrict s,
+                             const double *restrict Delta_dot, const double *kept, double since,
+                             double *restrict C_dot, double *restrict s_dot, double *restrict lambda) {
     double beta[m * m], Omega[m * m], part[m];
     em_congruence(m, C, Delta_dot, beta);
     const int continued = em_omega(m, s, beta, kept, since, Omega);
@@ -99,13 +99,6 @@ EM_INLINE int em_delta_rates_near(int m, const int *rows, const double *restrict
         for (int i = 0; i < m; ++i) lambda[rows[j]] += C[i * m + j] * part[i];
     }
     return continued;
-}
-
-/* The same as published. */
-EM_INLINE void em_delta_rates(int m, const int *rows, const double *restrict C, const double *restrict s,
-                              const double *restrict Delta_dot, double *restrict C_dot, double *restrict s_dot,
-                              double *restrict lambda) {
-    em_delta_rates_near(m, rows, C, s, Delta_dot, NULL, 0.0, C_dot, s_dot, lambda);
 }
 
 /* Delta_dot (m, m) += Adot Y^T + Y Adot^T - Y Mdot Y^T, the part of one block in the rate of A M^-1 A^T;
