@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:d662b2b9dea9e01d605de383286484eb8a3dc2274d7103b40d0ba76cbb7b624a */
+/* body sha256:5b4b787eb06cef6da183789dd555b2381563f14a8b232a827b5f30edcfcbe643 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -45,12 +45,15 @@ enum {
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
     N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
+EM_UNUSED static const int coordinate2[N2] = { 1 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(real t, const real *restrict x, const real *restrict v,
@@ -144,15 +147,13 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -198,11 +199,16 @@ extern em_lanes driven_pendulum_lanes;
 __attribute__((weak)) em_lanes driven_pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES driven_pendulum_lanes
 
-#include "em_eigenfactors.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 5, 6, 7, 8 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 9, 10, 11, 12 };
+static const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
@@ -233,14 +239,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
-    /* block 1 (x): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 5, c + 6, c + 7, c + 8);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-    /* block 2 (y): C, s, L, 1 / diag L */
-    static const int coordinate2[N2] = { 1 };
-    const int singular2 = em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12);
-    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
+    if (em_prepare(&block2, M2[0], c, fault)) return -1;
     return 0;
 }
 
@@ -261,6 +261,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *res
     memset(dM, 0, sizeof *dM * N * N * N);
     dM[0] = 0.0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
@@ -377,47 +381,37 @@ EM_INLINE void settled_masses(double t, const double *restrict x, const double *
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int changed = (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double A1[N_ROWS][N1], A2[N_ROWS][N2], b[N_ROWS];
     settled_masses(t, y, c, A1, A2, b);
 
-    /* x */
-    double eta1[N1] = { y[2] };
-    const double *const C1 = c + 5, *const s1 = c + 6;
-
-    /* y */
-    double eta2[N2] = { y[3] };
-    const double *const C2 = c + 9, *const s2 = c + 10;
-
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
-        const double *const gamma = b;
-        double B1[N_ROWS][N1], *const a1 = eta1;
-        em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
-        double B2[N_ROWS][N2], *const a2 = eta2;
-        em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
+        double B1[N_ROWS][N1], a1[N1];
+        em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
+        em_take(&block1, y + N, a1);
+        double B2[N_ROWS][N2], a2[N2];
+        em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
+        em_take(&block2, y + N, a2);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            real load = gamma[row];
-            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-            for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-            lambda[row] = load;
+            lambda[row] = b[row];
+            em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+            em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                real product = em_real(0.0);
-                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-                for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-                Delta[row*N_ROWS + column] = product;
+                Delta[row*N_ROWS + column] = em_real(0.0);
+                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
-        em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+        em_put(&block1, a1, y + N);
+        em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+        em_put(&block2, a2, y + N);
     }
-
-    y[2] = eta1[0];
-    y[3] = eta2[0];
     return changed;
 }
 
@@ -425,16 +419,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
-    {
-        double eta[N1] = { y[2] };
-        em_velocity_of_eta(N1, c + 5, c + 6, eta);
-        v[0] = eta[0];
-    }
-    {
-        double eta[N2] = { y[3] };
-        em_velocity_of_eta(N2, c + 9, c + 10, eta);
-        v[1] = eta[0];
-    }
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -443,16 +429,8 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 5, c + 6, eta);
-        ev[0] = eta[0];
-    }
-    {
-        double eta[N2] = { e[1] };
-        em_velocity_of_eta(N2, c + 9, c + 10, eta);
-        ev[1] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:44d2bd6b056a097ddc1a83c91e778fa7862c4a95313974fe1eaaa0ab7df3fa40 */
+/* body sha256:877a5b09ffb2ce44e8ef7ad8e6bc5d85c09a5ffccd4b9218a143b644eaf58ff5 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -49,12 +49,15 @@ enum {
     N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 9,
     N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* theta1, theta2, theta3 */
     N2 = 1,             /* theta4 */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
+EM_UNUSED static const int coordinate2[N2] = { 3 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -185,13 +188,11 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -308,10 +309,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* theta1, theta2, theta3: M = L L^T */
     real L1[N1][N1], r1[N1];
     const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     const real eta1[N1] = { y[4], y[5], y[6] };
     real v1[N1];
     em_copy(N1, eta1, v1);
@@ -344,13 +342,11 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -399,11 +395,16 @@ extern em_lanes dual_link_lanes;
 __attribute__((weak)) em_lanes dual_link_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES dual_link_lanes
 
-#include "em_takeover.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 1 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 8, 17, 0, 9 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 9, 10, 11, 12 };
+static const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
@@ -432,10 +433,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
-    /* block 2 (theta4): C, s, L, 1 / diag L */
-    static const int coordinate2[N2] = { 3 };
-    const int singular2 = em_prepare_block(N2, M2[0], c + 9, c + 10, c + 11, c + 12);
-    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
+    if (em_prepare(&block2, M2[0], c, fault)) return -1;
     return 0;
 }
 
@@ -493,6 +491,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
     dM[32] = z_0*c_0;
     dM[36] = dM[33] = z_6;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
@@ -692,105 +694,50 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int rested = *mode; /* so did the eigenfactors */
+    int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
+    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
 
-    /* theta1, theta2, theta3 */
-    double eta1[N1] = { y[4], y[5], y[6] };
-    double *const C1 = y + 8, *const s1 = y + 17;
-    static const int coordinate1[N1] = { 0, 1, 2 };
-    if (*mode || (flags & EM_STABILISE)) {
-        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular], -1, 0.0);
-        changed = 1;
-    }
-
-    /* theta4 */
-    double eta2[N2] = { y[7] };
-    const double *const C2 = c + 9, *const s2 = c + 10;
-
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, s1));
+    const double gap = em_gap(N1, y + 17);
+    const double delta_gap = INFINITY;
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
-        double v1[N1];
-        memcpy(v1, eta1, sizeof v1);
-        if (!*mode) em_velocity_of_eta(N1, C1, s1, v1);
-        else em_velocity_of_triangular(N1, M1[0], v1);
-        v[0] = v1[0];
-        v[1] = v1[1];
-        v[2] = v1[2];
-        double v2[N2];
-        memcpy(v2, eta2, sizeof v2);
-        em_velocity_of_eta(N2, C2, s2, v2);
-        v[3] = v2[0];
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double mu1[N1*N1];
-        em_congruence(N1, C1, Mdot1[0], mu1);
-        double time = INFINITY;
-        time = fmin(time, em_time_to_crossing(N1, s1, mu1));
+        const double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode || wanted) {
-        double *const L1 = memory + 0, *const r1 = memory + 9;
-        const int singular1 = em_cholesky(N1, M1[0], L1, r1, EM_SINGULAR_PIVOT);
-        if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-        if (*mode != wanted) em_change_root(N1, wanted, C1, s1, L1, r1, eta1);
-        changed |= *mode != wanted;
+    if (*mode != wanted) {
+        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
         *mode = wanted;
+        changed = 1;
     }
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
-        const double *const gamma = b;
-        double B1[N_ROWS][N1], *const a1 = eta1;
-        if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 9, A1[0], B1[0]);
-        else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
+        double B1[N_ROWS][N1], a1[N1];
+        em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
+        em_take(&block1, y + N, a1);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            real load = gamma[row];
-            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-            lambda[row] = load;
+            lambda[row] = b[row];
+            em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                real product = em_real(0.0);
-                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-                Delta[row*N_ROWS + column] = product;
+                Delta[row*N_ROWS + column] = em_real(0.0);
+                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+        em_put(&block1, a1, y + N);
     }
-
-    y[4] = eta1[0];
-    y[5] = eta1[1];
-    y[6] = eta1[2];
     return changed;
-}
-
-#define EM_CARRIES_FACTORS
-/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
- * that is farthest off. */
-static double model_factor_error(double t, const double *y, const double *c, int *first)
-{
-    double M[N][N], worst = 0.0;
-    mass_matrix(t, y, c, M[0]);
-    { /* theta1, theta2, theta3 */
-        static const int coordinate[N1] = { 0, 1, 2 };
-        double Mb[N1][N1];
-        for (int i = 0; i < N1; ++i)
-            for (int j = 0; j < N1; ++j)
-                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
-        const double error = em_factor_error(N1, Mb[0], y + 8, y + 17);
-        if (!(error <= worst)) {
-            worst = error;
-            *first = coordinate[0];
-        }
-    }
-    return worst;
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -798,23 +745,9 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
-    mass_matrix(t, y, c, M);
-    {
-        double eta[N1] = { y[4], y[5], y[6] };
-        if (mode) {
-            static const int coordinate[N1] = { 0, 1, 2 };
-            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
-        } else
-            em_velocity_of_eta(N1, y + 8, y + 17, eta);
-        v[0] = eta[0];
-        v[1] = eta[1];
-        v[2] = eta[2];
-    }
-    {
-        double eta[N2] = { y[7] };
-        em_velocity_of_eta(N2, c + 9, c + 10, eta);
-        v[3] = eta[0];
-    }
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, mode, M, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -823,19 +756,8 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0], e[1], e[2] };
-        if (mode) em_backward(N1, memory + 0, memory + 9, eta);
-        else em_velocity_of_eta(N1, y + 8, y + 17, eta);
-        ev[0] = eta[0];
-        ev[1] = eta[1];
-        ev[2] = eta[2];
-    }
-    {
-        double eta[N2] = { e[3] };
-        em_velocity_of_eta(N2, c + 9, c + 10, eta);
-        ev[3] = eta[0];
-    }
+    em_velocity_kept(&block1, mode, e, y, c, memory, ev);
+    em_velocity_kept(&block2, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
@@ -847,16 +769,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     if (mode == 0) return 0;
     double v[N];
     if (model_velocity(mode, t, y, c, v, fault)) return -1;
-    {
-        double eta[N1];
-        eta[0] = v[0];
-        eta[1] = v[1];
-        eta[2] = v[2];
-        em_eta_of_velocity(N1, y + 8, y + 17, eta);
-        row[4] = eta[0];
-        row[5] = eta[1];
-        row[6] = eta[2];
-    }
+    em_publish_block(&block1, v, y, row);
     return 0;
 }
 
@@ -865,7 +778,6 @@ static int state(double t, const double *x, const double *v, const double *c, do
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
-    static const int coordinate1[N1] = { 0, 1, 2 };
     em_spread(N, N1, coordinate1, y + 8, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
@@ -885,8 +797,7 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
-    static const int coordinate1[N1] = { 0, 1, 2 };
-    if (em_coincident(N1, coordinate1, y + 17, fault)) return -1;
+    if (em_coincident_block(&block1, y, fault)) return -1;
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:397264bb88faa78e947bb4504302792d3c45df3eb16de4346e29b0aaaa0b7da2 */
+/* body sha256:abc59620201fb23c4625cb4e2bad8c12718791e60450c2db9873352666626206 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -46,12 +46,15 @@ enum {
     N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
     N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
     N2 = 1,             /* r */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
+EM_UNUSED static const int coordinate2[N2] = { 1 };
 
 /* M of single coordinates */
 EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
@@ -180,11 +183,16 @@ extern em_lanes elastic_pendulum_lanes;
 __attribute__((weak)) em_lanes elastic_pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES elastic_pendulum_lanes
 
-#include "em_eigenfactors.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_MEMORY, 0, 0, 0, 1 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 4, 5, 6, 7 };
+static const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
@@ -206,10 +214,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
-    /* block 2 (r): C, s, L, 1 / diag L */
-    static const int coordinate2[N2] = { 1 };
-    const int singular2 = em_prepare_block(N2, M2[0], c + 4, c + 5, c + 6, c + 7);
-    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
+    if (em_prepare(&block2, M2[0], c, fault)) return -1;
     return 0;
 }
 
@@ -233,6 +238,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
     const double r = x[1];
     dM[4] = r*c_0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -318,14 +327,11 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M1[N1][N1];
     settled_masses(y, c, M1);
-    if (!(M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, M1[0][0]);
-    memory[1] = 1.0/sqrt(M1[0][0]);
-
-    return changed;
+    if (em_keep_root(&block1, M1[0], memory, fault)) return -1;
+    return 0;
 }
 
 /* v (n): xdot from a state. */
@@ -333,18 +339,9 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
-    mass_matrix(t, y, c, M);
-    {
-        double eta[N1] = { y[2] };
-        static const int coordinate[N1] = { 0 };
-        if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
-        v[0] = eta[0];
-    }
-    {
-        double eta[N2] = { y[3] };
-        em_velocity_of_eta(N2, c + 4, c + 5, eta);
-        v[1] = eta[0];
-    }
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, 0, M, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, 0, M, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -353,16 +350,8 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        eta[0] *= memory[1];
-        ev[0] = eta[0];
-    }
-    {
-        double eta[N2] = { e[1] };
-        em_velocity_of_eta(N2, c + 4, c + 5, eta);
-        ev[1] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

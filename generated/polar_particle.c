@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:0128fe9d6470e5b6a9de7d5102d3572fec593cd9a5aee2b67de630c5cc62e5fc */
+/* body sha256:8b850f229c1b8021c6f6e5e78beda989370ec3b0d3d7cfb98ad20721614ef5de */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -46,12 +46,15 @@ enum {
     N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 2,
     N_PREPARED = 8,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* r */
     N2 = 1,             /* theta */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
+EM_UNUSED static const int coordinate2[N2] = { 1 };
 
 /* M of single coordinates */
 EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M2[N2][N2],
@@ -179,11 +182,16 @@ extern em_lanes polar_particle_lanes;
 __attribute__((weak)) em_lanes polar_particle_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES polar_particle_lanes
 
-#include "em_eigenfactors.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 2, 3, 4, 5 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_IN_MEMORY, 0, 0, 0, 1 };
+static const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
@@ -203,10 +211,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
-    /* block 1 (r): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 2, c + 3, c + 4, c + 5);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
     return 0;
 }
 
@@ -230,6 +235,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
     const double r = x[0];
     dM[3] = r*c_0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -305,14 +314,11 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     double M2[N2][N2];
     settled_masses(y, c, M2);
-    if (!(M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, M2[0][0]);
-    memory[1] = 1.0/sqrt(M2[0][0]);
-
-    return changed;
+    if (em_keep_root(&block2, M2[0], memory, fault)) return -1;
+    return 0;
 }
 
 /* v (n): xdot from a state. */
@@ -320,18 +326,9 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
-    mass_matrix(t, y, c, M);
-    {
-        double eta[N1] = { y[2] };
-        em_velocity_of_eta(N1, c + 2, c + 3, eta);
-        v[0] = eta[0];
-    }
-    {
-        double eta[N2] = { y[3] };
-        static const int coordinate[N2] = { 1 };
-        if (em_velocity_of_root(N2, coordinate, M, eta, fault)) return -1;
-        v[1] = eta[0];
-    }
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, 0, M, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, 0, M, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -340,16 +337,8 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 2, c + 3, eta);
-        ev[0] = eta[0];
-    }
-    {
-        double eta[N2] = { e[1] };
-        eta[0] *= memory[1];
-        ev[1] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:18f9efa71178cc129b1f4ec233d103f898c9ac591211b6aed50187f5655ca079 */
+/* body sha256:3de3d2bfed4a002904664d0e86040cff101c929954fe59e4914df5b8f4688660 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -46,11 +46,13 @@ enum {
     N_MEMORY = 20,      /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 5,
     N_PREPARED = 21,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 4,             /* q_0, q_1, q_2, q_3 */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -177,13 +179,11 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -313,10 +313,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* q_0, q_1, q_2, q_3: M = L L^T */
     real L1[N1][N1], r1[N1];
     const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2, 3 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     const real eta1[N1] = { y[4], y[5], y[6], y[7] };
     real v1[N1];
     em_copy(N1, eta1, v1);
@@ -339,13 +336,11 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -394,11 +389,15 @@ extern em_lanes quaternion_top_lanes;
 __attribute__((weak)) em_lanes quaternion_top_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES quaternion_top_lanes
 
-#include "em_takeover.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 8, 24, 0, 16 };
+static const em_block *const blocks[] = { &block1, NULL };
 
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
@@ -563,7 +562,6 @@ static void factored_matrix(EM_UNUSED double t, const double *restrict x, const 
     M[14] = M[11] = 4.0*(c_1*z_6 - c_2*z_5);
     M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
 }
-#define EM_FACTORED factored_matrix
 
 /* dM (n, n, n), of that */
 static void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
@@ -621,6 +619,10 @@ static void factored_gradient(EM_UNUSED double t, const double *restrict x, cons
     dM[62] = dM[59] = -q_2*c_15;
     dM[63] = q_3*c_14;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    factored_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
@@ -835,100 +837,50 @@ EM_INLINE void settled_rates(const double *restrict x, const double *restrict v,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int rested = *mode; /* so did the eigenfactors */
+    int changed = rested || (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS];
     settled_masses(y, c, M1, A1, b);
+    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
 
-    /* q_0, q_1, q_2, q_3 */
-    double eta1[N1] = { y[4], y[5], y[6], y[7] };
-    double *const C1 = y + 8, *const s1 = y + 24;
-    static const int coordinate1[N1] = { 0, 1, 2, 3 };
-    if (*mode || (flags & EM_STABILISE)) {
-        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular], -1, 0.0);
-        changed = 1;
-    }
-
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, s1));
+    const double gap = em_gap(N1, y + 24);
+    const double delta_gap = INFINITY;
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
-        double v1[N1];
-        memcpy(v1, eta1, sizeof v1);
-        if (!*mode) em_velocity_of_eta(N1, C1, s1, v1);
-        else em_velocity_of_triangular(N1, M1[0], v1);
-        v[0] = v1[0];
-        v[1] = v1[1];
-        v[2] = v1[2];
-        v[3] = v1[3];
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(y, v, c, Mdot1);
-        double mu1[N1*N1];
-        em_congruence(N1, C1, Mdot1[0], mu1);
-        double time = INFINITY;
-        time = fmin(time, em_time_to_crossing(N1, s1, mu1));
+        const double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode || wanted) {
-        double *const L1 = memory + 0, *const r1 = memory + 16;
-        const int singular1 = em_cholesky(N1, M1[0], L1, r1, EM_SINGULAR_PIVOT);
-        if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-        if (*mode != wanted) em_change_root(N1, wanted, C1, s1, L1, r1, eta1);
-        changed |= *mode != wanted;
+    if (*mode != wanted) {
+        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
         *mode = wanted;
+        changed = 1;
     }
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
-        const double *const gamma = b;
-        double B1[N_ROWS][N1], *const a1 = eta1;
-        if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 16, A1[0], B1[0]);
-        else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
+        double B1[N_ROWS][N1], a1[N1];
+        em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
+        em_take(&block1, y + N, a1);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            real load = gamma[row];
-            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-            lambda[row] = load;
+            lambda[row] = b[row];
+            em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                real product = em_real(0.0);
-                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-                Delta[row*N_ROWS + column] = product;
+                Delta[row*N_ROWS + column] = em_real(0.0);
+                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+        em_put(&block1, a1, y + N);
     }
-
-    y[4] = eta1[0];
-    y[5] = eta1[1];
-    y[6] = eta1[2];
-    y[7] = eta1[3];
     return changed;
-}
-
-#define EM_CARRIES_FACTORS
-/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
- * that is farthest off. */
-static double model_factor_error(double t, const double *y, const double *c, int *first)
-{
-    double M[N][N], worst = 0.0;
-    factored_matrix(t, y, c, M[0]);
-    { /* q_0, q_1, q_2, q_3 */
-        static const int coordinate[N1] = { 0, 1, 2, 3 };
-        double Mb[N1][N1];
-        for (int i = 0; i < N1; ++i)
-            for (int j = 0; j < N1; ++j)
-                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
-        const double error = em_factor_error(N1, Mb[0], y + 8, y + 24);
-        if (!(error <= worst)) {
-            worst = error;
-            *first = coordinate[0];
-        }
-    }
-    return worst;
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -936,19 +888,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
-    factored_matrix(t, y, c, M);
-    {
-        double eta[N1] = { y[4], y[5], y[6], y[7] };
-        if (mode) {
-            static const int coordinate[N1] = { 0, 1, 2, 3 };
-            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
-        } else
-            em_velocity_of_eta(N1, y + 8, y + 24, eta);
-        v[0] = eta[0];
-        v[1] = eta[1];
-        v[2] = eta[2];
-        v[3] = eta[3];
-    }
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -957,15 +898,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0], e[1], e[2], e[3] };
-        if (mode) em_backward(N1, memory + 0, memory + 16, eta);
-        else em_velocity_of_eta(N1, y + 8, y + 24, eta);
-        ev[0] = eta[0];
-        ev[1] = eta[1];
-        ev[2] = eta[2];
-        ev[3] = eta[3];
-    }
+    em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
@@ -977,18 +910,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     if (mode == 0) return 0;
     double v[N];
     if (model_velocity(mode, t, y, c, v, fault)) return -1;
-    {
-        double eta[N1];
-        eta[0] = v[0];
-        eta[1] = v[1];
-        eta[2] = v[2];
-        eta[3] = v[3];
-        em_eta_of_velocity(N1, y + 8, y + 24, eta);
-        row[4] = eta[0];
-        row[5] = eta[1];
-        row[6] = eta[2];
-        row[7] = eta[3];
-    }
+    em_publish_block(&block1, v, y, row);
     return 0;
 }
 
@@ -997,7 +919,6 @@ static int state(double t, const double *x, const double *v, const double *c, do
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
-    static const int coordinate1[N1] = { 0, 1, 2, 3 };
     em_spread(N, N1, coordinate1, y + 8, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
@@ -1017,8 +938,7 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
-    static const int coordinate1[N1] = { 0, 1, 2, 3 };
-    if (em_coincident(N1, coordinate1, y + 24, fault)) return -1;
+    if (em_coincident_block(&block1, y, fault)) return -1;
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:8f010a99e877cd63def699061687340bee13409ea9b65d87519fa67e096e2e37 */
+/* body sha256:f9a1d92e4fb862b07b83bfd827d99ef4988d8b7a2d07adc8e03383d5548b3c9b */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -46,11 +46,13 @@ enum {
     N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
     N_PREPARED = 5,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* psi, theta, phi */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -231,10 +233,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* psi, theta, phi: M = L L^T */
     real L1[N1][N1], r1[N1];
     const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     const real eta1[N1] = { y[3], y[4], y[5] };
     real v1[N1];
     em_copy(N1, eta1, v1);
@@ -292,11 +291,15 @@ extern em_lanes rigid_body_lanes;
 __attribute__((weak)) em_lanes rigid_body_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rigid_body_lanes
 
-#include "em_takeover.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 6, 15, 0, 9 };
+static const em_block *const blocks[] = { &block1, NULL };
 
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
@@ -370,6 +373,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
     dM[21] = dM[19] = c_0*(sin_theta*z_6 - sin_theta*z_4);
     dM[22] = -z_8;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -556,76 +563,30 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int rested = *mode; /* so did the eigenfactors */
+    int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], shared[6];
     settled_masses(y, c, M1, shared);
+    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
 
-    /* psi, theta, phi */
-    double eta1[N1] = { y[3], y[4], y[5] };
-    double *const C1 = y + 6, *const s1 = y + 15;
-    static const int coordinate1[N1] = { 0, 1, 2 };
-    if (*mode || (flags & EM_STABILISE)) {
-        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular], -1, 0.0);
-        changed = 1;
-    }
-
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, s1));
+    const double gap = em_gap(N1, y + 15);
+    const double delta_gap = INFINITY;
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
-        double v1[N1];
-        memcpy(v1, eta1, sizeof v1);
-        if (!*mode) em_velocity_of_eta(N1, C1, s1, v1);
-        else em_velocity_of_triangular(N1, M1[0], v1);
-        v[0] = v1[0];
-        v[1] = v1[1];
-        v[2] = v1[2];
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double mu1[N1*N1];
-        em_congruence(N1, C1, Mdot1[0], mu1);
-        double time = INFINITY;
-        time = fmin(time, em_time_to_crossing(N1, s1, mu1));
+        const double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode || wanted) {
-        double *const L1 = memory + 0, *const r1 = memory + 9;
-        const int singular1 = em_cholesky(N1, M1[0], L1, r1, EM_SINGULAR_PIVOT);
-        if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-        if (*mode != wanted) em_change_root(N1, wanted, C1, s1, L1, r1, eta1);
-        changed |= *mode != wanted;
+    if (*mode != wanted) {
+        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
         *mode = wanted;
+        changed = 1;
     }
-
-    y[3] = eta1[0];
-    y[4] = eta1[1];
-    y[5] = eta1[2];
     return changed;
-}
-
-#define EM_CARRIES_FACTORS
-/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
- * that is farthest off. */
-static double model_factor_error(double t, const double *y, const double *c, int *first)
-{
-    double M[N][N], worst = 0.0;
-    mass_matrix(t, y, c, M[0]);
-    { /* psi, theta, phi */
-        static const int coordinate[N1] = { 0, 1, 2 };
-        double Mb[N1][N1];
-        for (int i = 0; i < N1; ++i)
-            for (int j = 0; j < N1; ++j)
-                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
-        const double error = em_factor_error(N1, Mb[0], y + 6, y + 15);
-        if (!(error <= worst)) {
-            worst = error;
-            *first = coordinate[0];
-        }
-    }
-    return worst;
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -633,18 +594,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
-    mass_matrix(t, y, c, M);
-    {
-        double eta[N1] = { y[3], y[4], y[5] };
-        if (mode) {
-            static const int coordinate[N1] = { 0, 1, 2 };
-            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
-        } else
-            em_velocity_of_eta(N1, y + 6, y + 15, eta);
-        v[0] = eta[0];
-        v[1] = eta[1];
-        v[2] = eta[2];
-    }
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -653,14 +604,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0], e[1], e[2] };
-        if (mode) em_backward(N1, memory + 0, memory + 9, eta);
-        else em_velocity_of_eta(N1, y + 6, y + 15, eta);
-        ev[0] = eta[0];
-        ev[1] = eta[1];
-        ev[2] = eta[2];
-    }
+    em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
@@ -672,16 +616,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     if (mode == 0) return 0;
     double v[N];
     if (model_velocity(mode, t, y, c, v, fault)) return -1;
-    {
-        double eta[N1];
-        eta[0] = v[0];
-        eta[1] = v[1];
-        eta[2] = v[2];
-        em_eta_of_velocity(N1, y + 6, y + 15, eta);
-        row[3] = eta[0];
-        row[4] = eta[1];
-        row[5] = eta[2];
-    }
+    em_publish_block(&block1, v, y, row);
     return 0;
 }
 
@@ -690,7 +625,6 @@ static int state(double t, const double *x, const double *v, const double *c, do
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
-    static const int coordinate1[N1] = { 0, 1, 2 };
     em_spread(N, N1, coordinate1, y + 6, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
@@ -710,8 +644,7 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
-    static const int coordinate1[N1] = { 0, 1, 2 };
-    if (em_coincident(N1, coordinate1, y + 15, fault)) return -1;
+    if (em_coincident_block(&block1, y, fault)) return -1;
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 

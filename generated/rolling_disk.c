@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:31576537f1218d116119dd7c6a8b5ae7340797e535b709e9e4e7423da0d0150b */
+/* body sha256:97a3050f38485ad9627d175cf779a24e332e750d317f64e48524e8fdd530ae24 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -45,11 +45,13 @@ enum {
     N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 3,
     N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* x, y, phi, theta, psi */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -177,13 +179,11 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -314,10 +314,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* x, y, phi, theta, psi: M = L L^T */
     real L1[N1][N1], r1[N1];
     const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
-    if (singular1 >= 0) {
-        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular1], -1, 0.0);
-    }
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
     const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
     real v1[N1];
     em_copy(N1, eta1, v1);
@@ -341,13 +338,11 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*(a1[i] + q1[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -397,11 +392,15 @@ extern em_lanes rolling_disk_lanes;
 __attribute__((weak)) em_lanes rolling_disk_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rolling_disk_lanes
 
-#include "em_takeover.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 0, 0, 0 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 10, 35, 0, 25 };
+static const em_block *const blocks[] = { &block1, NULL };
 
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
@@ -496,6 +495,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
     dM[91] = dM[83] = -sin_theta*z_4;
     dM[97] = dM[89] = -cos_theta*c_2;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
@@ -722,101 +725,49 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int rested = *mode; /* so did the eigenfactors */
+    int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
+    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
 
-    /* x, y, phi, theta, psi */
-    double eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
-    double *const C1 = y + 10, *const s1 = y + 35;
-    static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
-    if (*mode || (flags & EM_STABILISE)) {
-        const int singular = em_refresh(N1, M1[0], C1, s1, *mode ? NULL : eta1);
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular], -1, 0.0);
-        changed = 1;
-    }
-
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, s1));
+    const double gap = em_gap(N1, y + 35);
+    const double delta_gap = INFINITY;
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
-        double v1[N1];
-        memcpy(v1, eta1, sizeof v1);
-        if (!*mode) em_velocity_of_eta(N1, C1, s1, v1);
-        else em_velocity_of_triangular(N1, M1[0], v1);
-        v[0] = v1[0];
-        v[1] = v1[1];
-        v[2] = v1[2];
-        v[3] = v1[3];
-        v[4] = v1[4];
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double mu1[N1*N1];
-        em_congruence(N1, C1, Mdot1[0], mu1);
-        double time = INFINITY;
-        time = fmin(time, em_time_to_crossing(N1, s1, mu1));
+        const double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode || wanted) {
-        double *const L1 = memory + 0, *const r1 = memory + 25;
-        const int singular1 = em_cholesky(N1, M1[0], L1, r1, EM_SINGULAR_PIVOT);
-        if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-        if (*mode != wanted) em_change_root(N1, wanted, C1, s1, L1, r1, eta1);
-        changed |= *mode != wanted;
+    if (*mode != wanted) {
+        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
         *mode = wanted;
+        changed = 1;
     }
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
-        const double *const gamma = b;
-        double B1[N_ROWS][N1], *const a1 = eta1;
-        if (*mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 25, A1[0], B1[0]);
-        else em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
+        double B1[N_ROWS][N1], a1[N1];
+        em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
+        em_take(&block1, y + N, a1);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            real load = gamma[row];
-            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-            lambda[row] = load;
+            lambda[row] = b[row];
+            em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                real product = em_real(0.0);
-                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-                Delta[row*N_ROWS + column] = product;
+                Delta[row*N_ROWS + column] = em_real(0.0);
+                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+        em_put(&block1, a1, y + N);
     }
-
-    y[5] = eta1[0];
-    y[6] = eta1[1];
-    y[7] = eta1[2];
-    y[8] = eta1[3];
-    y[9] = eta1[4];
     return changed;
-}
-
-#define EM_CARRIES_FACTORS
-/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
- * that is farthest off. */
-static double model_factor_error(double t, const double *y, const double *c, int *first)
-{
-    double M[N][N], worst = 0.0;
-    mass_matrix(t, y, c, M[0]);
-    { /* x, y, phi, theta, psi */
-        static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
-        double Mb[N1][N1];
-        for (int i = 0; i < N1; ++i)
-            for (int j = 0; j < N1; ++j)
-                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
-        const double error = em_factor_error(N1, Mb[0], y + 10, y + 35);
-        if (!(error <= worst)) {
-            worst = error;
-            *first = coordinate[0];
-        }
-    }
-    return worst;
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -824,20 +775,8 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
-    mass_matrix(t, y, c, M);
-    {
-        double eta[N1] = { y[5], y[6], y[7], y[8], y[9] };
-        if (mode) {
-            static const int coordinate[N1] = { 0, 1, 2, 3, 4 };
-            if (em_velocity_of_root(N1, coordinate, M, eta, fault)) return -1;
-        } else
-            em_velocity_of_eta(N1, y + 10, y + 35, eta);
-        v[0] = eta[0];
-        v[1] = eta[1];
-        v[2] = eta[2];
-        v[3] = eta[3];
-        v[4] = eta[4];
-    }
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -846,16 +785,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0], e[1], e[2], e[3], e[4] };
-        if (mode) em_backward(N1, memory + 0, memory + 25, eta);
-        else em_velocity_of_eta(N1, y + 10, y + 35, eta);
-        ev[0] = eta[0];
-        ev[1] = eta[1];
-        ev[2] = eta[2];
-        ev[3] = eta[3];
-        ev[4] = eta[4];
-    }
+    em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
@@ -867,20 +797,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     if (mode == 0) return 0;
     double v[N];
     if (model_velocity(mode, t, y, c, v, fault)) return -1;
-    {
-        double eta[N1];
-        eta[0] = v[0];
-        eta[1] = v[1];
-        eta[2] = v[2];
-        eta[3] = v[3];
-        eta[4] = v[4];
-        em_eta_of_velocity(N1, y + 10, y + 35, eta);
-        row[5] = eta[0];
-        row[6] = eta[1];
-        row[7] = eta[2];
-        row[8] = eta[3];
-        row[9] = eta[4];
-    }
+    em_publish_block(&block1, v, y, row);
     return 0;
 }
 
@@ -889,7 +806,6 @@ static int state(double t, const double *x, const double *v, const double *c, do
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
-    static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
     em_spread(N, N1, coordinate1, y + 10, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
@@ -909,8 +825,7 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
-    static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
-    if (em_coincident(N1, coordinate1, y + 35, fault)) return -1;
+    if (em_coincident_block(&block1, y, fault)) return -1;
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:c8c77d430370e891f3e3cc5a30fb529bf9bf84a2cdbf01a6447785128019c03c */
+/* body sha256:5894aabe2bf9ced7d784c465513890f64ce533101e2b158deb20752e272ca222 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -41,11 +41,13 @@ enum {
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
     N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1])
@@ -132,11 +134,15 @@ extern em_lanes rotating_hoop_lanes;
 __attribute__((weak)) em_lanes rotating_hoop_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rotating_hoop_lanes
 
-#include "em_eigenfactors.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0 };
 static const double scales[N] = { 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 4, 5, 6, 7 };
+static const em_block *const blocks[] = { &block1, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
@@ -163,10 +169,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
-    /* block 1 (theta): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
     return 0;
 }
 
@@ -185,6 +188,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *res
     memset(dM, 0, sizeof *dM * N * N * N);
     dM[0] = 0.0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -252,21 +259,15 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-
-    return changed;
+    return 0;
 }
 
 /* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
-    {
-        double eta[N1] = { y[1] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        v[0] = eta[0];
-    }
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -275,11 +276,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        ev[0] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:4418afb605f4e7534904cfea615c88fc1b5469d170e7253d1801bcba9535a2d9 */
+/* body sha256:e4a8b1600dc3090c1feed6af0e6a437da0b211576c0f1bfcb529ec8fdf106242 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -43,12 +43,15 @@ enum {
     N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
     N_PREPARED = 17,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
+EM_UNUSED static const int coordinate2[N2] = { 1 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -160,11 +163,16 @@ extern em_lanes rotating_spring_lanes;
 __attribute__((weak)) em_lanes rotating_spring_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rotating_spring_lanes
 
-#include "em_eigenfactors.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
 static const double scales[N] = { 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 4, 5, 6, 7 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 8, 9, 10, 11 };
+static const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
@@ -192,14 +200,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
-    /* block 1 (x): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-    /* block 2 (y): C, s, L, 1 / diag L */
-    static const int coordinate2[N2] = { 1 };
-    const int singular2 = em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11);
-    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
+    if (em_prepare(&block2, M2[0], c, fault)) return -1;
     return 0;
 }
 
@@ -220,6 +222,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *res
     memset(dM, 0, sizeof *dM * N * N * N);
     dM[0] = 0.0;
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
@@ -297,26 +303,16 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-
-    return changed;
+    return 0;
 }
 
 /* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
-    {
-        double eta[N1] = { y[2] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        v[0] = eta[0];
-    }
-    {
-        double eta[N2] = { y[3] };
-        em_velocity_of_eta(N2, c + 8, c + 9, eta);
-        v[1] = eta[0];
-    }
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -325,16 +321,8 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        ev[0] = eta[0];
-    }
-    {
-        double eta[N2] = { e[1] };
-        em_velocity_of_eta(N2, c + 8, c + 9, eta);
-        ev[1] = eta[0];
-    }
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:f9e9b3c2ab2e549d82fa5b94cfa59a6607edbe9b15be3909bd37fd3a90a2b1c6 */
+/* body sha256:47c0c6b3181b0035f3095a4829cf3b5403964d8a1e2a2ddf6a91bc8f3d6b86ac */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -50,13 +50,17 @@ enum {
     N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
-    EM_SCALED_ROOT = 1, /* whether the root is that of M in the units below */
     N_PARAMETERS = 4,
     N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
     N3 = 3,             /* p_1, p_2, p_3 */
 };
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
+EM_UNUSED static const int coordinate2[N2] = { 1 };
+EM_UNUSED static const int coordinate3[N3] = { 2, 3, 4 };
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -227,17 +231,15 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
+        em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -390,10 +392,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* p_1, p_2, p_3: M = L L^T */
     real L3[N3][N3], r3[N3];
     const int singular3 = em_cholesky(N3, M3[0], L3[0], r3, EM_SINGULAR_PIVOT);
-    if (singular3 >= 0) {
-        static const int coordinate[N3] = { 2, 3, 4 };
-        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular3], -1, 0.0);
-    }
+    if (singular3 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate3[singular3], -1, 0.0);
     const real eta3[N3] = { y[7], y[8], y[9] };
     real v3[N3];
     em_copy(N3, eta3, v3);
@@ -429,17 +428,15 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
-        real load = gamma[row];
-        for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-        for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-        for (int i = 0; i < N3; ++i) load += B3[row][i]*(a3[i] + q3[i]);
-        lambda[row] = load;
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
+        em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         for (int column = 0; column <= row; ++column) {
-            real product = em_real(0.0);
-            for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-            for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-            for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-            Delta[row*N_ROWS + column] = product;
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -491,11 +488,17 @@ extern em_lanes sphere_lanes;
 __attribute__((weak)) em_lanes sphere_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES sphere_lanes
 
-#include "em_takeover.h"
+#include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1, 2, 2, 2 };
 static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 4, 5, 6, 7 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 8, 9, 10, 11 };
+static const em_block block3 = { N, N3, coordinate3, scales, EM_IN_STATE, 10, 19, 0, 9 };
+static const em_block *const blocks[] = { &block1, &block2, &block3, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
@@ -526,14 +529,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
-    /* block 1 (x): C, s, L, 1 / diag L */
-    static const int coordinate1[N1] = { 0 };
-    const int singular1 = em_prepare_block(N1, M1[0], c + 4, c + 5, c + 6, c + 7);
-    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
-    /* block 2 (y): C, s, L, 1 / diag L */
-    static const int coordinate2[N2] = { 1 };
-    const int singular2 = em_prepare_block(N2, M2[0], c + 8, c + 9, c + 10, c + 11);
-    if (singular2 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate2[singular2], -1, 0.0);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
+    if (em_prepare(&block2, M2[0], c, fault)) return -1;
     return 0;
 }
 
@@ -629,6 +626,10 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
     dM[123] = dM[119] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_21));
     dM[124] = ((-32.0/5.0))*(c_0*(z_18 + z_22 + z_17));
 }
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
 static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
@@ -880,125 +881,65 @@ EM_INLINE void settled_rates(const double *restrict x, const double *restrict v,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    int changed = (flags & EM_STABILISE) != 0;
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int rested = *mode; /* so did the eigenfactors */
+    int changed = rested || (flags & EM_STABILISE);
     double M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
+    if (changed && em_settle_factors(&block3, *mode, M3[0], y, memory, fault)) return -1;
 
-    /* x */
-    double eta1[N1] = { y[5] };
-    const double *const C1 = c + 4, *const s1 = c + 5;
-
-    /* y */
-    double eta2[N2] = { y[6] };
-    const double *const C2 = c + 8, *const s2 = c + 9;
-
-    /* p_1, p_2, p_3 */
-    double eta3[N3] = { y[7], y[8], y[9] };
-    double *const C3 = y + 10, *const s3 = y + 19;
-    static const int coordinate3[N3] = { 2, 3, 4 };
-    if (*mode || (flags & EM_STABILISE)) {
-        const int singular = em_refresh(N3, M3[0], C3, s3, *mode ? NULL : eta3);
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate3[singular], -1, 0.0);
-        changed = 1;
-    }
-
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N3, s3));
+    const double gap = em_gap(N3, y + 19);
+    const double delta_gap = INFINITY;
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
-        double v1[N1];
-        memcpy(v1, eta1, sizeof v1);
-        em_velocity_of_eta(N1, C1, s1, v1);
-        v[0] = v1[0];
-        double v2[N2];
-        memcpy(v2, eta2, sizeof v2);
-        em_velocity_of_eta(N2, C2, s2, v2);
-        v[1] = v2[0];
-        double v3[N3];
-        memcpy(v3, eta3, sizeof v3);
-        if (!*mode) em_velocity_of_eta(N3, C3, s3, v3);
-        else em_velocity_of_triangular(N3, M3[0], v3);
-        v[2] = v3[0];
-        v[3] = v3[1];
-        v[4] = v3[2];
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
+        em_velocity_kept(&block3, *mode, y + N, y, c, memory, v);
         double Mdot3[N3][N3];
         settled_rates(y, v, c, shared, Mdot3);
-        double mu3[N3*N3];
-        em_congruence(N3, C3, Mdot3[0], mu3);
-        double time = INFINITY;
-        time = fmin(time, em_time_to_crossing(N3, s3, mu3));
+        const double time = em_time_of_block(&block3, Mdot3[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
-    if (*mode || wanted) {
-        double *const L3 = memory + 0, *const r3 = memory + 9;
-        const int singular3 = em_cholesky(N3, M3[0], L3, r3, EM_SINGULAR_PIVOT);
-        if (singular3 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate3[singular3], -1, 0.0);
-        if (*mode != wanted) em_change_root(N3, wanted, C3, s3, L3, r3, eta3);
-        changed |= *mode != wanted;
+    if (*mode != wanted) {
+        if (em_change_mode(&block3, wanted, M3[0], y, memory, fault)) return -1;
         *mode = wanted;
+        changed = 1;
     }
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
-        const double *const gamma = b;
-        double B1[N_ROWS][N1], *const a1 = eta1;
-        em_rows_of_factors(N_ROWS, N1, C1, s1, A1[0], B1[0]);
-        double B2[N_ROWS][N2], *const a2 = eta2;
-        em_rows_of_factors(N_ROWS, N2, C2, s2, A2[0], B2[0]);
-        double B3[N_ROWS][N3], *const a3 = eta3;
-        if (*mode) em_rows_of_root(N_ROWS, N3, memory + 0, memory + 9, A3[0], B3[0]);
-        else em_rows_of_factors(N_ROWS, N3, C3, s3, A3[0], B3[0]);
+        double B1[N_ROWS][N1], a1[N1];
+        em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
+        em_take(&block1, y + N, a1);
+        double B2[N_ROWS][N2], a2[N2];
+        em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
+        em_take(&block2, y + N, a2);
+        double B3[N_ROWS][N3], a3[N3];
+        em_rows_of_block(&block3, *mode, N_ROWS, y, c, memory, A3[0], B3[0]);
+        em_take(&block3, y + N, a3);
         /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
-            real load = gamma[row];
-            for (int i = 0; i < N1; ++i) load += B1[row][i]*a1[i];
-            for (int i = 0; i < N2; ++i) load += B2[row][i]*a2[i];
-            for (int i = 0; i < N3; ++i) load += B3[row][i]*a3[i];
-            lambda[row] = load;
+            lambda[row] = b[row];
+            em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+            em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
+            em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                real product = em_real(0.0);
-                for (int i = 0; i < N1; ++i) product += B1[row][i]*B1[column][i];
-                for (int i = 0; i < N2; ++i) product += B2[row][i]*B2[column][i];
-                for (int i = 0; i < N3; ++i) product += B3[row][i]*B3[column][i];
-                Delta[row*N_ROWS + column] = product;
+                Delta[row*N_ROWS + column] = em_real(0.0);
+                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
+                em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
-        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, eta1);
-        em_subtract_reactions(N_ROWS, N2, B2[0], lambda, eta2);
-        em_subtract_reactions(N_ROWS, N3, B3[0], lambda, eta3);
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+        em_put(&block1, a1, y + N);
+        em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+        em_put(&block2, a2, y + N);
+        em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
+        em_put(&block3, a3, y + N);
     }
-
-    y[5] = eta1[0];
-    y[6] = eta2[0];
-    y[7] = eta3[0];
-    y[8] = eta3[1];
-    y[9] = eta3[2];
     return changed;
-}
-
-#define EM_CARRIES_FACTORS
-/* How far C and s are from the eigenfactors of M(x), relative to each eigenvalue; *first: a coordinate of the block
- * that is farthest off. */
-static double model_factor_error(double t, const double *y, const double *c, int *first)
-{
-    double M[N][N], worst = 0.0;
-    mass_matrix(t, y, c, M[0]);
-    { /* p_1, p_2, p_3 */
-        static const int coordinate[N3] = { 2, 3, 4 };
-        double Mb[N3][N3];
-        for (int i = 0; i < N3; ++i)
-            for (int j = 0; j < N3; ++j)
-                Mb[i][j] = scales[coordinate[i]]*scales[coordinate[j]]*M[coordinate[i]][coordinate[j]];
-        const double error = em_factor_error(N3, Mb[0], y + 10, y + 19);
-        if (!(error <= worst)) {
-            worst = error;
-            *first = coordinate[0];
-        }
-    }
-    return worst;
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
@@ -1006,28 +947,10 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
-    mass_matrix(t, y, c, M);
-    {
-        double eta[N1] = { y[5] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        v[0] = eta[0];
-    }
-    {
-        double eta[N2] = { y[6] };
-        em_velocity_of_eta(N2, c + 8, c + 9, eta);
-        v[1] = eta[0];
-    }
-    {
-        double eta[N3] = { y[7], y[8], y[9] };
-        if (mode) {
-            static const int coordinate[N3] = { 2, 3, 4 };
-            if (em_velocity_of_root(N3, coordinate, M, eta, fault)) return -1;
-        } else
-            em_velocity_of_eta(N3, y + 10, y + 19, eta);
-        v[2] = eta[0];
-        v[3] = eta[1];
-        v[4] = eta[2];
-    }
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, mode, M, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block3, mode, M, y, c, v, fault)) return -1;
     return 0;
 }
 
@@ -1036,24 +959,9 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
-    {
-        double eta[N1] = { e[0] };
-        em_velocity_of_eta(N1, c + 4, c + 5, eta);
-        ev[0] = eta[0];
-    }
-    {
-        double eta[N2] = { e[1] };
-        em_velocity_of_eta(N2, c + 8, c + 9, eta);
-        ev[1] = eta[0];
-    }
-    {
-        double eta[N3] = { e[2], e[3], e[4] };
-        if (mode) em_backward(N3, memory + 0, memory + 9, eta);
-        else em_velocity_of_eta(N3, y + 10, y + 19, eta);
-        ev[2] = eta[0];
-        ev[3] = eta[1];
-        ev[4] = eta[2];
-    }
+    em_velocity_kept(&block1, mode, e, y, c, memory, ev);
+    em_velocity_kept(&block2, mode, e, y, c, memory, ev);
+    em_velocity_kept(&block3, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
@@ -1065,16 +973,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
     if (mode == 0) return 0;
     double v[N];
     if (model_velocity(mode, t, y, c, v, fault)) return -1;
-    {
-        double eta[N3];
-        eta[0] = v[2];
-        eta[1] = v[3];
-        eta[2] = v[4];
-        em_eta_of_velocity(N3, y + 10, y + 19, eta);
-        row[7] = eta[0];
-        row[8] = eta[1];
-        row[9] = eta[2];
-    }
+    em_publish_block(&block3, v, y, row);
     return 0;
 }
 
@@ -1083,7 +982,6 @@ static int state(double t, const double *x, const double *v, const double *c, do
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
-    static const int coordinate3[N3] = { 2, 3, 4 };
     em_spread(N, N3, coordinate3, y + 10, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
@@ -1103,8 +1001,7 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
-    static const int coordinate3[N3] = { 2, 3, 4 };
-    if (em_coincident(N3, coordinate3, y + 19, fault)) return -1;
+    if (em_coincident_block(&block3, y, fault)) return -1;
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 

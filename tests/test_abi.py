@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from eigenmotion.running import start
+from eigenmotion.running import drift, start, watch, witness
 from eigenmotion.running.methods import COMPILED
 from eigenmotion.runtime import StopReason
 
@@ -102,7 +102,24 @@ def test_every_method_has_a_case_of_its_own(method):
     assert f"case EM_{method.upper()}:" in (INCLUDE / "em_methods.h").read_text(encoding="utf-8")
 
 
-def test_eigenvalues_are_close_to_a_start_as_they_are_to_a_run():
-    found = re.search(r"#define EM_EPSILON (\S+)", (INCLUDE / "em_extrapolate.h").read_text(encoding="utf-8"))
+SAID_TWICE = {
+    "em_extrapolate.h EM_EPSILON": start._CLOSE,
+    "em_linear.h EM_SINGULAR_PIVOT": start._SINGULAR_PIVOT,
+    "em_guard.h EM_DRIFTED": drift._DRIFTED,
+    "em_trust.h EM_FARTHEST": drift._FARTHEST,
+    "em_witness.h EM_STEP_MAY": witness._STEP_MAY,
+    "em_witness.h EM_RUN_MAY": witness._RUN_MAY,
+    "em_chart.h EM_PASSAGE_ADDS": witness._PASSAGE_ADDS,
+    "em_survey.h EM_PROBE": watch._PROBE,
+    "em_events.h EM_OF_TOLERANCE": watch._OF_TOLERANCE,
+    "em_walk.h EM_NODES": len(watch._NODES),
+}
+
+
+@pytest.mark.parametrize("name", SAID_TWICE)
+def test_implicit_runs_and_starts_are_judged_as_compiled_runs_are(name):
+    header, constant = name.split()
+    text = (INCLUDE / header).read_text(encoding="utf-8")
+    found = re.search(rf"(?:#define {constant} |\b{constant} = )([-+.\de]+)", text)
     assert found is not None
-    assert float(found[1]) == start._CLOSE
+    assert float(found[1]) == SAID_TWICE[name]

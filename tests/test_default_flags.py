@@ -1,6 +1,6 @@
 """What users run, compiled at the default flags: compilers have rearranged such code wrongly.
 
-What it is made of is in `test_kernels`.
+What it is made of is in `test_kernels_*`.
 """
 
 import numpy as np

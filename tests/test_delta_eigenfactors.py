@@ -245,3 +245,13 @@ def test_where_they_meet_the_outcome_is_right_or_named(gap, rtol, stabilisation)
     allowed = 3 if stabilisation == "project" else 100
     assert error(runs[1], right) < allowed * max(error(runs[0], right), 0.0 if stabilisation == "project" else rtol)
     assert runs[1].success or rtol < 1e-6
+
+
+def test_where_rows_alone_carry_eigenfactors_the_triangular_root_takes_over():
+    """No block of M turns: all that changes is which factor of Delta counts."""
+    alone = system("veering_rows", schur="eigenfactor")
+    assert "C" not in alone.layout
+    found = alone.simulate((0, 10), parameters={"gap": 0.0}, rtol=1e-9, atol=1e-9, dense_output=True)
+    assert found.success, found.message
+    assert found.n_bounded > 0
+    assert error(found, exactly("veering_rows", 10.0, 0.0)) < 1e-7

@@ -152,11 +152,10 @@ def test_holonomic_rows_come_first():
     assert mechanics.b == (0, 3)
 
 
-def test_gradient_and_rate_of_the_mass_matrix():
+def test_gradient_of_the_mass_matrix():
     mechanics = derive(model(kinetic_energy=half * m * (q1.diff() ** 2 * (2 + sin(q2 * t)) + q2.diff() ** 2)))
     x_2, time = mechanics.x[1], mechanics.time
     assert mechanics.mass_matrix_gradient()[1][0, 0] == diff(m * (2 + sin(x_2 * time)), x_2)
-    assert mechanics.mass_matrix_rate()[0, 0] == diff(m * (2 + sin(x_2 * time)), time)
 
 
 def test_quasi_velocities_become_rates():

@@ -8,7 +8,6 @@ from functools import cache
 from importlib.resources import files
 
 import jinja2
-from jinja2 import meta
 
 from .program import Program
 
@@ -122,10 +121,3 @@ def commented(text: str) -> str:
 def _load(name: str) -> str | None:
     path = files("eigenmotion.templates").joinpath(name)
     return path.read_text(encoding="utf-8") if path.is_file() else None
-
-
-def undeclared(name: str) -> set[str]:
-    """Return the variables that a template needs to be given."""
-    text = _load(name)
-    assert text is not None, name
-    return meta.find_undeclared_variables(environment().parse(text))

@@ -59,7 +59,7 @@ def laid_out(scene: Scene, choices: Choices) -> Layout:
     groups = _row_groups(scene, choices, state, memory)
     return Layout(
         blocks=blocks, row_groups=groups, slices=_slices(scene.n, blocks, groups, choices), n_state=state.length,
-        n_memory=0 if choices.carries_v else memory.length, first_constant=prepared.length, extrapolated=extrapolated,
+        n_memory=memory.length, first_constant=prepared.length, extrapolated=extrapolated,
     )  # fmt: skip
 
 
@@ -67,16 +67,22 @@ def _view(scene: Scene, block: Block, choices: Choices, carried: tuple[int, int]
           ) -> BlockView:  # fmt: skip
     """Give a block places: a fixed one in the prepared parameters, others in the memory."""
     square, size, fixed = block.size**2, block.size, block.kind is Kind.FIXED
-    kept = (0, 0) if fixed else _kept(block, choices, memory)
-    factors = tuple(prepared.take(count * fixed) for count in (square, size, square, size))
+    C, s = (prepared.take(square), prepared.take(size)) if fixed else carried
+    L, r = (prepared.take(square), prepared.take(size)) if fixed else _kept(block, choices, memory)
     return BlockView(
         number=block.number, size=size, coordinates=block.coordinates,
         places=tuple(Place(k, local, _scale(scene, choices, k)) for local, k in enumerate(block.coordinates)),
         names=", ".join(scene.mechanics.x[k].name for k in block.coordinates),
         turning=block.kind is Kind.TURNING, single=block.kind is Kind.SINGLE, fixed=fixed,
-        constrained=block.constrained, C=carried[0], s=carried[1], C_fixed=factors[0], s_fixed=factors[1],
-        L_fixed=factors[2], r_fixed=factors[3], L_kept=kept[0], r_kept=kept[1],
+        constrained=block.constrained, home=_home(block, choices), C=C, s=s, L=L, r=r,
     )  # fmt: skip
+
+
+def _home(block: Block, choices: Choices) -> str:
+    """Where the root of a block is, in the words of em_blocks.h."""
+    if block.kind is Kind.FIXED:
+        return "EM_PREPARED_FACTORS" if choices.eigenfactor else "EM_PREPARED_ROOT"
+    return "EM_IN_STATE" if block.kind is Kind.TURNING and choices.eigenfactor else "EM_IN_MEMORY"
 
 
 def _kept(block: Block, choices: Choices, memory: _Store) -> tuple[int, int]:

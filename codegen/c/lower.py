@@ -42,7 +42,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
         on_lanes=not (layout.couples and choices.extrapolate),
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
-        settling=_settling(scene, layout, bool(turning)),
+        settling=_settling(scene, layout, bool(turning), choices),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,
         n_memory=layout.n_memory, n_prepared=layout.first_constant + n_constants,
         n_C=sum(block.size**2 for block in turning), n_s=sum(block.size for block in turning),
@@ -70,11 +70,11 @@ def _settles(scene: Scene, choices: Choices) -> bool:
     return scene.m > 0 or not choices.carries_v and any(b.kind is not Kind.FIXED for b in scene.blocks)
 
 
-def _settling(scene: Scene, layout: Layout, turning: bool) -> tuple[str, ...]:
+def _settling(scene: Scene, layout: Layout, turning: bool, choices: Choices) -> tuple[str, ...]:
     steps = (
         (scene.h, "constraints on positions"),
         (turning, "C and s"),
-        (layout.n_memory and not turning, "the root of M is kept"),
+        (layout.n_memory and not turning and not choices.carries_v, "the root of M is kept"),
         (scene.m, "constraints on velocities"),
     )
     return tuple(words for needed, words in steps if needed)

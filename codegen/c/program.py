@@ -24,8 +24,8 @@ class BlockView:
     number, size, coordinates, places, names : which coordinates
     turning, single, fixed : how its eigenfactors come about (one is true)
     constrained : whether a constraint row holds one of them
-    C, s : places in the state (turning), C_fixed, s_fixed, L_fixed, r_fixed : in the prepared parameters (fixed)
-    L_kept, r_kept : places in the memory of a run
+    home : where its root is: an em_home
+    C, s, L, r : places: in the prepared parameters (fixed); else C, s in the state, L, r in the memory of a run
     """
 
     number: int
@@ -37,14 +37,11 @@ class BlockView:
     single: bool
     fixed: bool
     constrained: bool
+    home: str
     C: int
     s: int
-    C_fixed: int
-    s_fixed: int
-    L_fixed: int
-    r_fixed: int
-    L_kept: int
-    r_kept: int
+    L: int
+    r: int
 
 
 @dataclass(frozen=True, slots=True)

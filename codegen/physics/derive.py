@@ -76,10 +76,6 @@ class Mechanics:
         """Return dM/dx_k, k = 1 .. n, each (n, n)."""
         return tuple(self.M.diff(symbol) for symbol in self.x)
 
-    def mass_matrix_rate(self) -> sympy.ImmutableDenseMatrix:
-        """Return dM/dt, the explicit part of Mdot."""
-        return self.M.diff(self.time)
-
 
 def derive(model: Model) -> Mechanics:
     """Read M, G, T0, V, Q, A and b off the energies, forces and constraints.

@@ -14,6 +14,7 @@ _LOOSEST = 1e-4  # a start is never further off the constraints than this, relat
 _TIGHTEST = 1e-9  # and rounding in what the user computed is forgiven up to this
 _STEPS = 10  # how many times the tolerances of a run its start may be off the constraints
 _CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
+_SINGULAR_PIVOT = 1e-13  # EM_SINGULAR_PIVOT
 _STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
 
 
@@ -128,7 +129,7 @@ def _first_bad_pivot(M: Vector) -> int | None:
     """Return the first k at which the pivot M_kk - M_k: M_::^-1 M_:k is not above rounding."""
     rest = M.copy()
     for k in range(len(M)):
-        if not rest[k, k] > 1e-13 * abs(M[k, k]):
+        if not rest[k, k] > _SINGULAR_PIVOT * abs(M[k, k]):
             return k
         with np.errstate(all="ignore"):  # what is not finite makes a later pivot so
             rest -= np.outer(rest[:, k], rest[k]) / rest[k, k]

@@ -1,17 +1,14 @@
 """Formulations and options: what the columns of the matrix are."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
-from ..codegen.choices import FORMULATIONS
+from ..codegen.choices import FORMULATIONS, Choices
 
 
 @dataclass(frozen=True, slots=True)
-class Variant:
-    """A formulation and its options."""
+class Variant(Choices):
+    """What shapes the code, and options of a run."""
 
-    formulation: str
-    close_eigenvalues: str = "bounded"
-    schur: str = "auto"
     stabilisation: str = "project"
     dependent_constraints: str = "refuse"
 
@@ -26,9 +23,7 @@ class Variant:
     @property
     def build(self) -> dict[str, str]:
         """Return the options of `eigenmotion.build`."""
-        return {
-            "formulation": self.formulation, "close_eigenvalues": self.close_eigenvalues, "schur": self.schur,
-        }  # fmt: skip
+        return {option.name: getattr(self, option.name) for option in fields(Choices)}
 
     @property
     def run(self) -> dict[str, str]:

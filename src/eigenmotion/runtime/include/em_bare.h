@@ -21,6 +21,7 @@ static int em_keep_constraints_at_start(em_walk *w) { return (void)w, 0; }
 static int em_check_dependent(em_walk *w) { return (void)w, 0; }
 static int em_check_positions(em_walk *w) { return (void)w, 0; }
 static int em_check_drift(em_walk *w) { return (void)w, 0; }
+static int em_check_factors(em_walk *w) { return (void)w, 0; }
 static void em_begin_chart(em_walk *w) { (void)w; }
 static int em_check_chart(em_walk *w) { return (void)w, 0; }
 

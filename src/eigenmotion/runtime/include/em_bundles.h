@@ -12,7 +12,7 @@ EM_INLINE double em_number_at(em_bundle (*at)[N_STATE], int k, int j) {
     return ((const double *)&at[j / EM_LANES][k])[j % EM_LANES];
 }
 
-EM_INLINE void em_put(em_bundle (*at)[N_STATE], int k, int j, double number) {
+EM_INLINE void em_put_at(em_bundle (*at)[N_STATE], int k, int j, double number) {
     ((double *)&at[j / EM_LANES][k])[j % EM_LANES] = number;
 }
 

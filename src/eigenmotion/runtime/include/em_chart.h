@@ -20,7 +20,7 @@
 /* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. */
 static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {
     double M[N * N], L[N * N], r[N];
-    EM_FACTORED(t, x, w->run->prepared, M);
+    factored(t, x, w->run->prepared, M);
     const int singular = em_cholesky(N, M, L, r, 0.0);
     for (int k = 0; k < N; ++k) {
         diagonal[k] = M[k * N + k];

@@ -16,8 +16,8 @@ EM_COLD int em_blame(em_walk *w, double t, const double *y) {
     const int first = em_non_finite_coordinate(y);
     if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
     double M[N * N], before[N * N];
-    EM_FACTORED(t, y, w->run->prepared, M);
-    EM_FACTORED(w->run->t_start, w->run->y_start, w->run->prepared, before);
+    factored(t, y, w->run->prepared, M);
+    factored(w->run->t_start, w->run->y_start, w->run->prepared, before);
     for (int k = 0; k < N * N; ++k)
         if (!isfinite(M[k])) return em_fail(&w->reason, EM_NON_FINITE_STATE, k % N, -1, NAN);
     if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
@@ -118,6 +118,19 @@ static int em_check_branch(em_walk *w, const em_root *root) {
     if (w->strongest > 0.0 && size > EM_SHORT * w->longest_step) return 0;
     if (pivot > near * w->strongest) return 0;
     return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, pivot / w->strongest);
+}
+
+/* Where nothing settles them, errors of C and s add up. In a motion they count by what they are of an eigenvalue of M,
+ * which may become small later. 0, or -1 and w->reason. */
+static int em_check_factors(em_walk *w) {
+    enum { DRIFTED = 1000 }; /* tolerances */
+    if (N_S == 0 || w->run->stabilise) return 0;
+    double M[N * N];
+    int first = -1;
+    factored(w->t_new, w->y_new, w->run->prepared, M);
+    const double error = em_worst_factors(blocks, M, w->y_new, &first);
+    if (!(error <= DRIFTED * w->rtol)) return em_fail(&w->reason, EM_FACTORS_DRIFTED, first, -1, error);
+    return 0;
 }
 
 /* Whether the constraints on positions tell one motion from another here. 0, or -1 and w->reason. */

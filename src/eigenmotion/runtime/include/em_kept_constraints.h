@@ -7,22 +7,6 @@
 
 #define EM_SAME_ROW 3e-12 /* the part of a row that may be left beside others: rounding, and of positions on the constraints */
 
-/* r (n) <- r without its parts along the `count` orthonormal rows of Q; twice, as once leaves rounding of what is gone. */
-static void em_remove_rows(int count, const double *Q, double *r) {
-    for (int pass = 0; pass < 2 * count; ++pass) {
-        const double *const q = Q + pass % count * N;
-        double along = 0.0;
-        for (int k = 0; k < N; ++k) along += q[k] * r[k];
-        for (int k = 0; k < N; ++k) r[k] -= along * q[k];
-    }
-}
-
-static double em_length(const double *r) {
-    double square = 0.0;
-    for (int k = 0; k < N; ++k) square += r[k] * r[k];
-    return sqrt(square);
-}
-
 /* A row of B that is not kept is one of the others' to rounding. What is a little different states another motion, which
  * squares, of which Delta is made, do not show. 0, or -1 and w->reason, which names it. */
 static int em_check_dropped(em_walk *w, const em_root *root, int kept) {
@@ -32,9 +16,9 @@ static int em_check_dropped(em_walk *w, const em_root *root, int kept) {
         const int row = number % EM_SOME_ROWS, keeps = (kept & EM_FIRST_KEPT << row) != 0;
         if (keeps == (number >= N_ROWS)) continue; /* those that are kept first */
         memcpy(r, root->B + row * N, sizeof r);
-        const double length = em_length(r);
-        em_remove_rows(count, Q, r);
-        const double left = em_length(r);
+        const double length = em_length(N, r);
+        em_remove_rows(N, count, Q, r);
+        const double left = em_length(N, r);
         if (!keeps && left > EM_SAME_ROW * length)
             return em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, row, -1, left / length);
         for (int k = 0; keeps && k < N; ++k) Q[count * N + k] = r[k] / left;

@@ -1,23 +1,14 @@
 /* em_mechanics.h: what every model can be asked, written once over the model's own functions.
  *
- * Included by NAME.c after it defined N, N_ROWS, N_POSITIONS, block, scales, mass_matrix, pfaffian, position,
+ * Included by NAME.c after it defined N, N_ROWS, N_POSITIONS, blocks, scales, factored, pfaffian, position,
  * motion_bias and observe. Nothing here is on the path of a right-hand side. */
 #ifndef EM_MECHANICS_H
 #define EM_MECHANICS_H
 
+#include "em_blocks.h"
 #include "em_differentiate.h"
-#include "em_eigenfactors.h"
-#include "em_rank.h"
 
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
-
-/* What is factored: M, or what NAME.c puts in its place where M is singular. The motion_bias is that of the same. */
-#ifndef EM_FACTORED
-#define EM_FACTORED mass_matrix
-#endif
-
-/* The unit of coordinate k in which a root of M is taken: the eigenproblem's, or its own. */
-#define EM_SCALE(k) (EM_SCALED_ROOT ? scales[k] : 1.0)
 
 /* M = L L^T of all coordinates and B = A L^-T (m, n), b (m), Delta = B B^T by its lower triangle. */
 typedef struct em_root {
@@ -27,7 +18,7 @@ typedef struct em_root {
 
 EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root, em_fault *fault) {
     double M[N * N];
-    EM_FACTORED(t, x, c, M);
+    factored(t, x, c, M);
     memset(root->L, 0, sizeof root->L);
     const int singular = em_cholesky(N, M, root->L, root->r, EM_SINGULAR_PIVOT);
     if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, singular, -1, 0.0);
@@ -185,67 +176,20 @@ EM_COLD int em_project(double t, double *x, double *v, const double *c, int leas
 /* C (n, n), s (n) of M(x) in units of `scales`, block by block; near the C given, or from scratch where C is 0. */
 EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, double *C, double *s, em_fault *fault) {
     double M[N * N], Mb[N * N], Cb[N * N], sb[N];
-    EM_FACTORED(t, x, c, M);
-    for (int number = 0, done = 0; done < N; ++number) {
-        int member[N], size = 0;
-        for (int k = 0; k < N; ++k)
-            if (block[k] == number) member[size++] = k;
+    factored(t, x, c, M);
+    for (int k = 0; k < N * N; ++k) M[k] *= scales[k / N] * scales[k % N];
+    for (const em_block *const *next = blocks; *next; ++next) {
+        const em_block *const b = *next;
         double given = 0.0;
-        for (int i = 0; i < size; ++i)
-            for (int j = 0; j < size; ++j) {
-                const int place = member[i] * N + member[j];
-                Mb[i * size + j] = scales[member[i]] * scales[member[j]] * M[place];
-                Cb[i * size + j] = C[place];
-                given += fabs(C[place]);
-            }
-        const int singular = given > 0.0 ? em_refresh_any(size, Mb, Cb, sb) : em_eigenfactors(size, Mb, Cb, sb);
-        if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, member[singular], -1, 0.0);
-        for (int i = 0; i < size; ++i) {
-            s[member[i]] = sb[i];
-            for (int j = 0; j < size; ++j) C[member[i] * N + member[j]] = Cb[i * size + j];
-        }
-        done += size;
+        em_gather(N, b->size, b->coordinate, M, Mb);
+        em_gather(N, b->size, b->coordinate, C, Cb);
+        for (int k = 0; k < b->size * b->size; ++k) given += fabs(Cb[k]);
+        const int singular = given > 0.0 ? em_refresh_any(b->size, Mb, Cb, sb) : em_eigenfactors(b->size, Mb, Cb, sb);
+        if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
+        em_spread(N, b->size, b->coordinate, Cb, C);
+        em_put(b, sb, s);
     }
     return 0;
-}
-
-/* eta (size) <- L^-T eta for the block of these coordinates, M (n, n) = L L^T, in units of `scales`. */
-EM_COLD int em_velocity_of_root(int size, const int *coordinate, const double *M, double *eta, em_fault *fault) {
-    double Mb[size * size], L[size * size], r[size];
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j <= i; ++j) {
-            const int row = coordinate[i], column = coordinate[j];
-            Mb[i * size + j] = EM_SCALE(row) * EM_SCALE(column) * M[row * N + column];
-        }
-    const int singular = em_cholesky(size, Mb, L, r, EM_SINGULAR_PIVOT);
-    if (singular >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate[singular], -1, 0.0);
-    em_backward(size, L, r, eta);
-    return 0;
-}
-
-/* The published right-hand side does not exist where two eigenvalues of a block are equal. */
-EM_COLD int em_coincident(int size, const int *coordinate, const double *s, em_fault *fault) {
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j < i; ++j)
-            if (s[i] == s[j]) return em_fail(fault, EM_COINCIDENT_EIGENVALUES, coordinate[j], coordinate[i], 0.0);
-    return 0;
-}
-
-EM_COLD int em_coincident_roots(int size, const double *s) {
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j < i; ++j)
-            if (s[i] == s[j]) return 1;
-    return 0;
-}
-
-/* C (size, size), s (size): eigenfactors of the part of Delta with these rows (47). */
-EM_COLD int em_delta_eigenfactors(int size, const int *rows, const em_root *root, double *C, double *s, em_fault *fault) {
-    double part[size * size];
-    for (int i = 0; i < size; ++i)
-        for (int j = 0; j <= i; ++j)
-            part[i * size + j] = part[j * size + i] = root->Delta[rows[i] * N_ROWS + rows[j]];
-    const int singular = em_eigenfactors(size, part, C, s);
-    return singular < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, rows[singular], -1, 0.0);
 }
 
 /* What the rate of (x, v) needs besides them. */

@@ -33,6 +33,13 @@ EM_INLINE void em_add_to_load(int n, int row, const real *restrict B, const real
     load[row] = sum;
 }
 
+/* *sum += a . b */
+EM_INLINE void em_add_product(int n, const real *restrict a, const real *restrict b, real *restrict sum) {
+    real whole = *sum;
+    for (int i = 0; i < n; ++i) whole += a[i] * b[i];
+    *sum = whole;
+}
+
 /* a (n) -= B^T lambda (45) */
 EM_INLINE void em_subtract_reactions(int m, int n, const real *restrict B, const real *restrict lambda,
                                      real *restrict a) {

@@ -11,7 +11,7 @@ EM_COLD int em_rates_one_by_one(em_walk *w) {
     for (int i = 0; i < EM_NODE_COUNT; ++i) {
         for (int k = 0; k < N_STATE; ++k) y[k] = em_number_at(q->Y, k, i);
         if (em_stage_rate(w, w->t + em_node_place[i] * w->h, y, dy)) return -1;
-        for (int k = 0; k < N_STATE; ++k) em_put(q->F, k, i, dy[k]);
+        for (int k = 0; k < N_STATE; ++k) em_put_at(q->F, k, i, dy[k]);
     }
     return 0;
 }

@@ -85,19 +85,31 @@ EM_COLD void em_pivoted_backward(int m, int rank, const double *L, const int *ro
         for (int i = k + 1; i < rank; ++i) z[row[k]] -= L[row[i] * m + k] * z[row[i]];
 }
 
+/* r (n) <- r without its parts along the `count` orthonormal rows of Q; twice, as once leaves rounding of what is gone. */
+EM_COLD void em_remove_rows(int n, int count, const double *Q, double *r) {
+    for (int pass = 0; pass < 2 * count; ++pass) {
+        const double *const q = Q + pass % count * n;
+        double along = 0.0;
+        for (int k = 0; k < n; ++k) along += q[k] * r[k];
+        for (int k = 0; k < n; ++k) r[k] -= along * q[k];
+    }
+}
+
+EM_COLD double em_length(int n, const double *r) {
+    double square = 0.0;
+    for (int k = 0; k < n; ++k) square += r[k] * r[k];
+    return sqrt(square);
+}
+
 /* x (m) <- x without its part along the `count` rows (m) of `null`, which become orthonormal. */
 EM_COLD void em_remove_parts(int m, int count, double *null, double *x) {
     for (int k = 0; k < count; ++k) {
         double *const row = null + k * m;
-        double square = 0.0, part = 0.0;
-        for (int other = 0; other < k; ++other) {
-            double along = 0.0;
-            for (int j = 0; j < m; ++j) along += row[j] * null[other * m + j];
-            for (int j = 0; j < m; ++j) row[j] -= along * null[other * m + j];
-        }
-        for (int j = 0; j < m; ++j) square += row[j] * row[j], part += row[j] * x[j];
-        for (int j = 0; j < m; ++j) x[j] -= part / square * row[j], row[j] /= sqrt(square);
+        em_remove_rows(m, k, null, row);
+        const double length = em_length(m, row);
+        for (int j = 0; j < m; ++j) row[j] /= length;
     }
+    em_remove_rows(m, count, null, x);
 }
 
 /* rhs (m) <- least-norm solution of Delta x = rhs for a positive semi-definite Delta of which the lower triangle is

@@ -55,12 +55,6 @@ EM_INLINE int em_mode_by_time(int mode, double gap, double time, double pace) {
     return mode ? gap < EM_CLOSE || time < EM_FAR * fabs(pace) : time < EM_NEAR * fabs(pace);
 }
 
-/* eta <- L^-T eta, the velocities, of M = L L^T; left where M is singular. */
-EM_INLINE void em_velocity_of_triangular(int n, const double *restrict M, double *restrict eta) {
-    double L[n * n], r[n];
-    if (em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) < 0) em_backward(n, L, r, eta);
-}
-
 /* eta <- the same velocities under the other root: L^T xdot where `triangular`, else S C xdot. */
 EM_INLINE void em_change_root(int n, int triangular, const double *restrict C, const double *restrict s,
                               const double *restrict L, const double *restrict r, double *restrict eta) {

@@ -30,19 +30,6 @@ static int em_check_settled(em_walk *w) {
     return em_fail_weakest(w, distance);
 }
 
-/* Where nothing settles them, errors of C and s add up. In a motion they count by what they are of an eigenvalue of M,
- * which may become small later. 0, or -1 and w->reason. */
-static int em_check_factors(em_walk *w) {
-#ifdef EM_CARRIES_FACTORS
-    enum { DRIFTED = 1000 }; /* tolerances */
-    if (w->run->stabilise) return 0;
-    int first = -1;
-    const double error = model_factor_error(w->t_new, w->y_new, w->run->prepared, &first);
-    if (!(error <= DRIFTED * w->rtol)) return em_fail(&w->reason, EM_FACTORS_DRIFTED, first, -1, error);
-#endif
-    return (void)w, 0;
-}
-
 /* Whether the step under way, settled, is one of the motion asked for. 0, or -1 and w->reason. */
 static int em_check_step(em_walk *w) {
     if (em_check_chart(w)) return -1;
