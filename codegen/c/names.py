@@ -10,9 +10,9 @@ WORDS = frozenset(
     "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while "
     "asm typeof main errno NULL EOF INFINITY NAN I complex imaginary bool true false linux unix i386 EIGENMOTION_H "
     "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log pow sqrt fabs erf floor ceil "
-    "isnan isfinite memset".split()
+    "isnan isfinite memset real".split()
 )
-"""Words of C, macros of its library, and the functions of it that kernels call."""
+"""Words of C, macros of its library, the functions of it that kernels call, and what they compute with (em_real.h)."""
 MACROS = re.compile(r"(DBL|FLT|LDBL|DECIMAL|FP|MATH|HUGE|EXIT|RAND|MB|M)_\w+|math_errhandling|(?i:em)_.*")
 """Of the C library and of our headers: replaced wherever they stand, also where a variable has the name."""
 

@@ -1,5 +1,5 @@
 /* At one size, a constant as in generated code: the compiler unrolls it so. */
-#include "em_multipliers.h"
+#include "em_extrapolate.h"
 
 enum { n = SIZE };
 
@@ -7,7 +7,10 @@ void omega(const double *s, const double *mu, double *Omega) { em_omega(n, s, mu
 void remember_omega(const double *s, const double *mu, double elapsed, double *kept) { em_remember_omega(n, s, mu, elapsed, kept); }
 void delta_rates(const int *rows, const double *C, const double *s, const double *Delta_dot, double *C_dot, double *s_dot,
                  double *lambda) {
-    em_delta_rates(n, rows, C, s, Delta_dot, NULL, 0.0, C_dot, s_dot, lambda);
+    double beta[n * n], Omega[n * n];
+    em_congruence(n, C, Delta_dot, beta);
+    em_omega_apart(n, s, beta, Omega);
+    em_delta_rates(n, rows, C, s, beta, Omega, C_dot, s_dot, lambda);
 }
 void add_delta_rate(const double *Adot, const double *Y, const double *Mdot, double *Delta_dot) {
     em_add_delta_rate(n, n, Adot, Y, Mdot, Delta_dot);
