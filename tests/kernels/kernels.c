@@ -23,6 +23,7 @@ void omega(const double *s, const double *mu, double *Omega) { em_omega(n, s, mu
 void remember_omega(const double *s, const double *mu, double elapsed, double *kept) { em_remember_omega(n, s, mu, elapsed, kept); }
 void velocity_of_eta(const double *C, const double *s, double *eta) { em_velocity_of_eta(n, C, s, eta); }
 void force_on_eta(const double *C, const double *s, double *f) { em_force_on_eta(n, C, s, f); }
+void momentum_of_eta(const double *C, const double *s, double *eta) { em_momentum_of_eta(n, C, s, eta); }
 void eta_of_velocity(const double *C, const double *s, double *v) { em_eta_of_velocity(n, C, s, v); }
 void ranked_rows(const double *Delta, double *pivot, int *row) { em_ranked_rows(n, Delta, pivot, row); }
 int rank_of(const double *Delta) { return em_rank(n, Delta); }
