@@ -19,6 +19,7 @@ from eigenmotion.models import dual_link, veering
 from veering import GAPS, TOLERANCES, choices, exactly
 
 import eigenmotion as em
+from eigenmotion.building.toolchain import INCLUDE
 
 GENERATED = {
     "cholesky": {"formulation": "cholesky"},
@@ -33,8 +34,9 @@ SMOOTH = {
     "smooth 1, on axes": ("-DDELTA=1.0", "-DDIAGONALISED=1"),
     "smooth, paced": ("-DDELTA=0.0", "-DPACED=0.5"),
 }
+HEADER = "em_takeover.h"
 THRESHOLDS = ((1.0, 1.4, 0.2), (1.0, 1.4, 0.4), (1.0, 1.4, 0.9), (0.5, 0.7, 0.5), (0.5, 1.0, 0.9))
-"""Others than those of the template: EM_NEAR, EM_FAR, EM_APART."""
+"""Others than those of the header: EM_NEAR, EM_FAR, EM_APART."""
 APART = 1.0
 """A gap at which no two eigenvalues are close: what a gauge costs where it is not needed."""
 LADDER = tuple(10.0 ** -(k / 2) for k in range(8, 25))
@@ -62,14 +64,14 @@ Measured = dict[tuple[float, float], dict[str, Found]]
 
 
 def with_thresholds(model: em.Model, work: Path, near: float, far: float, apart: float) -> Runner:
-    """Compile `bounded` with other numbers than the template's."""
-    source = generated(model, work) / f"{model.name}.c"
-    lines = source.read_text().splitlines()
+    """Compile `bounded` with other numbers than the header's."""
+    generated(model, work)
+    lines = (INCLUDE / HEADER).read_text().splitlines()
     for name, value in (("EM_NEAR", near), ("EM_FAR", far), ("EM_APART", apart)):
         (at,) = (k for k, line in enumerate(lines) if line.startswith(f"#define {name} "))
         lines[at] = f"#define {name} {value}"
-    source.write_text("\n".join(lines) + "\n")
-    return Runner(compiled(work, model.name, (source.name,), "run.c"))
+    (work / HEADER).write_text("\n".join(lines) + "\n")  # found before the package's
+    return Runner(compiled(work, model.name, (f"{model.name}.c",), "run.c"))
 
 
 def of_generator(model: em.Model, folder: Path) -> dict[str, Runner]:

@@ -14,6 +14,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, ModelError, System, t
 from eigenmotion.runtime import EvaluationError, StopReason
+from eigenmotion.stability import CASES as EXTREME
 
 from .generation import loaded, system_for, system_of
 from .honest import FORMULATIONS, X, Y, check_honest, plane
@@ -122,6 +123,24 @@ def test_eigenfactors_that_drifted_are_named():
     assert "'alpha'" in found.message or "'beta'" in found.message
 
 
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_constraints_that_drifted_are_named(formulation):
+    """z of next to no inertia: its weight less the reaction leaves rounding, over m_z, whatever the tolerance."""
+
+    def ended(m_z: float, rtol: float, **options: str):
+        point = EXTREME["massless"].trial(m_z)
+        system = system_for(EXTREME["massless"].model(m_z), formulation)
+        return system.simulate((0, 2), x0=point.x0, v0=point.v0, parameters=point.parameters, rtol=rtol, atol=rtol,
+                               **options)  # fmt: skip
+
+    for method, rtol in (("dopri5", 1e-8), ("dop853", 1e-7), ("rk34", 1e-7)):
+        found = ended(1e-14, rtol, method=method, stabilisation="none")
+        check_honest(found)
+        assert found.stop is StopReason.CONSTRAINTS_DRIFTED, method
+        assert "row 0" in found.message
+        assert ended(1e-6, rtol, method=method, stabilisation="none").success
+
+
 def test_an_energy_without_a_value_is_named():
     found = system_for(plane("logarithm", potential_energy=log(X))).simulate((0, 1), x0=[-1, 0])
     check_honest(found)
@@ -156,7 +175,7 @@ def test_equal_eigenvalues_that_stay_equal_may_be_extrapolated():
 def test_every_reason_is_tested_here():
     own = {*ENDS, StopReason.TOO_MANY_STEPS, StopReason.FINISHED, StopReason.COINCIDENT_EIGENVALUES,
            StopReason.INTERRUPTED, StopReason.OUT_OF_MEMORY, StopReason.FACTORS_DRIFTED,
-           StopReason.ENERGY_DRIFTED}  # fmt: skip
+           StopReason.ENERGY_DRIFTED, StopReason.CONSTRAINTS_DRIFTED}  # fmt: skip
     assert own | {StopReason.TERMINAL_EVENT, StopReason.EVENT_UNDEFINED} == set(StopReason)  # those in test_events
 
 

@@ -68,6 +68,7 @@ def test_products_and_measures(compiled):
             ("velocity_of_eta", C.T / s),
             ("force_on_eta", (C.T / s).T),
             ("eta_of_velocity", (C.T * s).T),
+            ("momentum_of_eta", C.T * s),
         ):
             b = random.normal(size=n)
             found = b.copy()

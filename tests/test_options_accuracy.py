@@ -5,7 +5,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from .generation import system_of
+from eigenmotion.stability import CASES as EXTREME
+
+from .generation import system_for, system_of
 from .models_table import BY_NAME, EVERY, Scenario
 from .test_scales import CASES, scaled
 
@@ -78,3 +80,24 @@ def test_choices_of_build(scenario, stabilisation):
 def test_scales(name, choice, stabilisation):
     times = worse(BY_NAME[name], scaled(name, choice), stabilisation)
     assert within_ten(times, stabilisation), times
+
+
+@pytest.mark.parametrize("gap", [1e-12, 1e-9, 1e-7])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
+def test_extrapolation_past_a_near_miss_leaves_no_error(gap, tolerance):
+    """Beyond EM_EPSILON, of 1e-6: below it Omega is not followed, whatever the tolerance."""
+    options = {"parameters": {"gap": gap}, "rtol": tolerance, "atol": tolerance}
+    exact = system_of("veering", "cholesky").simulate((0, 22), parameters={"gap": gap}, rtol=1e-13, atol=1e-13)
+    run = system_of("veering", close_eigenvalues="extrapolate").simulate((0, 22), **options)
+    assert run.success
+    assert np.abs(run.x[:, -1] - exact.x[:, -1]).max() < 20 * tolerance
+
+
+@pytest.mark.parametrize("miss", [1e-8, 1e-9])
+def test_momentum_is_the_same_after_an_extrapolation(miss):
+    """A particle in polar coordinates: as r falls, r^2 meets another eigenvalue, and the coupling is the miss."""
+    case, point = EXTREME["polar"], EXTREME["polar"].trial(miss)
+    system = system_for(case.model(miss), close_eigenvalues="extrapolate")
+    for method, rtol in (("dopri5", 1e-4), ("dopri5", 1e-8), ("dop853", 1e-4), ("rk34", 1e-3)):
+        run = system.simulate((0, 0.5), x0=point.x0, v0=point.v0, rtol=rtol, atol=rtol * point.units, method=method)
+        assert np.abs(run.x[2] ** 2 * run.v[1] / point.v0[1] - 1).max() < 100 * rtol, (method, rtol)

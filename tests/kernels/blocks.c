@@ -34,7 +34,7 @@ int velocity_at(context *at, const double *M, double *v) {
 void publish_block(context *at, const double *v, double *row) { BLOCK; em_publish_block(&b, v, at->y, row); }
 int settle_factors(context *at, const double *M) {
     BLOCK;
-    return em_settle_factors(&b, at->mode, M, at->y, at->memory, &at->fault);
+    return em_settle_factors(&b, at->mode, 0, M, at->y, at->memory, &at->fault);
 }
 int change_mode(context *at, const double *M) { BLOCK; return em_change_mode(&b, at->mode, M, at->y, at->memory, &at->fault); }
 void rows_of_block(context *at, const double *A, double *B) {

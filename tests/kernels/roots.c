@@ -20,6 +20,7 @@ double gap(const double *s) { return em_gap(n, s); }
 double time_to_crossing(const double *s, const double *mu) { return em_time_to_crossing(n, s, mu); }
 void velocity_of_eta(const double *C, const double *s, double *eta) { em_velocity_of_eta(n, C, s, eta); }
 void force_on_eta(const double *C, const double *s, double *f) { em_force_on_eta(n, C, s, f); }
+void momentum_of_eta(const double *C, const double *s, double *eta) { em_momentum_of_eta(n, C, s, eta); }
 void eta_of_velocity(const double *C, const double *s, double *v) { em_eta_of_velocity(n, C, s, v); }
 int mode_by_gaps(int mode, int flags, double gap, double delta_gap) { return em_mode_by_gaps(mode, flags, gap, delta_gap); }
 int mode_by_time(int mode, double gap, double time, double pace) { return em_mode_by_time(mode, gap, time, pace); }

@@ -22,6 +22,7 @@ class StopReason(StrEnum):
     FACTORS_DRIFTED = "eigenfactors drifted"
     EVENT_UNDEFINED = "event undefined"
     ENERGY_DRIFTED = "energy drifted"
+    CONSTRAINTS_DRIFTED = "constraints drifted"
 
     @property
     def success(self) -> bool:
@@ -94,6 +95,11 @@ _REMEDY = {
         "what was computed is no longer the motion. Look at where the coordinates or the energies are singular (Euler "
         "angles in gimbal lock, log of a negative number) or kinked, and choose coordinates that are regular there; "
         "lower max_step where a force changes within a short distance."
+    ),
+    StopReason.CONSTRAINTS_DRIFTED: (
+        "Without stabilisation A v + b of constraint {row} has changed by far more than rtol and atol allow: rounding "
+        "of the multipliers adds up, or the constraint jumps. Loosen rtol and atol, or pass "
+        'stabilisation="project"; a coordinate that has next to no inertia beside the forces on it is better left out.'
     ),
 }
 

@@ -11,7 +11,7 @@ LETTERS = {
     "not offered": "F", "start refused": "X", "step size underflow": "S", "too many steps": "N",
     "non-finite state": "I", "singular mass matrix": "M", "dependent constraints": "C", "coincident eigenvalues": "E",
     "position not reached": "P", "eigenfactors drifted": "D",
-    "event undefined": "U", "energy drifted": "W",
+    "event undefined": "U", "energy drifted": "W", "constraints drifted": "B",
 }  # fmt: skip
 
 

@@ -126,13 +126,16 @@ EM_INLINE int em_keep_root(const em_block *b, const double *M, double *memory, e
     return singular < 0 ? 0 : em_fail_block(b, singular, 0.0, fault);
 }
 
-/* y <- with the eigenfactors of M (size, size), with which eta turns; in mode 1 it is of the root that the memory gets. */
-EM_INLINE int em_settle_factors(const em_block *b, int mode, const double *M, double *y, double *memory,
+/* y <- with the eigenfactors of M (size, size), with which eta turns; in mode 1 it is of the root that the memory gets.
+ * Where Omega was `continued`, not C^T S^-1 eta is known, but C^T S eta. */
+EM_INLINE int em_settle_factors(const em_block *b, int mode, int continued, const double *M, double *y, double *memory,
                                 em_fault *fault) {
     double eta[b->size];
     em_take(b, y + b->n, eta);
-    const int singular = em_refresh(b->size, M, y + b->C, y + b->s, mode ? NULL : eta);
+    if (continued) em_momentum_of_eta(b->size, y + b->C, y + b->s, eta);
+    const int singular = em_refresh(b->size, M, y + b->C, y + b->s, mode || continued ? NULL : eta);
     if (singular >= 0) return em_fail_block(b, singular, 0.0, fault);
+    if (continued) em_force_on_eta(b->size, y + b->C, y + b->s, eta);
     em_put(b, eta, y + b->n);
     return mode ? em_keep_root(b, M, memory, fault) : 0;
 }

@@ -26,6 +26,16 @@ EM_INLINE void em_eta_of_velocity(int n, const real *restrict C, const real *res
     memcpy(v, eta, sizeof eta);
 }
 
+/* eta <- C^T S eta, the momenta M xdot. Whatever Omega turns C and eta, they are what the forces make of them. */
+EM_INLINE void em_momentum_of_eta(int n, const real *restrict C, const real *restrict s, real *restrict eta) {
+    real p[n];
+    for (int j = 0; j < n; ++j) {
+        p[j] = em_real(0.0);
+        for (int i = 0; i < n; ++i) p[j] += C[i * n + j] * (s[i] * eta[i]);
+    }
+    memcpy(eta, p, sizeof p);
+}
+
 /* f <- S^-1 C f: a force, or a constraint row, as the quasi-velocities feel it (28) */
 EM_INLINE void em_force_on_eta(int n, const real *restrict C, const real *restrict s, real *restrict f) {
     real a[n];

@@ -37,7 +37,7 @@ static int em_check_step(em_walk *w) {
     if (N_ROWS > 0 && w->run->least_norm && em_check_dependent(w)) return -1;
     if (N_ROWS > 0 && w->run->stabilise && em_check_settled(w)) return -1;
     if (N_POSITIONS > 0 && !(w->run->stabilise) && em_check_drift(w)) return -1;
-    return em_check_factors(w) || em_check_energy(w) ? -1 : 0;
+    return em_check_factors(w) || em_check_witness(w) ? -1 : 0;
 }
 
 #endif

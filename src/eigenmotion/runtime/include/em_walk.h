@@ -18,6 +18,7 @@ enum {
     EM_PLACES = EM_QUARTERS + EM_NODES,
     EM_MOST_FOUND = N_EVENTS > 0 ? N_EVENTS * (EM_PLACES + EM_NODES) : 1,
     EM_SOME_INPUTS = N_INPUTS > 0 ? N_INPUTS : 1,
+    EM_ROWS_OR_ONE = N_ROWS > 0 ? N_ROWS : 1,
     EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1,
     EM_BUNDLES = EM_NODE_COUNT / EM_LANES,
     EM_FIRST_RATE = EM_SECOND_ORDER ? N : 0 /* of the state: what the rates at nodes are integrated for */
@@ -97,11 +98,12 @@ struct em_walk {
     double signals_end;                        /* where the first piece ends: no step goes beyond */
     double error_norm;                         /* of the step under way: it counts below 1 */
     double size_norm, last_error;              /* what the next step is chosen by; log of that of the last accepted one */
-    double longest[N_ROWS > 0 ? N_ROWS : 1];   /* squared lengths of the rows of B, the largest so far */
+    double longest[EM_ROWS_OR_ONE];            /* squared lengths of the rows of B, the largest so far */
     double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta with rows in such units */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
     double energy, energy_tolerance;           /* at the start; what the tolerances make of it, the largest so far */
-    long next_witness;                         /* the number of right-hand sides at which it is looked at again */
+    double row_rate[EM_ROWS_OR_ONE], row_tolerance[EM_ROWS_OR_ONE]; /* the same of A v + b, where nothing is settled */
+    long next_witness;                         /* the number of right-hand sides at which these are looked at again */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
     int starts_near;                           /* whether the start is near a singularity of the chart */

@@ -3,7 +3,7 @@
 #ifndef EM_WITNESS_H
 #define EM_WITNESS_H
 
-#include "em_norm.h"
+#include "em_drift.h"
 
 /* In right-hand sides: so seldom is the energy looked at that it costs nothing. */
 #define EM_WITNESS_EVERY 128
@@ -41,8 +41,9 @@ EM_COLD double em_energy_tolerance(const em_walk *w, double t, const double *x, 
     return sum + DBL_EPSILON * (fabs(e[0]) + fabs(e[2]) + fabs(e[3]));
 }
 
-/* The energy at the start. 0, or -1 and w->reason: it is not finite. */
+/* Energy and constraints at the start. 0, or -1 and w->reason: the energy is not finite. */
 static int em_begin_witness(em_walk *w) {
+    em_begin_drift(w);
     if (!em_has_witness(w->run)) return 0;
     w->energy = em_jacobi_integral(w, w->t, w->y, w->K[0]);
     w->energy_tolerance = em_energy_tolerance(w, w->t, w->y, w->K[0]);
@@ -50,8 +51,7 @@ static int em_begin_witness(em_walk *w) {
 }
 
 EM_COLD int em_look_at_energy(em_walk *w) {
-    em_run *run = w->run;
-    w->next_witness = run->n_rhs + EM_WITNESS_EVERY;
+    const em_run *run = w->run;
     if (!em_has_witness(run)) return 0;
     const double drift = fabs(em_jacobi_integral(w, w->t_new, w->y_new, w->f_new) - w->energy);
     const double steps = (run->stabilise ? EM_RUN_MAY : EM_DRIFT_MAY) + EM_STEP_MAY * (double)run->n_steps;
@@ -60,9 +60,11 @@ EM_COLD int em_look_at_energy(em_walk *w) {
     return drift <= steps * w->energy_tolerance ? 0 : em_fail(&w->reason, EM_ENERGY_DRIFTED, -1, -1, drift);
 }
 
-/* Whether the energy at t_new is what it may be. 0, or -1 and w->reason. */
-EM_INLINE int em_check_energy(em_walk *w) {
-    return w->run->n_rhs < w->next_witness && w->t_new != w->run->t_end ? 0 : em_look_at_energy(w);
+/* Whether energy and constraints at t_new are what they may be. 0, or -1 and w->reason. */
+EM_INLINE int em_check_witness(em_walk *w) {
+    if (w->run->n_rhs < w->next_witness && w->t_new != w->run->t_end) return 0;
+    w->next_witness = w->run->n_rhs + EM_WITNESS_EVERY;
+    return em_look_at_drift(w) || em_look_at_energy(w) ? -1 : 0;
 }
 
 #endif
