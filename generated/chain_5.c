@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:5e48d3abe0d59bd971f43e8fcd3a7f06a31d7c89944b3df8993c54a50fccae8c */
+/* body sha256:f71c0dae4e6a098c1b3f53480da21c5812896e75992d93cc0181b7d643b71e79 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -954,7 +954,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], shared[10];
     settled_masses(y, c, M1, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 35);
     const double delta_gap = INFINITY;

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:153350c54f7b1b8d6238fe6e2a8be045ec0a2c9123e3c5e898104ecae22e90f8 */
+/* body sha256:ac61113190b9bd72613c5d726e2965304ca7dddc25a8bd5eda6ca4c53ee0fa80 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -479,7 +479,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
     settled_masses(y, c, M1, A1, b, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 15);
     const double delta_gap = INFINITY;

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:4eb5ecdb7c2456713f7416a8e3f355f93628a40bea8debb534b5a11bf6182f56 */
+/* body sha256:39770b6dc3032ec65d4b669dc32ca1f83287efecbf9005b8f1877490d4f6ff4d */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -450,7 +450,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], shared[4];
     settled_masses(y, c, M1, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 8);
     const double delta_gap = INFINITY;

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:877a5b09ffb2ce44e8ef7ad8e6bc5d85c09a5ffccd4b9218a143b644eaf58ff5 */
+/* body sha256:414cac57a697ea854f63bf7aef7cea4a188a60617689f8b9198b16627f499248 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -699,7 +699,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 17);
     const double delta_gap = INFINITY;

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:16c38c9a81dbce27656e76c8247f322aabb92eb4303007740e9fb7f27ed8e677 */
+/* body sha256:c4664bbb21c4e4fa019cf08ab500fb751b56f83b15f8800465cb190d2b23a7b2 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -691,7 +691,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double M1[N1][N1], A1[N_ROWS][N1], A2[N_ROWS][N2], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, A2, b, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 10);
     const double delta_gap = INFINITY;

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:98e1f19b7d462a24712a2e9063764c01af71b3ab0b872359f3a91c10623e7a15 */
+/* body sha256:ba6cc9169cf3b6af330522f920e65071b80d8331e7bbe48cf8bf53364c57cae1 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -457,7 +457,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], shared[2];
     settled_masses(y, c, M1, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 10);
     const double delta_gap = INFINITY;

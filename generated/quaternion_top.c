@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:3de3d2bfed4a002904664d0e86040cff101c929954fe59e4914df5b8f4688660 */
+/* body sha256:a180d6b32d332e40cdc51a70eea3fb0421c72d59726dadbdd830732d92e15e58 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -843,7 +843,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS];
     settled_masses(y, c, M1, A1, b);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 24);
     const double delta_gap = INFINITY;

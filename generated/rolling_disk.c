@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:97a3050f38485ad9627d175cf779a24e332e750d317f64e48524e8fdd530ae24 */
+/* body sha256:06bacdbe0b6d1aaf17eacb93e81e21aeacecaaaff82f6e09dbd5e6e43af66a0b */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -730,7 +730,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 35);
     const double delta_gap = INFINITY;

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:a71a4394ab15fbf0db5742c9674b5fad8746103bcc8b83f023b990ebcb8b77b8 */
+/* body sha256:6c4e7469b9742842c152b0023204ba42c59f0e1061ef696aee1eb471dcf91e35 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -639,7 +639,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double M1[N1][N1], A1[N_ROWS][N1], A2[N_ROWS][N2], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, A2, b, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 10);
     const double delta_gap = INFINITY;

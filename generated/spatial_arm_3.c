@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:32d21244b500eee82af81371444e4198501e7b139db7344ae8140f3edddc7f6f */
+/* body sha256:a46d520c9754c648bdd3f7e08c86b30281383dd9cf26e420dbf0a0aefde8ec36 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -920,7 +920,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M1[N1][N1], shared[12];
     settled_masses(y, c, M1, shared);
-    if (changed && em_settle_factors(&block1, *mode, M1[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N1, y + 15);
     const double delta_gap = INFINITY;

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:47c0c6b3181b0035f3095a4829cf3b5403964d8a1e2a2ddf6a91bc8f3d6b86ac */
+/* body sha256:5e084a0c28deb7678bca64d1e12e0dd8bfaff427358eca743b67e1fe4a612c75 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -886,7 +886,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     int changed = rested || (flags & EM_STABILISE);
     double M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
-    if (changed && em_settle_factors(&block3, *mode, M3[0], y, memory, fault)) return -1;
+    if (changed && em_settle_factors(&block3, *mode, 0, M3[0], y, memory, fault)) return -1;
 
     const double gap = em_gap(N3, y + 19);
     const double delta_gap = INFINITY;
