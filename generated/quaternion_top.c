@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:d89266de0f85aec7b38bdcf324ed38d00e15b860eabdd8a90acfada9e47b81dd */
+/* body sha256:765e2d979c598e0a7b3f4a45211b55ff6d2e8b8a70b0814bed924be0707d35f0 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -133,6 +133,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {
@@ -222,6 +223,7 @@ static void factored_matrix(EM_UNUSED double t, const double *restrict x, const 
 #define EM_FACTORED factored_matrix
 
 /* dM (n, n, n), of that */
+EM_RARE /* no step calls it */
 static void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                               double *restrict dM)
 {

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:3c6f61d2c04632f9732293d15576474b36af66c2f2e104b3d5dd0c5cf0cc006b */
+/* body sha256:fd13912c0cf5df0276ca455e395736011358d00913b0aa5b3edfb4aa00f66e99 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -91,6 +91,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                                  EM_UNUSED const double *restrict c, double *restrict dM)
 {

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:192bd22083e804faebadf692b7498c63405f61c620667bb431e58c19c751d895 */
+/* body sha256:76cc8cd8b0a224ea74d807b408123d24ee91d47be018276d333f5a5f34ac488d */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -87,6 +87,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                                  EM_UNUSED const double *restrict c, double *restrict dM)
 {

@@ -17,6 +17,7 @@ enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8 };
 #define EM_INLINE static inline __attribute__((always_inline, unused))
 #define EM_COLD static __attribute__((noinline, unused))
 #define EM_UNUSED __attribute__((unused))
+#define EM_RARE __attribute__((cold)) /* called by no step: for size, which takes a compiler less time */
 
 EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, double size) {
     fault->status = status;
