@@ -134,7 +134,7 @@ def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: f
 
 
 def _held(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
-    """Return the symbols in expressions; what they share is looked at once, where `free_symbols` walks it every time."""
+    """Return the symbols in expressions; looks once at what they share, where `free_symbols` walks it every time."""
     seen: set[sympy.Basic] = set()
     new = set(expressions)
     while new:
