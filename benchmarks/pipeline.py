@@ -63,7 +63,7 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
             stack.enter_context(patch.object(compiler, name, timed(name, getattr(compiler, name), seconds)))
         for name, title in COMPILER.items():
             stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
-        for name, title in (("run", "Cython"), ("prove", "proof"), ("_import", "import")):
+        for name, title in (("translate", "Cython"), ("prove", "proof"), ("_import", "import")):
             stack.enter_context(patch.object(extension, name, timed(title, getattr(extension, name), seconds)))
         model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
         timed("all", build, seconds)(model)

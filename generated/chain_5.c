@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:f71c0dae4e6a098c1b3f53480da21c5812896e75992d93cc0181b7d643b71e79 */
+/* body sha256:87dd2aa33299173781f9a8225ff03bf2c316ccd2f788ff70aa0a884a15796d92 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -552,6 +552,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:414cac57a697ea854f63bf7aef7cea4a188a60617689f8b9198b16627f499248 */
+/* body sha256:63fd59782c11bdac9938367f9986243c774f093d37d1a64aba3665c036028e1d */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -467,6 +467,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:abc59620201fb23c4625cb4e2bad8c12718791e60450c2db9873352666626206 */
+/* body sha256:00f6502985585177adb73269377f8c8ec8feb42f604fa9fac94ab10d1dcf4ecf */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -230,6 +230,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {

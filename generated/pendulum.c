@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:4e4265a0f1f8abf19466ef6a5fb3c204289343f5a77f1344e4da680aefadb72a */
+/* body sha256:aabfb7aec9e45dde910a2d9615200d2cc7b87264a3ddb66004178c07f856cbf1 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -177,6 +177,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                                  EM_UNUSED const double *restrict c, double *restrict dM)
 {

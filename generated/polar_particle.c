@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:8b850f229c1b8021c6f6e5e78beda989370ec3b0d3d7cfb98ad20721614ef5de */
+/* body sha256:f3cfe927a169da6f57e8053f2cc8e64195e45317b48b11df9409490314825c86 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -227,6 +227,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {

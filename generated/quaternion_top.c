@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:a180d6b32d332e40cdc51a70eea3fb0421c72d59726dadbdd830732d92e15e58 */
+/* body sha256:0a0a36b0166e5b487fcaf8f4883b2ca1bb2e102e683ad47e5fb4a6a9a4206632 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -476,6 +476,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {
@@ -564,6 +565,7 @@ static void factored_matrix(EM_UNUSED double t, const double *restrict x, const 
 }
 
 /* dM (n, n, n), of that */
+EM_RARE /* no step calls it */
 static void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                               double *restrict dM)
 {

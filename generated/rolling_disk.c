@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:06bacdbe0b6d1aaf17eacb93e81e21aeacecaaaff82f6e09dbd5e6e43af66a0b */
+/* body sha256:6da8dff8fc8b31112e60697e2ea0b22c10d238335f52c3ad5087f5ea19b04d98 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -469,6 +469,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:5894aabe2bf9ced7d784c465513890f64ce533101e2b158deb20752e272ca222 */
+/* body sha256:65137c531005d96878315f743396dc352133935cca830618e6f7b14720ad89b5 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -182,6 +182,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                                  EM_UNUSED const double *restrict c, double *restrict dM)
 {

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:e4a8b1600dc3090c1feed6af0e6a437da0b211576c0f1bfcb529ec8fdf106242 */
+/* body sha256:6f9899e269db53baf0d42a51ee22a314b1414ecac1dbe01d7fcef8702794136b */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -216,6 +216,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                                  EM_UNUSED const double *restrict c, double *restrict dM)
 {

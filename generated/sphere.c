@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:5e084a0c28deb7678bca64d1e12e0dd8bfaff427358eca743b67e1fe4a612c75 */
+/* body sha256:c62c77d2e1a73d240444c78b8ff0f901fea6e2107bb18a60fcff4c3cf8501e97 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -572,6 +572,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {

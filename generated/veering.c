@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:1d817c90ed4b432e345b9834753586980729c1719cf9bd07f8ec080451f65133 */
+/* body sha256:c7c4ce23a530f62ee7eb9a2d903da28f9b4610e3c151fb10d5a1f9d93514c540 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -258,6 +258,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
 static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                                  EM_UNUSED const double *restrict c, double *restrict dM)
 {

@@ -9,7 +9,8 @@ from eigenmotion.running.methods import COMPILED
 SOURCE = string.Template(r"""
 #include "eigenmotion.h"
 #include "em_linear.h"
-enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0, N_STATE = 2 * N + N_C + N_S };
+enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0 };
+enum { N_STATE = 2 * N + N_C + N_S };
 enum { EM_SECOND_ORDER = $second_order, N_INPUTS = $n_inputs, N_EVENTS = $n_events, N_MEMORY = $n_memory, SETTLES = $settles };
 #define UNUSED (void)mode, (void)t, (void)y, (void)c, (void)u, (void)memory, (void)flags, (void)h, (void)fault
 $preamble
@@ -62,7 +63,8 @@ const em_tableau *tableau(int method) {
 }
 $main
 """)
-RUNGE_KUTTA = tuple(name for name in COMPILED if f"EM_{name.upper()}_TABLEAU" in (INCLUDE / "em_tableaux.h").read_text())
+STATED = (INCLUDE / "em_tableaux.h").read_text(encoding="utf-8")
+RUNGE_KUTTA = tuple(name for name in COMPILED if f"EM_{name.upper()}_TABLEAU" in STATED)
 TABLEAUX = ", ".join(f"[{COMPILED[name].number}] = &EM_{name.upper()}_TABLEAU" for name in RUNGE_KUTTA)
 
 

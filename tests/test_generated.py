@@ -120,7 +120,8 @@ WORDS = re.compile(r"[A-Za-z_]\w*")
 HARD = (
     "double int inline restrict static register yield class None nogil sin cos tan exp log pow sqrt fabs gamma y0 "
     "jn i j k r row sum column product stretch turn isnan NAN INFINITY NULL I errno linux main memset size_t "
-    "real em_real velocities em_model em_fault c_0 c_1 c_2 z_0 z_1 z_2 sin_0 C1 s1 L1 M1 Mdot1 r1 w1 v1 f1 a1 q1 B1 A1 N1 Omega1 C1_dot "
+    "real em_real velocities em_model "
+    "em_fault c_0 c_1 c_2 z_0 z_1 z_2 sin_0 C1 s1 L1 M1 Mdot1 r1 w1 v1 f1 a1 q1 B1 A1 N1 Omega1 C1_dot "
     "singular1 state rhs M N L C s f y dy c eta_dot gap_dot row_ M1_ B2 mu1 eta1 N_ROWS memory shared det1 prepared "
     "parameters mass_matrix eigenfactor_motion A b phi terms bias e out crossing dM fault mode t_"
 ).split()

@@ -50,6 +50,12 @@ def integral(polynomial):
     return [c / (len(polynomial) - k) for k, c in enumerate(polynomial)] + [0]
 
 
+def part_of(polynomial, l):
+    """Its coefficient on Legendre's P_l, shifted to [0, 1]."""
+    product = mpmath.quad(lambda x: mpmath.polyval(polynomial, x) * mpmath.legendre(l, 2 * x - 1), [0, 1])
+    return (2 * l + 1) * product
+
+
 def test_coefficients_are_those_of_left_radau():
     with mpmath.workdps(50):
         guesses = stated("em_node_place")
@@ -58,8 +64,7 @@ def test_coefficients_are_those_of_left_radau():
         polynomials = lagrange_polynomials(nodes)
         once = [integral(p) for p in polynomials]
         twice = [integral(p) for p in once]
-        legendre = [[float((2 * l + 1) * mpmath.quad(lambda x, p=p, l=l: mpmath.polyval(p, x) * mpmath.legendre(l, 2 * x - 1), [0, 1]))
-                     for l in range(8)] for p in polynomials]  # fmt: skip
+        legendre = [[part_of(p, l) for l in range(8)] for p in polynomials]
         expected = {
             "em_node_place": nodes,
             "em_end_weight": [mpmath.polyval(p, 1) for p in once],
@@ -76,8 +81,8 @@ def test_coefficients_are_those_of_left_radau():
 
 @KINDS
 def test_order_seen_on_a_smooth_problem(build: Build, second_order: int) -> None:
-    """The error over many tolerances, rows within included, falls with the number of steps: in (x, v) as the polynomial's
-    does; in a state of first order as the iteration's, which gains a power each time, and not two."""
+    """The error over many tolerances, rows within included, falls with the number of steps: in (x, v) as that of the
+    polynomial; in a state of first order as that of the iteration, which gains a power each time, and not two."""
     compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
     times, steps, errors = np.linspace(0.0, 200.0, 1000), [], []
     for rtol in 10.0 ** -np.arange(3, 13):
@@ -101,7 +106,11 @@ PEAK = "dy[0] = y[1]; dy[1] = 1e-3 / ((t - u[0]) * (t - u[0]) + 1e-6) - y[0];"
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
 @pytest.mark.parametrize(
     ("rhs", "end"),
-    [(KINK, lambda s: (s**3 / 6, s**2 / 2)), (JUMP, lambda s: (s**2 / 2, s)), (KNOCK, lambda s: (0.3 * (s - 0.15), 0.3))],
+    [
+        (KINK, lambda s: (s**3 / 6, s**2 / 2)),
+        (JUMP, lambda s: (s**2 / 2, s)),
+        (KNOCK, lambda s: (0.3 * (s - 0.15), 0.3)),
+    ],
     ids=["kink", "jump", "knock"],
 )
 def test_kinks_and_jumps_anywhere_in_a_step(build: Build, second_order: int, rtol: float, rhs: str, end) -> None:
@@ -135,7 +144,7 @@ def test_a_peak_as_narrow_as_a_thousandth_of_a_step(build: Build, second_order: 
 
 
 def test_a_stiff_damper_ends_right_or_by_name(build: Build) -> None:
-    """Its rate lets no iteration converge but in short steps: they are taken, or the run says that they are too many."""
+    """Its rate lets no iteration converge but in short steps: they are taken, or the run says they are too many."""
     compiled = build(Mechanism(rhs="dy[0] = y[1]; dy[1] = -1e5 * y[1];"))
     run = simulate(compiled, [0.0, 1.0], (0.0, 1.0), "ra15", rtol=1e-6, atol=1e-9, max_steps=3_000_000)
     assert run.status == FINISHED

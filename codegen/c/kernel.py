@@ -232,9 +232,9 @@ def _targets(entry: Entry) -> str:
 
 def _head(draft: Draft, used: Sequence[str]) -> str:
     """Of a function that others call: its arguments are given, and marked where it does not use them."""
-    given = [("" if name in used else "EM_UNUSED ") + (_input(name, "double") if name in INPUTS else f"double *restrict {name}")
-             for name in draft.arguments]  # fmt: skip
-    return _folded(f"static void {draft.name}(", given, ")")
+    given = [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
+    marked = [("" if name in used else "EM_UNUSED ") + text for name, text in zip(draft.arguments, given, strict=True)]
+    return _folded(f"static void {draft.name}(", marked, ")")
 
 
 def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:

@@ -148,9 +148,8 @@ class ToSympy:
 
     def __call__(self, root: Node) -> sympy.Expr:
         """Return the expression of a node."""
-        for node in self.graph.reachable([root]):
-            if node not in self._known:
-                self._known[node] = self._convert(node)
+        for node in self.graph.reachable([root], self._known):
+            self._known[node] = self._convert(node)
         return self._known[root]
 
     def _convert(self, node: Node) -> sympy.Expr:

@@ -31,9 +31,8 @@ class Tangent:
 
     def __call__(self, root: Node) -> Node:
         """Return the node of the derivative of root."""
-        for node in self.graph.reachable([root]):
-            if node not in self._known:
-                self._known[node] = self._tangent(node)
+        for node in self.graph.reachable([root], self._known):
+            self._known[node] = self._tangent(node)
         return self._known[root]
 
     def _tangent(self, node: Node) -> Node:

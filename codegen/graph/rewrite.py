@@ -21,10 +21,9 @@ class Rewriter:
 
     def __call__(self, root: Node) -> Node:
         """Return root, rebuilt."""
-        for node in self.graph.reachable([root]):
-            if node not in self._known:
-                replaced = self.replacement(node)
-                self._known[node] = self._rebuilt(node) if replaced is None else replaced
+        for node in self.graph.reachable([root], self._known):
+            replaced = self.replacement(node)
+            self._known[node] = self._rebuilt(node) if replaced is None else replaced
         return self._known[root]
 
     def _rebuilt(self, node: Node) -> Node:

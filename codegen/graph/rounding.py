@@ -28,9 +28,8 @@ class Rounding:
 
     def __call__(self, root: Node) -> Node:
         """Return the node of s of root."""
-        for node in self.graph.reachable([root]):
-            if node not in self._known:
-                self._known[node] = self._size(node)
+        for node in self.graph.reachable([root], self._known):
+            self._known[node] = self._size(node)
         return self._known[root]
 
     def _size(self, node: Node) -> Node:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from enum import Enum
 from fractions import Fraction
 from typing import NamedTuple
@@ -46,6 +46,7 @@ class Store:
         self.records: list[Record] = []
         self._index: dict[Record, Node] = {}
         self._depends: list[int] = []
+        self._children: list[tuple[Node, ...]] = []
         self._bits: dict[str, int] = {}
         self._parameters = frozenset(parameters)
         self.zero = self.number(0)
@@ -58,6 +59,7 @@ class Store:
             node = self._index[record] = len(self.records)
             self.records.append(record)
             self._depends.append(depends)
+            self._children.append(_children(record))
         return node
 
     def number(self, value: Number) -> Node:
@@ -97,20 +99,24 @@ class Store:
 
     def children(self, node: Node) -> tuple[Node, ...]:
         """Return the operands of node that are nodes."""
-        kind, operands = self.records[node]
-        if kind in (Kind.NUMBER, Kind.SYMBOL):
-            return ()
-        if kind is Kind.CALL:
-            return tuple(operands[1:])
-        return tuple(child for child, _ in operands)
+        return self._children[node]
 
-    def reachable(self, roots: Iterable[Node]) -> list[Node]:
-        """Return every node that roots need, in order of evaluation."""
+    def reachable(self, roots: Iterable[Node], known: Container[Node] = ()) -> list[Node]:
+        """Return every node that roots need, in order of evaluation; nothing known, nor what only that needs."""
         seen: set[Node] = set()
         stack = list(roots)
         while stack:
             node = stack.pop()
-            if node not in seen:
+            if node not in seen and node not in known:
                 seen.add(node)
-                stack.extend(self.children(node))
+                stack.extend(self._children[node])
         return sorted(seen)
+
+
+def _children(record: Record) -> tuple[Node, ...]:
+    kind, operands = record
+    if kind in (Kind.NUMBER, Kind.SYMBOL):
+        return ()
+    if kind is Kind.CALL:
+        return tuple(operands[1:])
+    return tuple(child for child, _ in operands)

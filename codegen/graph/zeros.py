@@ -61,10 +61,8 @@ class Point:
 
     def __call__(self, root: Node) -> tuple[Value, float]:
         """Return (value, magnitude); not a number where the expression is not defined at this point."""
-        if root not in self._known:
-            for node in self.graph.reachable([root]):
-                if node not in self._known:
-                    self._known[node] = self._guarded(node)
+        for node in self.graph.reachable([root], self._known):
+            self._known[node] = self._guarded(node)
         return self._known[root]
 
     def _guarded(self, node: Node) -> tuple[Value, float]:

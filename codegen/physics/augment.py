@@ -47,9 +47,8 @@ class At:
 
     def __call__(self, root: Node) -> float:
         """Return the value of a node."""
-        for node in self.graph.reachable([root]):
-            if node not in self._known:
-                self._known[node] = self._guarded(node)
+        for node in self.graph.reachable([root], self._known):
+            self._known[node] = self._guarded(node)
         return self._known[root]
 
     def _guarded(self, node: Node) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 
@@ -124,7 +125,7 @@ def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: f
     varying = {*mechanics.x, mechanics.time}
     M = mechanics.factored.extract(list(group), list(group))
     kind = Kind.TURNING
-    if Saving.FIXED in savings and not M.free_symbols & varying:
+    if Saving.FIXED in savings and not _held(M) & varying:
         kind = Kind.FIXED
     elif Saving.SINGLE in savings and len(group) == 1:
         kind = Kind.SINGLE
@@ -132,10 +133,20 @@ def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: f
     return Block(number, group, kind, constrained)
 
 
+def _held(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
+    """Return the symbols in expressions; looks once at what they share, where `free_symbols` walks it every time."""
+    seen: set[sympy.Basic] = set()
+    new = set(expressions)
+    while new:
+        seen |= new
+        new = {part for expression in new for part in expression.args} - seen
+    return {part for part in seen if part.is_Symbol}
+
+
 def _conserves_energy(mechanics: Mechanics) -> bool:
     """Whether no force does work and nothing depends on the time: then T2 - T0 + V is constant (Jacobi)."""
     given = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
-    timeless = not any(mechanics.time in expression.free_symbols for expression in given)
+    timeless = mechanics.time not in _held(given)
     workless = all(force == 0 for force in mechanics.Q) and all(rate == 0 for rate in mechanics.b)
     return timeless and workless
 
@@ -153,7 +164,7 @@ def _absent_terms(mechanics: Mechanics) -> list[str]:
         (mechanics.T0 == 0, "dT0/dx: T has no part free of velocities"),
         (mechanics.V == 0, "dV/dx: there is no potential energy"),
         (all(q == 0 for q in mechanics.Q), "Q: there are no other forces"),
-        (not any(t in e.free_symbols for e in timed), "dM/dt, dA/dt, dV/dt: the time does not occur"),
+        (t not in _held(timed), "dM/dt, dA/dt, dV/dt: the time does not occur"),
         (m == 0, "A, B, Bdot, Delta, lambda: there are no constraints"),
         (m == 1, "a factor of Delta: one constraint, Delta is a number"),
         (m > 0 and all(b == 0 for b in mechanics.b), "b, bdot: the constraints are homogeneous in the velocities"),
@@ -170,7 +181,7 @@ def _singular(mechanics: Mechanics) -> str:
 
 
 def _absent_coordinates(mechanics: Mechanics) -> list[str]:
-    held = mechanics.factored.free_symbols
+    held = _held(mechanics.factored)
     absent = [f"dM/d{x}" for x in mechanics.x if x not in held]
     return [f"{', '.join(absent)}: M does not depend on {'it' if len(absent) == 1 else 'them'}"] if absent else []
 
