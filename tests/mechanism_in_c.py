@@ -11,7 +11,8 @@ SOURCE = string.Template(r"""
 #include "em_linear.h"
 enum { N = $n, N_ROWS = 0, N_POSITIONS = 0, N_C = $n_c, N_S = $n_s, N_CD = 0, N_SD = 0 };
 enum { N_STATE = 2 * N + N_C + N_S };
-enum { EM_SECOND_ORDER = $second_order, N_INPUTS = $n_inputs, N_EVENTS = $n_events, N_MEMORY = $n_memory, SETTLES = $settles };
+enum { EM_SECOND_ORDER = $second_order, N_INPUTS = $n_inputs, N_EVENTS = $n_events };
+enum { N_MEMORY = $n_memory, SETTLES = $settles };
 #define UNUSED (void)mode, (void)t, (void)y, (void)c, (void)u, (void)memory, (void)flags, (void)h, (void)fault
 $preamble
 static int model_rhs(int mode, double t, const double *y, const double *c, const double *u, const double *memory,

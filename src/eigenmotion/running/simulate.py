@@ -64,8 +64,8 @@ def simulate(
     method
         "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
         the quickest where the motion is smooth and tolerances are tight. "Radau", "BDF", "LSODA" (SciPy), "CVODE"
-        (SUNDIALS): implicit, for stiff scenes, on the motion (x, v); what they integrate is not projected, so that drift
-        adds up, but every row and event is ("project"). Upper or lower case.
+        (SUNDIALS): implicit, for stiff scenes, on the motion (x, v); what they integrate is not projected, so that
+        drift adds up, but every row and event is ("project"). Upper or lower case.
     rtol, atol
         A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
         (carried over to the velocity; 1e-9 where missing).
