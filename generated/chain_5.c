@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:87dd2aa33299173781f9a8225ff03bf2c316ccd2f788ff70aa0a884a15796d92 */
+/* body sha256:84c50f2c16477737dd3123d9035e6503cccf77366b0a38993febc2488d9567cf */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -402,12 +402,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -419,9 +421,9 @@ em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes chain_5_lanes;
-__attribute__((weak)) em_lanes chain_5_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES chain_5_lanes
 
 #include "em_blocks.h"
@@ -957,15 +959,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    const double gap = em_gap(N1, y + 35);
-    const double delta_gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, y + 35));
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        const double time = em_time_of_block(&block1, Mdot1[0], y);
+        double time = INFINITY;
+        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {

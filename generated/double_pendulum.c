@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:9546fedfa298aadc506dc5db5fe254010989193374d9f7a23b66478de90cb0dd */
+/* body sha256:5cd79542a0cc140baae72f46a36e92dada6b7cef71ab1482cf5fe9f44ade8043 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -219,12 +219,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -236,9 +238,9 @@ em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
-__attribute__((weak)) em_lanes double_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES double_pendulum_lanes
 
 #include "em_blocks.h"
@@ -453,15 +455,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    const double gap = em_gap(N1, y + 8);
-    const double delta_gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, y + 8));
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        const double time = em_time_of_block(&block1, Mdot1[0], y);
+        double time = INFINITY;
+        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {

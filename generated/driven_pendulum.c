@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:a695ae5ae3b77943ce15205a7652ae238747ad61f58f157e47698d4fbd8f5d5b */
+/* body sha256:977ea13c87ed411d03eea5f7b4225cb95d294c804850f6d4fa89810375a96ab3 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -177,12 +177,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -194,9 +196,9 @@ em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
-__attribute__((weak)) em_lanes driven_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES driven_pendulum_lanes
 
 #include "em_blocks.h"

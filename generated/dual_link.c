@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:63fd59782c11bdac9938367f9986243c774f093d37d1a64aba3665c036028e1d */
+/* body sha256:159c5b5d5aa70e1f247c93002a0356dde9b3dbd2366b92558c5e960edf61fb6c */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -373,12 +373,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -390,9 +392,9 @@ em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes dual_link_lanes;
-__attribute__((weak)) em_lanes dual_link_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES dual_link_lanes
 
 #include "em_blocks.h"
@@ -702,8 +704,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    const double gap = em_gap(N1, y + 17);
-    const double delta_gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, y + 17));
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
@@ -711,7 +713,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        const double time = em_time_of_block(&block1, Mdot1[0], y);
+        double time = INFINITY;
+        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:00f6502985585177adb73269377f8c8ec8feb42f604fa9fac94ab10d1dcf4ecf */
+/* body sha256:c8dfc63292c441c5aeee93cb733a7f898505615f2fe1f844104470fa67177893 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -161,12 +161,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -178,9 +180,9 @@ em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes elastic_pendulum_lanes;
-__attribute__((weak)) em_lanes elastic_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES elastic_pendulum_lanes
 
 #include "em_blocks.h"

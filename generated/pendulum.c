@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:aabfb7aec9e45dde910a2d9615200d2cc7b87264a3ddb66004178c07f856cbf1 */
+/* body sha256:52093ff08df338eb7671e66ad6a6689dac8a4940eaed541f7478e4ba452b5597 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -111,12 +111,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -128,9 +130,9 @@ em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes pendulum_lanes;
-__attribute__((weak)) em_lanes pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES pendulum_lanes
 
 #include "em_blocks.h"

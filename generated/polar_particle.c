@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:f3cfe927a169da6f57e8053f2cc8e64195e45317b48b11df9409490314825c86 */
+/* body sha256:137a4034d0485ac2a1f28bbd650b2de325c60c914ce4f321d9a2315b4e5c1594 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -160,12 +160,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -177,9 +179,9 @@ em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes polar_particle_lanes;
-__attribute__((weak)) em_lanes polar_particle_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES polar_particle_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:6da8dff8fc8b31112e60697e2ea0b22c10d238335f52c3ad5087f5ea19b04d98 */
+/* body sha256:b76032cf9dc88ee3a609bbb59106ecfc9ffb50a60ab4b6ed0a0acfabc4744380 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -370,12 +370,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -387,9 +389,9 @@ em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
-__attribute__((weak)) em_lanes rolling_disk_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rolling_disk_lanes
 
 #include "em_blocks.h"
@@ -733,15 +735,16 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    const double gap = em_gap(N1, y + 35);
-    const double delta_gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, y + 35));
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        const double time = em_time_of_block(&block1, Mdot1[0], y);
+        double time = INFINITY;
+        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:65137c531005d96878315f743396dc352133935cca830618e6f7b14720ad89b5 */
+/* body sha256:77cde080e1871b0f6602509c45c3f47a50197e3be97d86d964d85143466d95b1 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -112,12 +112,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -129,9 +131,9 @@ em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_hoop_lanes;
-__attribute__((weak)) em_lanes rotating_hoop_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rotating_hoop_lanes
 
 #include "em_blocks.h"

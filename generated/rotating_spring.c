@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:6f9899e269db53baf0d42a51ee22a314b1414ecac1dbe01d7fcef8702794136b */
+/* body sha256:3b28253d83ba276383d07f472b6e6d5688c6c834ba69f7b1f700e35842fe43b2 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -141,12 +141,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -158,9 +160,9 @@ em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_spring_lanes;
-__attribute__((weak)) em_lanes rotating_spring_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES rotating_spring_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:a56248c96beac0ff2723d6708040b76d2d69c3e13dc7f5f6c851cff8d96cd821 */
+/* body sha256:bbdeccbc82468b7d72bbe9a2ac19b9c3ec8d9b2e979d54df777be774289bbd37 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -338,12 +338,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -355,9 +357,9 @@ em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
-__attribute__((weak)) em_lanes slider_crank_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES slider_crank_lanes
 
 #include "em_blocks.h"
@@ -642,8 +644,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1, A1, A2, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    const double gap = em_gap(N1, y + 10);
-    const double delta_gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, y + 10));
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
@@ -651,7 +653,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        const double time = em_time_of_block(&block1, Mdot1[0], y);
+        double time = INFINITY;
+        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:c62c77d2e1a73d240444c78b8ff0f901fea6e2107bb18a60fcff4c3cf8501e97 */
+/* body sha256:27898602a2dfe261ba701400127a0f1e0d91b57508a6302e1966eb3c82dcfeb0 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -466,12 +466,14 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy)
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
 {
     em_fault fault;
     model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
 }
 
+/* xdot alone (20) */
 static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
 {
     em_fault fault;
@@ -483,9 +485,9 @@ em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
 
-/* Where that is linked it takes the place of this. */
+/* Where the other is linked it takes the place of this. */
 extern em_lanes sphere_lanes;
-__attribute__((weak)) em_lanes sphere_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL};
 #define EM_MODEL_LANES sphere_lanes
 
 #include "em_blocks.h"
@@ -889,8 +891,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
     if (changed && em_settle_factors(&block3, *mode, 0, M3[0], y, memory, fault)) return -1;
 
-    const double gap = em_gap(N3, y + 19);
-    const double delta_gap = INFINITY;
+    double gap = INFINITY, delta_gap = INFINITY;
+    gap = fmin(gap, em_gap(N3, y + 19));
     int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
     if (wanted == EM_LOOK) {
         double v[N];
@@ -899,7 +901,8 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         em_velocity_kept(&block3, *mode, y + N, y, c, memory, v);
         double Mdot3[N3][N3];
         settled_rates(y, v, c, shared, Mdot3);
-        const double time = em_time_of_block(&block3, Mdot3[0], y);
+        double time = INFINITY;
+        time = fmin(time, em_time_of_block(&block3, Mdot3[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {

@@ -23,6 +23,7 @@ from eigenmotion.cli import report as cli
 from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, recommendation
 from eigenmotion.report.recommend import recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
+from eigenmotion.running.methods import COMPILED
 
 from .generation import model_of, system_of
 from .measuring import undisturbed
@@ -110,8 +111,9 @@ def test_curves_slope_as_the_orders_say(found):
     orders = {c.label: c.order(found.floor) for c in ours if not c.is_implicit}
     assert len(orders) == len(FORMULATIONS) * len(METHODS)
     for label, order in orders.items():
-        expected = METHODS[label.split()[1]]
-        assert expected - 0.5 < order < expected + 1.5, label
+        method = label.split()[1]
+        least = METHODS[method] - (4.0 if COMPILED[method].iterates else 0.5)  # what it iterates is of order 12 or more
+        assert least < order < METHODS[method] + 1.5, label
 
 
 def test_progress_runs_from_start_to_end(found, progress):

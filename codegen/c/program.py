@@ -192,3 +192,18 @@ class Program:
     conserves_energy: bool
     costs: tuple[str, ...]
     kernels: Kernels
+
+    @property
+    def turning(self) -> tuple[BlockView, ...]:
+        """Blocks whose eigenvectors change."""
+        return tuple(block for block in self.blocks if block.turning)
+
+    @property
+    def constrained(self) -> tuple[BlockView, ...]:
+        """Blocks that a constraint row holds."""
+        return tuple(block for block in self.blocks if block.constrained)
+
+    @property
+    def coupled(self) -> tuple[RowGroup, ...]:
+        """Groups of more than one constraint row."""
+        return tuple(group for group in self.row_groups if group.size > 1)

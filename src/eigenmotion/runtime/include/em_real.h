@@ -11,6 +11,7 @@
 #define EM_INLINE static inline __attribute__((always_inline, unused))
 #define EM_COLD static __attribute__((noinline, unused))
 #define EM_UNUSED __attribute__((unused))
+#define EM_WEAK __attribute__((weak))
 #define EM_RARE __attribute__((cold)) /* called by no step: for size, which takes a compiler less time */
 
 /* Before a loop over what is constant: unroll it wholly, so that its numbers become constants. */
