@@ -49,12 +49,16 @@ def system_for(
 
 def loaded(sources: Sources, *flags: str) -> System:
     """Compile and load sources; warnings are errors, of which pytest shows the text."""
-    library = ctypes.CDLL(str(_library(sources, flags)))
+    return system_in(ctypes.CDLL(str(_library(sources, flags))), sources.name)
+
+
+def system_in(library: ctypes.CDLL, model: str) -> System:
+    """Return the System of a model that is in a library."""
     name = ctypes.create_string_buffer(b"eigenmotion.em_model")
     KEPT.extend((library, name))  # a capsule owns neither
     new = ctypes.pythonapi.PyCapsule_New
     new.restype, new.argtypes = ctypes.py_object, [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]
-    return System(new(ctypes.addressof(ctypes.c_int.in_dll(library, f"{sources.name}_model")), name, None))
+    return System(new(ctypes.addressof(ctypes.c_int.in_dll(library, f"{model}_model")), name, None))
 
 
 def _library(sources: Sources, flags: tuple[str, ...]) -> Path:
