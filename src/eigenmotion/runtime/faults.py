@@ -54,7 +54,10 @@ _REMEDY = {
         "The step size fell below the spacing of numbers{at}. Look for a singularity or a jump near this time; "
         "if there is none, loosen rtol and atol, or use a stiff method (Radau, BDF)."
     ),
-    StopReason.TOO_MANY_STEPS: "The step limit was reached. Raise max_steps, or loosen rtol and atol.",
+    StopReason.TOO_MANY_STEPS: (
+        "The step limit was reached. Raise max_steps, or loosen rtol and atol; where steps are short though the motion "
+        "is slow, the scene is stiff: use a stiff method (Radau, BDF)."
+    ),
     StopReason.NON_FINITE_STATE: (
         "The state or its rate is not finite{at}. Look for a division by zero or a domain error in the energies, "
         "forces or inputs near this time, or lower max_step."
