@@ -36,8 +36,8 @@ def model_of(name: str) -> Model:
 
 @cache
 def system_of(name: str, formulation: str = "eigenfactor", **options: str) -> System:
-    """Return the System of models/NAME.py, optimised: only then the compiler sees all it can warn of."""
-    return loaded(compiler.generate(model_of(name), Choices(formulation, **options)), "-O1")
+    """Return the System of models/NAME.py, compiled in a hurry: once a process, and kept."""
+    return loaded(compiler.generate(model_of(name), Choices(formulation, **options)), "-O0")
 
 
 def system_for(

@@ -16,7 +16,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 
-from .generation import COMPILERS, STRICT
+from .generation import COMPILERS, NAMES, STRICT, model_of
 
 SHAPES = [(n, m) for n in range(1, 5) for m in range(min(n, 3) + 1)]
 OPTIONS = [{"formulation": name} for name in FORMULATIONS] + [
@@ -75,13 +75,14 @@ KNOWN = {  # each once gave a warning
 
 
 def warnings_of(model: em.Model, folder: Path, compiler: str, **options: str) -> str:
-    """What a compiler says. GCC finds what may be unset only where it optimises, Clang before."""
+    """What a compiler says, of numbers and of lanes. GCC finds what may be unset where it optimises, Clang before."""
     sources = generate(model, Choices(**options))
     for file in sources.files:
         (folder / file.name).write_text(file.text)
     aim = ("-fsyntax-only",) if compiler == "clang" else ("-c", "-o", os.devnull)
     command = (compiler, *STRICT, *toolchain(compiler).optimised, f"-I{INCLUDE}", *aim, f"{sources.name}.c")
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False).stderr
+    both = (command, (*command, "-DEM_ON_LANES"))
+    return "".join(subprocess.run(one, cwd=folder, capture_output=True, text=True, check=False).stderr for one in both)
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
@@ -89,6 +90,14 @@ def warnings_of(model: em.Model, folder: Path, compiler: str, **options: str) ->
 @pytest.mark.parametrize("name", KNOWN)
 def test_models_that_once_gave_one(name, formulation, compiler, tmp_path):
     assert not warnings_of(KNOWN[name], tmp_path, compiler, formulation=formulation)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize("name", NAMES)
+def test_our_models(name, formulation, compiler, tmp_path):
+    assert not warnings_of(model_of(name), tmp_path, compiler, formulation=formulation)
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
