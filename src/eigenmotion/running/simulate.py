@@ -63,7 +63,7 @@ def simulate(
         Mapping name -> number, (times, values) (linear interpolation), or Signal.
     method
         "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
-        the quickest where the motion is smooth and tolerances are tight. "Radau", "BDF", "LSODA" (SciPy), "CVODE"
+        often the quickest where motions are smooth and tolerances tight. "Radau", "BDF", "LSODA" (SciPy), "CVODE"
         (SUNDIALS): implicit, for stiff scenes, on the motion (x, v); what they integrate is not projected, so that
         drift adds up, but every row and event is ("project"). Upper or lower case.
     rtol, atol
