@@ -99,6 +99,12 @@ def at_random(both, count):
     return t, y, c, random.normal(size=(count, max(1, len(system.inputs))))
 
 
+def apart(system, y):
+    """Whether the eigenvalues carried are: where two meet Omega is rounding over rounding (32)."""
+    s = np.sort(y[:, system.layout["s"]] if "s" in system.layout else y[:, :1], axis=1)
+    return (np.diff(s, axis=1) > 1e-6 * s[:, 1:]).all(axis=1)
+
+
 BY_NIGHT = pytest.param("cholesky", marks=pytest.mark.nightly)  # whose equations are mode 1 of the eigenfactor form
 
 
@@ -110,8 +116,10 @@ def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
     for mode in (0, 1) if formulation == "eigenfactor" else (0,):
         dy, expected, failed = both.compare(mode, t, y, c, u)
         good = ~failed & np.isfinite(expected).all(axis=1)
+        if formulation == "eigenfactor" and mode == 0:
+            good &= apart(both.system, y)
         size = np.abs(expected[good]).max(axis=1, keepdims=True)
-        assert not np.isfinite(dy[~good]).all(axis=1).any()
+        assert not np.isfinite(dy[failed]).all(axis=1).any()
         assert (np.abs(dy[good] - expected[good]) <= 1e-12 * size).all()
 
 
