@@ -40,6 +40,7 @@ static inline bool isfinite(Counted a) { return std::isfinite(a.v); }
 static inline bool isnan(Counted a) { return std::isnan(a.v); }
 static inline bool isinf(Counted a) { return std::isinf(a.v); }
 static inline Counted ldexp(Counted a, int exponent) { return std::ldexp(a.v, exponent); }
+static inline Counted frexp(Counted a, int *exponent) { return std::frexp(a.v, exponent); }
 
 #define EM_STEPPER_H // no stepper: what it needs is not counted
 #define em_simulate nullptr
