@@ -11,7 +11,8 @@ from eigenmotion.codegen import compiler
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
 
 from eigenmotion import build, simulate
-from eigenmotion.building.toolchain import INCLUDE, toolchain
+from eigenmotion.building.extension import compile_and_link
+from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, toolchain
 
 from .generation import NAMES, STRICT, model_of, states, system_in, system_of
 
@@ -115,6 +116,7 @@ def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
     t, y, c, u = at_random(both, 16)
     for mode in (0, 1) if formulation == "eigenfactor" else (0,):
         dy, expected, failed = both.compare(mode, t, y, c, u)
+        assert not failed.all()
         good = ~failed & np.isfinite(expected).all(axis=1)
         if formulation == "eigenfactor" and mode == 0:
             good &= apart(both.system, y)
@@ -167,6 +169,16 @@ def test_sines_within_two_units_in_the_last_place(tmp_path, flags):
 
 
 # --- runs -------------------------------------------------------------------------------------------------------------
+
+
+def test_what_users_build_has_lanes(tmp_path):
+    """The strong symbol with its numbers, not the weak one without: a run would be right with either."""
+    for file in compiler.generate(model_of("pendulum"), Choices()).files:
+        (tmp_path / file.name).write_text(file.text)
+    compile_and_link(tmp_path, "pendulum", toolchain(flags="-O0"))
+    command = ["nm", f"pendulum{EXTENSION_SUFFIX}"]
+    said = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert [line.split()[1] for line in said.stdout.splitlines() if line.endswith(" pendulum_lanes")] == ["d"]
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)

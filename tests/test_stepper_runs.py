@@ -87,6 +87,13 @@ def test_a_step_that_cannot_be_short_enough(build: Build) -> None:
     assert result.run.t_reached == result.t[-1]
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_an_underflow_names_the_coordinate_that_forbids_steps(build: Build, method: str) -> None:
+    rhs = "dy[0] = y[2]; dy[1] = y[3]; dy[2] = -y[0]; dy[3] = pow(fabs(1.0 - t), -1.5);"
+    result = simulate(build(Mechanism(rhs=rhs, n=2)), [0.3, 0.0, 0.0, 1.0], (0.0, 3.0), method)
+    assert (result.status, result.run.fault.first) == (STEP_SIZE_UNDERFLOW, 1)
+
+
 def test_faults_at_the_start(build: Build) -> None:
     result = at_the_wall(build, "return 0;")
     assert result.status == FINISHED

@@ -6,6 +6,7 @@
 #ifndef EM_METHODS_H
 #define EM_METHODS_H
 
+#include "em_node_interpolant.h"
 #include "em_nodes.h"
 #include "em_runge_kutta.h"
 

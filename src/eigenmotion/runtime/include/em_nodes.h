@@ -14,13 +14,13 @@
 #include "em_norm.h"
 
 enum {
-    EM_NODES_ORDER = 15,
     EM_AIMED = 3,        /* iterations that a step is made for, */
     EM_MOST = 7,         /* that it may take, */
     EM_MOST_AT_START = 14, /* and where nothing is known of the rates */
     EM_SIZES_ORDER = 11  /* after so many the error falls with the power 1 + 8 + 3 of the step's size */
 };
 
+#define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding */
 #define EM_ROUNDED 0.1 /* the error norm where changes are rounding: as good as it gets */
 #define EM_DIVERGES 1157.0 /* (2 * 0.9)^12: the error norm that halves the step */
 
@@ -211,6 +211,15 @@ static void em_finish_nodes(em_walk *w) {
     q->converged = 1;
 }
 
+/* w->error <- by how much the rates change in a step that does not converge: whose do most is to blame. */
+EM_COLD void em_note_changes(em_walk *w) {
+    double ev[N];
+    memset(w->error, 0, sizeof w->error);
+    for (int k = EM_FIRST_RATE; k < 2 * N; ++k) w->error[k] = em_number_at(w->nodes.F, k, EM_NODE_COUNT - 1) - w->K[0][k];
+    model_velocity_error(w->mode, w->y, w->run->prepared, w->memory, w->error + N, ev);
+    memcpy(w->error + N, ev, sizeof ev);
+}
+
 static int em_nodes_step(em_walk *w) {
     em_nodes *q = &w->nodes;
     const int most = em_predict(w);
@@ -224,6 +233,7 @@ static int em_nodes_step(em_walk *w) {
     if (left != left) return -1;
     memcpy(w->y_new, w->y, sizeof w->y);
     if (left < 1.0) em_finish_nodes(w);
+    else em_note_changes(w);
     return 0;
 }
 
@@ -258,46 +268,10 @@ static int em_nodes_judge(em_walk *w) {
     }
     const double truncation = em_truncation(w, f);
     w->error_norm = em_max(w->error_norm, truncation);
-    const double root = sqrt(truncation), by_truncation = root * sqrt(root); /* ^((EM_SIZES_ORDER + 1) / (EM_NODES_ORDER + 1)) */
+    if (!(truncation < 1.0)) em_note_changes(w);
+    const double root = sqrt(truncation), by_truncation = root * sqrt(root); /* to the power 12 / 16 */
     w->size_norm = em_max(w->nodes.blind ? 0.1 : w->nodes.aimed, by_truncation);
     return 0;
-}
-
-/* --- the states within --- */
-
-/* F <- y, then h times the coefficients of the rate on P_0 .. P_8. */
-static int em_nodes_interpolate(em_walk *w) {
-    em_nodes *q = &w->nodes;
-    const double h = w->h;
-    memset(w->F, 0, sizeof w->F);
-    memcpy(w->F[0], w->y, sizeof w->F[0]);
-    for (int k = EM_FIRST_RATE; k < N_STATE; ++k)
-        for (int l = 0; l < EM_NODE_COUNT; ++l) w->F[1 + l][k] = h * em_number_at(q->series, k, l);
-    for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
-        w->F[1][k] = h * (w->y[N + k] + 0.5 * w->F[1][N + k]);
-        w->F[2][k] = 0.5 * h * w->F[1][N + k];
-        for (int l = 1; l < EM_NODE_COUNT; ++l) {
-            const double part = h * w->F[1 + l][N + k] / (2 * (2 * l + 1));
-            w->F[2 + l][k] += part;
-            w->F[l][k] -= part;
-        }
-    }
-    return 0;
-}
-
-static int em_nodes_sketch(em_walk *w) { return em_nodes_interpolate(w), w->scheme.terms; }
-
-/* y <- F_0 + sum_l F_(l + 1) times the integral of P_l from 0 to theta. */
-static void em_nodes_evaluate(const double *F, int terms, double theta, double *y) {
-    double P[EM_NODE_COUNT + 2], integral[EM_NODE_COUNT + 1];
-    const double x = 2.0 * theta - 1.0;
-    P[0] = 1.0, P[1] = x;
-    for (int l = 2; l < EM_NODE_COUNT + 2; ++l) P[l] = ((2 * l - 1) * x * P[l - 1] - (l - 1) * P[l - 2]) / l;
-    integral[0] = theta;
-    for (int l = 1; l < EM_NODE_COUNT + 1; ++l) integral[l] = (P[l + 1] - P[l - 1]) / (2 * (2 * l + 1));
-    memcpy(y, F, N_STATE * sizeof *y);
-    for (int l = 0; l < terms; ++l)
-        for (int k = 0; k < N_STATE; ++k) y[k] += integral[l] * F[(1 + l) * N_STATE + k];
 }
 
 #endif

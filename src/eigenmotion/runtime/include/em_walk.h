@@ -24,8 +24,6 @@ enum {
     EM_FIRST_RATE = EM_SECOND_ORDER ? N : 0 /* of the state: what the rates at nodes are integrated for */
 };
 
-#define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding */
-
 /* fmin and fmax for numbers: inline where the library's, which mind NaN, are calls. */
 EM_INLINE double em_min(double a, double b) { return a < b ? a : b; }
 EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }

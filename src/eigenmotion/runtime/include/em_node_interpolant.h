@@ -1,0 +1,42 @@
+/* em_node_interpolant.h: the state within a step by nodes: the integral of its polynomial. */
+#ifndef EM_NODE_INTERPOLANT_H
+#define EM_NODE_INTERPOLANT_H
+
+#include "em_bundles.h"
+
+/* F <- y, then h times the coefficients of the rate on P_0 .. P_8. */
+static int em_nodes_interpolate(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    memset(w->F, 0, sizeof w->F);
+    memcpy(w->F[0], w->y, sizeof w->F[0]);
+    for (int k = EM_FIRST_RATE; k < N_STATE; ++k)
+        for (int l = 0; l < EM_NODE_COUNT; ++l) w->F[1 + l][k] = h * em_number_at(q->series, k, l);
+    for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
+        w->F[1][k] = h * (w->y[N + k] + 0.5 * w->F[1][N + k]);
+        w->F[2][k] = 0.5 * h * w->F[1][N + k];
+        for (int l = 1; l < EM_NODE_COUNT; ++l) {
+            const double part = h * w->F[1 + l][N + k] / (2 * (2 * l + 1));
+            w->F[2 + l][k] += part;
+            w->F[l][k] -= part;
+        }
+    }
+    return 0;
+}
+
+static int em_nodes_sketch(em_walk *w) { return em_nodes_interpolate(w), w->scheme.terms; }
+
+/* y <- F_0 + sum_l F_(l + 1) times the integral of P_l from 0 to theta. */
+static void em_nodes_evaluate(const double *F, int terms, double theta, double *y) {
+    double P[EM_NODE_COUNT + 2], integral[EM_NODE_COUNT + 1];
+    const double x = 2.0 * theta - 1.0;
+    P[0] = 1.0, P[1] = x;
+    for (int l = 2; l < EM_NODE_COUNT + 2; ++l) P[l] = ((2 * l - 1) * x * P[l - 1] - (l - 1) * P[l - 2]) / l;
+    integral[0] = theta;
+    for (int l = 1; l < EM_NODE_COUNT + 1; ++l) integral[l] = (P[l + 1] - P[l - 1]) / (2 * (2 * l + 1));
+    memcpy(y, F, N_STATE * sizeof *y);
+    for (int l = 0; l < terms; ++l)
+        for (int k = 0; k < N_STATE; ++k) y[k] += integral[l] * F[(1 + l) * N_STATE + k];
+}
+
+#endif
