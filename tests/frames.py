@@ -10,7 +10,7 @@ constraint row, all of them parameters, so that one compiled model serves every 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -63,6 +63,17 @@ def reordered(model: Model) -> Model:
     return replace(model, name=f"{model.name}_reordered", outputs=[], **given)
 
 
+def seen_from(model: Model, frame: Frame) -> Model:
+    """The model `framed`, with a frame for its defaults: as it is written down there."""
+    x, v = frame.start(np.array(model.initial_x), np.array(model.initial_v))
+    there, given = framed(model), frame.parameters(model.n, model.m)
+    return replace(
+        there,
+        parameters={symbol: given.get(symbol.name, value) for symbol, value in there.parameters},
+        initial=dict(zip([*model.coordinates, *(x.diff(t) for x in model.coordinates)], [*x, *v], strict=True)),
+    )
+
+
 class _Replacement:
     """Writes an expression in x, xdot, xddot, lambda and t in those of the frame."""
 
@@ -97,18 +108,30 @@ class Frame:
     time: float = 1.0
     clock: float = 0.0
 
-    def run(self, system: System, span: float, rtol: float, atol: float, **options: Any) -> Run:
-        """Run a `framed` model from its start, with the tolerance atol on its coordinates in their own units."""
-        n, m = system.n, system.m
-        units, origins, rows = (np.resize(np.asarray(v, float), k) for v, k in
-                                ((self.units, n), (self.origins, n), (self.rows, m)))  # fmt: skip
-        parameters = {"unit_of_time": self.time, "clock": self.clock, "unit_of_energy": self.energy}
-        for kind, values in (("unit", units), ("origin", origins), ("row", rows)):
-            parameters |= {f"{kind}_{k}": value for k, value in enumerate(values.tolist())}
-        x0, v0 = system.initial
+    def parameters(self, n: int, m: int) -> dict[str, float]:
+        """What the parameters of a `framed` model are in the frame."""
+        named = {"unit": (self.units, n), "origin": (self.origins, n), "row": (self.rows, m)}
+        each = {f"{kind}_{k}": float(value) for kind, (values, count) in named.items()
+                for k, value in enumerate(np.resize(values, count))}  # fmt: skip
+        return each | {"unit_of_time": self.time, "clock": self.clock, "unit_of_energy": self.energy}
+
+    def start(self, x: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """x', v' of a state in the model's own frame."""
+        units = np.resize(self.units, len(x))
+        return (x - np.resize(self.origins, len(x))) / units, v * self.time / units
+
+    def run(
+        self, system: System, span: float, rtol: float, atol: float, initial: Sequence[np.ndarray] = (), **options: Any
+    ) -> Run:
+        """Run a `framed` model from its start, with the tolerance atol on its coordinates in their own units.
+
+        initial : x, v in the model's own frame, where they are not those that the system has as its own
+        """
+        units, origins = np.resize(self.units, system.n), np.resize(self.origins, system.n)
+        x0, v0 = self.start(*(initial or system.initial))
         start, end = ((at - self.clock) / self.time for at in (0.0, span))
         solution = system.simulate(
-            (start, end), x0=(x0 - origins) / units, v0=v0 * self.time / units, parameters=parameters, rtol=rtol,
+            (start, end), x0=x0, v0=v0, parameters=self.parameters(system.n, system.m), rtol=rtol,
             atol=dict(zip(system.coordinates, (atol / np.abs(units)).tolist(), strict=True)),
             **options,
         )  # fmt: skip

@@ -58,6 +58,12 @@ def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector
             )
 
 
+_OF_CONSTRAINTS = (
+    ", not even along the constraints",
+    " The weights of the constraints are those of the model's own initial values: give it others where x0 is far away.",
+)
+
+
 @dataclass(frozen=True, slots=True)
 class _Start:
     """A start that the compiled checks (em_start.h) did not pass: the same ones, with what is wrong in words."""
@@ -88,10 +94,10 @@ class _Start:
         if not np.isfinite(M).all():
             i, j = (names[k] for k in np.argwhere(~np.isfinite(M))[0])
             raise ModelError(f"{self.model.name}: the mass matrix at x0 is not finite in row {i!r}, column {j!r}")
-        alone = ", not even along the constraints" if self.model.augmented else ""
+        alone, weights = _OF_CONSTRAINTS if self.model.augmented else ("", "")
         raise ModelError(
             f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}{alone}. "
-            "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
+            f"Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out.{weights}"
         )
 
     def _check_position(self, tolerance: float, least: Vector) -> None:
