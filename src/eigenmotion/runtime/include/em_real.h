@@ -8,7 +8,11 @@
 
 #include <math.h>
 
+#ifdef __OPTIMIZE__
 #define EM_INLINE static inline __attribute__((always_inline, unused))
+#else /* a copy at every call would gain nothing, and take the compiler half as long again */
+#define EM_INLINE static inline __attribute__((unused))
+#endif
 #define EM_COLD static __attribute__((noinline, unused))
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))

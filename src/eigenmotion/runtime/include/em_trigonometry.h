@@ -7,22 +7,20 @@
 #ifndef EM_TRIGONOMETRY_H
 #define EM_TRIGONOMETRY_H
 
-#include <math.h>
-
-#define EM_TRIG static inline __attribute__((always_inline, unused))
+#include "em_real.h"
 
 #ifdef __FMA__
 
 #define EM_LARGEST_ANGLE 1e5
 
 /* n and r of a = n pi/2 + r */
-EM_TRIG double em_reduce(double a, long *n) {
+EM_INLINE double em_reduce(double a, long *n) {
     const double shift = 0x1.8p52, nearest = (fma(a, 0.63661977236758134, shift)) - shift;
     *n = (long)nearest;
     return fma(-nearest, 6.123233995736766e-17, fma(-nearest, 1.5707963267948966, a));
 }
 
-EM_TRIG double em_sine_near_zero(double r) {
+EM_INLINE double em_sine_near_zero(double r) {
     const double z = r * r;
     double p = -1.0 / 1307674368000.0;
     p = fma(p, z, 1.0 / 6227020800.0);
@@ -34,7 +32,7 @@ EM_TRIG double em_sine_near_zero(double r) {
     return fma(p * z, r, r);
 }
 
-EM_TRIG double em_cosine_near_zero(double r) {
+EM_INLINE double em_cosine_near_zero(double r) {
     const double z = r * r;
     double p = 1.0 / 20922789888000.0;
     p = fma(p, z, -1.0 / 87178291200.0);
@@ -47,7 +45,7 @@ EM_TRIG double em_cosine_near_zero(double r) {
     return fma(p, z, 1.0);
 }
 
-EM_TRIG double em_sin(double a) {
+EM_INLINE double em_sin(double a) {
     if (!(fabs(a) < EM_LARGEST_ANGLE)) return sin(a);
     long n;
     const double r = em_reduce(a, &n), s = em_sine_near_zero(r), c = em_cosine_near_zero(r);
@@ -55,7 +53,7 @@ EM_TRIG double em_sin(double a) {
     return n & 2 ? -value : value;
 }
 
-EM_TRIG double em_cos(double a) {
+EM_INLINE double em_cos(double a) {
     if (!(fabs(a) < EM_LARGEST_ANGLE)) return cos(a);
     long n;
     const double r = em_reduce(a, &n), s = em_sine_near_zero(r), c = em_cosine_near_zero(r);
@@ -65,8 +63,8 @@ EM_TRIG double em_cos(double a) {
 
 #else
 
-EM_TRIG double em_sin(double a) { return sin(a); }
-EM_TRIG double em_cos(double a) { return cos(a); }
+EM_INLINE double em_sin(double a) { return sin(a); }
+EM_INLINE double em_cos(double a) { return cos(a); }
 
 #endif
 
