@@ -107,7 +107,7 @@ def apart(system, y):
 
 
 BY_DAY = {"chain", "four_bar", "quaternion_top", "rotating_hoop", "sphere"}
-"""Blocks and rows, holonomic and not, a singular M, time; of the others the eigenfactor form, whose mode 1 is cholesky."""
+"""Blocks and rows, holonomic and not, a singular M, time; of the others the eigenfactor form (mode 1: cholesky)."""
 
 
 @pytest.mark.parametrize(
