@@ -25,6 +25,15 @@ def model(n: int = 1, tag: str = ""):
 """
 
 
+LONGEST = ("test_stability", "test_lanes", "test_random_mechanisms", "test_options_accuracy", "test_report")
+"""Files that take a process a minute: first, so that none of them is what all wait for at the end."""
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Longest files first; `--no-loadscope-reorder` leaves it at that."""
+    items.sort(key=lambda item: item.path.stem not in LONGEST)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def interruptible() -> Iterator[None]:
     """Ctrl-C interrupts also where the tests were started with it ignored, as in the background of a shell."""
