@@ -28,6 +28,9 @@ def test_cholesky_and_what_solves_with_it(compiled):
         found = X.copy()
         run("forward_columns", L, r, found)
         near(found, np.linalg.solve(L, X))
+        found = X.copy()
+        run("upper_forward_columns", L, r, found)
+        near(np.triu(found), np.triu(np.linalg.solve(L, X)))
         found = b.copy()
         run("transposed", L, found)
         near(found, L.T @ b)
@@ -53,9 +56,9 @@ def test_eigenfactors(compiled):
         L, r = np.ones((n, n)), np.zeros(n)
         assert run("prepare_block", M, found, roots, L, r) == -1
         near(roots, np.sort(s)), near(L, np.linalg.cholesky(M))
-        Lambda, turned, eta = M.copy(), np.eye(n), v.copy()
-        run("jacobi", Lambda, turned, eta)
-        near(turned @ M @ turned.T, np.diag(np.diag(Lambda))), near(turned.T @ eta, v)
+        Lambda, turned = M.copy(), np.eye(n)
+        run("jacobi", Lambda, turned)
+        near(turned @ M @ turned.T, np.diag(np.diag(Lambda)))
 
 
 def test_products_and_measures(compiled):
@@ -64,6 +67,15 @@ def test_products_and_measures(compiled):
         X, Lambda = random.normal(size=(n, n)), np.zeros((n, n))
         run("congruence", X, M, Lambda)
         near(Lambda, X @ M @ X.T)
+        Y = random.normal(size=(n, n))
+        for sign in (1.0, -1.0):
+            run("multiply", ctypes.c_double(sign), X, Y, Lambda)
+            near(Lambda, sign * X @ Y)
+            run("lower_multiply", ctypes.c_double(sign), X, Y, Lambda)
+            near(np.tril(Lambda), np.tril(sign * X @ Y))
+        w, v = random.normal(size=(2, n))
+        run("transposed_product", X, w, v)
+        near(v, X.T @ w)
         for name, matrix in (
             ("velocity_of_eta", C.T / s),
             ("force_on_eta", (C.T / s).T),

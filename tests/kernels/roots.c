@@ -6,11 +6,17 @@ enum { n = SIZE };
 int cholesky(const double *M, double *L, double *r) { return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT); }
 void forward(const double *L, const double *r, double *b) { em_forward(n, L, r, b); }
 void backward(const double *L, const double *r, double *b) { em_backward(n, L, r, b); }
-void forward_columns(const double *L, const double *r, double *X) { em_forward_columns(n, L, r, X); }
+void forward_columns(const double *L, const double *r, double *X) { em_forward_columns(n, 0, L, r, X); }
 void transposed(const double *L, double *v) { em_transposed(n, L, v); }
 void orthonormalise(double *C) { em_orthonormalise(n, C); }
 void congruence(const double *C, const double *M, double *Lambda) { em_congruence(n, C, M, Lambda); }
-void jacobi(double *Lambda, double *C, double *eta) { em_jacobi(n, Lambda, C, eta); }
+void upper_forward_columns(const double *L, const double *r, double *X) { em_forward_columns(n, 1, L, r, X); }
+void multiply(double sign, const double *A, const double *B, double *O) { em_multiply(n, 0, sign, A, B, O); }
+void lower_multiply(double sign, const double *A, const double *B, double *O) { em_multiply(n, 1, sign, A, B, O); }
+void transposed_product(const double *C, const double *w, double *v) { em_transposed_product(n, C, w, v); }
+void jacobi(double *Lambda, double *C) { em_jacobi(n, Lambda, C); }
+int refine(const double *M, double *C, double *lambda) { return em_refine(n, M, C, lambda); }
+void sweep(const double *M, double *C, double *lambda) { em_sweep(n, M, C, lambda); }
 int refresh(const double *M, double *C, double *s, double *eta) { return em_refresh(n, M, C, s, eta); }
 int refresh_any(const double *M, double *C, double *s) { return em_refresh_any(n, M, C, s); }
 int eigenfactors(const double *M, double *C, double *s) { return em_eigenfactors(n, M, C, s); }

@@ -3,6 +3,7 @@
 #define EM_EIGENFACTORS_H
 
 #include "em_quasivelocities.h"
+#include "em_refine.h"
 
 /* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, as often as
  * it takes. */
@@ -27,8 +28,8 @@ EM_INLINE void em_orthonormalise(int n, double *restrict C) {
     }
 }
 
-/* One Jacobi rotation that makes Lambda_pq zero; C and eta (which may be NULL) turn with it. */
-EM_INLINE void em_rotate(int n, int p, int q, double *restrict Lambda, double *restrict C, double *restrict eta) {
+/* One Jacobi rotation that makes Lambda_pq zero; C turns with it. */
+EM_INLINE void em_rotate(int n, int p, int q, double *restrict Lambda, double *restrict C) {
     const double off = Lambda[p * n + q];
     const double theta = 0.5 * (Lambda[q * n + q] - Lambda[p * n + p]) / off;
     const double tangent = copysign(1.0, theta) / (fabs(theta) + sqrt(theta * theta + 1.0));
@@ -45,23 +46,18 @@ EM_INLINE void em_rotate(int n, int p, int q, double *restrict Lambda, double *r
         Lambda[p * n + k] = Lambda[k * n + p] = cosine * Lp - sine * Lq;
         Lambda[q * n + k] = Lambda[k * n + q] = sine * Lp + cosine * Lq;
     }
-    if (eta) {
-        const double eta_p = eta[p], eta_q = eta[q];
-        eta[p] = cosine * eta_p - sine * eta_q;
-        eta[q] = sine * eta_p + cosine * eta_q;
-    }
 }
 
 /* Cyclic Jacobi sweeps on Lambda = C M C^T until what is off the diagonal is at rounding (Golub & Van Loan, 8.5).
  * Small rotations only where Lambda is nearly diagonal: rows of C keep their order and sign. */
-EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C, double *restrict eta) {
+EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
     for (int sweep = 0, rotated = 1; rotated && sweep < 40; ++sweep) {
         rotated = 0;
         for (int p = 0; p < n; ++p)
             for (int q = p + 1; q < n; ++q)
                 if (Lambda[p * n + q] * Lambda[p * n + q] >
                     DBL_EPSILON * DBL_EPSILON * fabs(Lambda[p * n + p] * Lambda[q * n + q])) {
-                    em_rotate(n, p, q, Lambda, C, eta);
+                    em_rotate(n, p, q, Lambda, C);
                     rotated = 1;
                 }
     }
@@ -75,24 +71,52 @@ EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, do
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT);
 }
 
-/* C, s <- eigenfactors of M (n, n), near the C given; eta turns with C. Returns -1, or an index where M is singular. */
-EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
+/* C, lambda <- those of M (n, n), near the C given, whatever it is. */
+EM_COLD void em_sweep(int n, const double *M, double *C, double *lambda) {
     double Lambda[n * n];
     em_orthonormalise(n, C);
     em_congruence(n, C, M, Lambda);
-    em_jacobi(n, Lambda, C, eta);
-    double least = Lambda[0], largest = Lambda[0];
+    em_jacobi(n, Lambda, C);
+    for (int i = 0; i < n; ++i) lambda[i] = Lambda[i * n + i];
+}
+
+/* s <- its roots, in which eigenvalues of M (n, n) are given. Returns -1, or an index where M is singular. */
+EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
+    double least = s[0], largest = s[0];
     for (int i = 0; i < n; ++i) {
-        if (!(Lambda[i * n + i] > 0.0)) return i;
-        s[i] = sqrt(Lambda[i * n + i]);
-        least = fmin(least, Lambda[i * n + i]);
-        largest = fmax(largest, Lambda[i * n + i]);
+        if (!(s[i] > 0.0)) return i;
+        least = fmin(least, s[i]);
+        largest = fmax(largest, s[i]);
+        s[i] = sqrt(s[i]);
     }
     return em_unsound_pivot(n, M, least, largest);
 }
 
+/* eta (n) <- as it turned with the rows of C, from what they were; those to first order in what they lacked of being
+ * orthonormal. */
+EM_INLINE void em_turn(int n, const double *restrict before, const double *restrict C, double *restrict eta) {
+    double v[n], back[n];
+    em_transposed_product(n, before, eta, v);
+    em_product(1, n, v, before, back);
+    for (int i = 0; i < n; ++i) eta[i] += 0.5 * (eta[i] - back[i]);
+    em_transposed_product(n, before, eta, v);
+    em_product(1, n, v, C, eta);
+}
+
+/* C, s <- eigenfactors of M (n, n), near the C given; eta turns with C. Returns -1, or an index where M is singular. */
+EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
+    double before[n * n];
+    if (eta) em_copy(n * n, C, before);
+    if (!em_refine(n, M, C, s)) em_sweep(n, M, C, s);
+    if (eta) em_turn(n, before, C, eta);
+    return em_roots(n, M, s);
+}
+
 /* The same where n is known at run time only. */
-EM_COLD int em_refresh_any(int n, const double *M, double *C, double *s) { return em_refresh(n, M, C, s, NULL); }
+EM_COLD int em_refresh_any(int n, const double *M, double *C, double *s) {
+    em_sweep(n, M, C, s);
+    return em_roots(n, M, s);
+}
 
 /* Eigenfactors of M from scratch: s ascending, in each row of C the entry largest in size positive. */
 EM_COLD int em_eigenfactors(int n, const double *M, double *C, double *s) {

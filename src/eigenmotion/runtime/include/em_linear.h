@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "eigenmotion.h"
-#include "em_real.h"
+#include "em_products.h"
 #ifdef EM_ON_LANES
 #include "em_lane_functions.h"
 #else
@@ -19,6 +19,9 @@
  * that is kept, none: not known (em_rank.h). */
 enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 };
 
+#ifndef EM_LONG
+#define EM_LONG 8
+#endif
 #define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
@@ -30,10 +33,40 @@ EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, do
     return -1;
 }
 
+#ifndef EM_ON_LANES
+/* The same row by row of D L^T, in vectors: a row is taken off those behind it. */
+EM_INLINE int em_cholesky_along(int n, const double *restrict M, double *restrict L, double *restrict r,
+                                double tolerance) {
+    enum { WIDTH = EM_LANES };
+    const int padded = (n + WIDTH - 1) / WIDTH;
+    em_numbers rows[n * padded];
+    double *const U = (double *)rows;
+    memset(rows, 0, sizeof rows);
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) U[j * padded * WIDTH + i] = M[i * n + j];
+    for (int k = 0; k < n; ++k) {
+        const double *const row = U + k * padded * WIDTH, pivot = row[k];
+        if (!(pivot > tolerance * M[k * n + k])) return k;
+        const double inverse = 1.0 / pivot;
+        r[k] = sqrt(inverse);
+        for (int i = k + 1; i < n; ++i) {
+            const double part = row[i] * inverse;
+            for (int at = i / WIDTH; at < padded; ++at) rows[i * padded + at] -= part * rows[k * padded + at];
+        }
+    }
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) L[i * n + j] = U[j * padded * WIDTH + i] * r[j];
+    return -1;
+}
+#endif
+
 /* L (n, n) lower with M = L L^T; reads the lower triangle of M. r (n): 1 / L_ii.
  * Returns -1, or the index of the first pivot that is not above `tolerance` M_ii.
  * By way of L D L^T: from pivot to pivot leads one division then, and the roots are not waited for. */
 EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
+#ifndef EM_ON_LANES
+    if (n >= EM_LONG && EM_LANES > 1) return em_cholesky_along(n, M, L, r, tolerance);
+#endif
     real W[n * n]; /* L D^-1, while L D is in L and D^-1 in r */
     for (int j = 0; j < n; ++j) {
         real pivot = M[j * n + j];
@@ -73,16 +106,6 @@ EM_INLINE void em_backward(int n, const real *restrict L, const real *restrict r
     }
 }
 
-/* X (n, n) <- L^-1 X */
-EM_INLINE void em_forward_columns(int n, const real *restrict L, const real *restrict r, real *restrict X) {
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            real sum = X[i * n + j];
-            for (int k = 0; k < i; ++k) sum -= L[i * n + k] * X[k * n + j];
-            X[i * n + j] = sum * r[i];
-        }
-}
-
 /* eta = S C v <-> eta = L^T v: the same velocities under another root of M. */
 EM_INLINE void em_transposed(int n, const real *restrict L, real *restrict v) {
     for (int i = 0; i < n; ++i) {
@@ -115,18 +138,20 @@ EM_INLINE void em_product(int m, int n, const real *restrict A, const real *rest
 /* Lambda (n, n) <- C M C^T, both triangles; M full. */
 EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
     real W[n * n];
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-            real sum = em_real(0.0);
-            for (int k = 0; k < n; ++k) sum += C[i * n + k] * M[k * n + j];
-            W[i * n + j] = sum;
-        }
+    if (em_tiled(n)) {
+        real T[n * n];
+        em_transpose(n, C, T);
+        em_multiply(n, 0, 1.0, M, T, W);
+        em_multiply(n, 1, 1.0, C, W, Lambda);
+        em_mirror(n, Lambda);
+        return;
+    }
+    em_multiply(n, 0, 1.0, C, M, W);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) {
             real sum = em_real(0.0);
             for (int k = 0; k < n; ++k) sum += W[i * n + k] * C[j * n + k];
-            Lambda[i * n + j] = sum;
-            Lambda[j * n + i] = sum;
+            Lambda[i * n + j] = Lambda[j * n + i] = sum;
         }
 }
 

@@ -8,10 +8,7 @@
 EM_INLINE void em_velocity_of_eta(int n, const real *restrict C, const real *restrict s, real *restrict eta) {
     real v[n], w[n];
     for (int i = 0; i < n; ++i) w[i] = eta[i] / s[i];
-    for (int j = 0; j < n; ++j) {
-        v[j] = em_real(0.0);
-        for (int i = 0; i < n; ++i) v[j] += C[i * n + j] * w[i];
-    }
+    em_transposed_product(n, C, w, v);
     memcpy(eta, v, sizeof v);
 }
 
@@ -28,11 +25,9 @@ EM_INLINE void em_eta_of_velocity(int n, const real *restrict C, const real *res
 
 /* eta <- C^T S eta, the momenta M xdot. Whatever Omega turns C and eta, they are what the forces make of them. */
 EM_INLINE void em_momentum_of_eta(int n, const real *restrict C, const real *restrict s, real *restrict eta) {
-    real p[n];
-    for (int j = 0; j < n; ++j) {
-        p[j] = em_real(0.0);
-        for (int i = 0; i < n; ++i) p[j] += C[i * n + j] * (s[i] * eta[i]);
-    }
+    real p[n], w[n];
+    for (int i = 0; i < n; ++i) w[i] = s[i] * eta[i];
+    em_transposed_product(n, C, w, p);
     memcpy(eta, p, sizeof p);
 }
 
@@ -53,10 +48,9 @@ EM_INLINE void em_velocity(int n, const real *restrict C, const real *restrict s
     for (int i = 0; i < n; ++i) {
         r[i] = 1.0 / s[i];
         w[i] = r[i] * eta[i];
-        v[i] = n == 1 ? w[i] : em_real(0.0);
+        if (n == 1) v[i] = w[i];
     }
-    for (int i = 0; n > 1 && i < n; ++i)
-        for (int j = 0; j < n; ++j) v[j] += C[i * n + j] * w[i];
+    if (n > 1) em_transposed_product(n, C, w, v);
 }
 
 /* B (m, n) <- A C^T S^-1 (28), r = 1 / s; of one row, a force: a = S^-1 C f. */

@@ -19,14 +19,8 @@ EM_INLINE void em_omega_apart(int n, const real *restrict s, const real *restric
 /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35); r = 1 / s. */
 EM_INLINE void em_factor_rates(int n, const real *restrict C, const real *restrict r, const real *restrict mu,
                                const real *restrict Omega, real *restrict C_dot, real *restrict s_dot) {
-    for (int i = 0; i < n; ++i) {
-        s_dot[i] = 0.5 * mu[i * n + i] * r[i];
-        for (int j = 0; j < n; ++j) {
-            real sum = em_real(0.0);
-            for (int k = 0; k < n; ++k) sum -= Omega[i * n + k] * C[k * n + j];
-            C_dot[i * n + j] = sum;
-        }
-    }
+    for (int i = 0; i < n; ++i) s_dot[i] = 0.5 * mu[i * n + i] * r[i];
+    em_multiply(n, 0, -1.0, Omega, C, C_dot);
 }
 
 /* a <- S^-1 (C f - Omega S eta - Sdot eta) (41), and q (NULL: not asked) <- S Omega S^-1 eta - S^-1 Sdot eta:
@@ -54,11 +48,13 @@ EM_INLINE void em_triangular_push(int n, const real *restrict L, const real *res
                                   real *restrict q) {
     for (int i = 0; i < n; ++i) a[i] = f[i], q[i] = em_real(0.0);
     em_forward(n, L, r, a);
-    for (int j = 0; j < n; ++j) em_forward(n, L, r, Mdot + j * n);
-    em_forward_columns(n, L, r, Mdot);
+    real X[n * n]; /* L^-1 Mdot, transposed; then L^-1 of it */
+    em_forward_columns(n, 0, L, r, Mdot);
+    em_transpose(n, Mdot, X);
+    em_forward_columns(n, 1, L, r, X);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) {
-            const real Phi = (i == j ? 0.5 : 1.0) * Mdot[i * n + j];
+            const real Phi = (i == j ? 0.5 : 1.0) * X[j * n + i];
             a[i] -= Phi * eta[j];
             q[j] -= Phi * eta[i];
         }

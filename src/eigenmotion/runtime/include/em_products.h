@@ -1,0 +1,121 @@
+/* em_products.h: products of small dense matrices, row-major. From four rows on, those of numbers are formed in vectors,
+ * for a compiler that unrolls what is small is left with single numbers; what is smaller, and what is on lanes already,
+ * is left to it. */
+#ifndef EM_PRODUCTS_H
+#define EM_PRODUCTS_H
+
+#include "em_real.h"
+
+/* Before a loop along a row: leave it whole, for vectors to be made of. */
+#if defined(__clang__)
+#define EM_ALONG _Pragma("clang loop vectorize(enable)")
+#else
+#define EM_ALONG _Pragma("GCC unroll 1")
+#endif
+
+/* T <- A^T */
+EM_INLINE void em_transpose(int n, const real *restrict A, real *restrict T) {
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) T[j * n + i] = A[i * n + j];
+}
+
+/* The upper triangle of A <- the lower. */
+EM_INLINE void em_mirror(int n, real *A) {
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < i; ++j) A[j * n + i] = A[i * n + j];
+}
+
+/* v (n) <- C^T w */
+EM_INLINE void em_transposed_product(int n, const real *restrict C, const real *restrict w, real *restrict v) {
+    EM_ALONG
+    for (int j = 0; j < n; ++j) {
+        real sum = em_real(0.0);
+        for (int i = 0; i < n; ++i) sum += C[i * n + j] * w[i];
+        v[j] = sum;
+    }
+}
+
+enum { EM_TILE = 4 }; /* rows of a product that are formed together: that many sums do not wait for each other */
+
+/* How many of the rows of a product are formed in tiles. */
+#ifdef EM_ON_LANES
+EM_INLINE int em_tiled(EM_UNUSED int n) { return 0; }
+#else
+EM_INLINE int em_tiled(int n) { return EM_LANES > 1 ? n / EM_TILE * EM_TILE : 0; }
+
+/* Columns first ... first + width of as many rows of A B, in registers. The next row of B is fetched while one is used;
+ * fetched where it is used, GCC may fetch it for each row of A. */
+#define EM_TILES_OF(width)                                                                                             \
+    typedef double em_numbers_##width __attribute__((vector_size(8 * width)));                                         \
+    typedef double em_stored_##width __attribute__((vector_size(8 * width), aligned(8), may_alias));                   \
+    EM_INLINE void em_tile_##width(int n, int first, double sign, const double *restrict A,                            \
+                                   const double *restrict B, double *restrict O) {                                     \
+        em_numbers_##width sum[EM_TILE] = {{0.0}}, b = *(const em_stored_##width *)(B + first);                        \
+        for (int k = 0;; ++k) {                                                                                        \
+            for (int row = 0; row < EM_TILE; ++row) sum[row] += sign * A[row * n + k] * b;                             \
+            if (k + 1 == n) break;                                                                                     \
+            b = *(const em_stored_##width *)(B + (k + 1) * n + first);                                                 \
+        }                                                                                                              \
+        for (int row = 0; row < EM_TILE; ++row) *(em_stored_##width *)(O + row * n + first) = sum[row];                \
+    }                                                                                                                  \
+    EM_INLINE void em_forward_##width(int n, int rows, int first, const double *restrict L, const double *restrict r,  \
+                                      double *restrict X) {                                                            \
+        em_numbers_##width x[n];                                                                                       \
+        for (int i = 0; i < rows; ++i) x[i] = *(const em_stored_##width *)(X + i * n + first);                         \
+        for (int k = 0; k < rows; ++k) {                                                                               \
+            x[k] *= r[k];                                                                                              \
+            for (int i = k + 1; i < rows; ++i) x[i] -= L[i * n + k] * x[k];                                            \
+            *(em_stored_##width *)(X + k * n + first) = x[k];                                                          \
+        }                                                                                                              \
+    }
+EM_TILES_OF(8)
+EM_TILES_OF(4)
+EM_TILES_OF(2)
+EM_TILES_OF(1)
+#undef EM_TILES_OF
+
+typedef double em_numbers __attribute__((vector_size(8 * EM_LANES), may_alias));
+#endif
+
+/* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. */
+EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, const real *restrict r, real *restrict X) {
+    int j = 0;
+#ifndef EM_ON_LANES
+    if (em_tiled(n)) {
+        for (; EM_LANES >= 8 && j + 8 <= n; j += 8) em_forward_8(n, upper ? j + 8 : n, j, L, r, X);
+        for (; EM_LANES >= 4 && j + 4 <= n; j += 4) em_forward_4(n, upper ? j + 4 : n, j, L, r, X);
+        for (; j + 2 <= n; j += 2) em_forward_2(n, upper ? j + 2 : n, j, L, r, X);
+    }
+#endif
+    for (int i = 0; i < n; ++i)
+        for (int k = upper && i > j ? i : j; k < n; ++k) {
+            real sum = X[i * n + k];
+            for (int l = 0; l < i; ++l) sum -= L[i * n + l] * X[l * n + k];
+            X[i * n + k] = sum * r[i];
+        }
+}
+
+/* O (n, n) <- sign A B; where `lower`, not all of what is above the diagonal. */
+EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A, const real *restrict B,
+                           real *restrict O) {
+#ifndef EM_ON_LANES
+    for (int row = 0; row < em_tiled(n); row += EM_TILE) {
+        const real *const rows = A + row * n;
+        real *const product = O + row * n;
+        const int last = lower ? row + EM_TILE : n;
+        int j = 0;
+        for (; EM_LANES >= 8 && j + 8 <= n && j < last; j += 8) em_tile_8(n, j, sign, rows, B, product);
+        for (; EM_LANES >= 4 && j + 4 <= n && j < last; j += 4) em_tile_4(n, j, sign, rows, B, product);
+        for (; j + 2 <= n && j < last; j += 2) em_tile_2(n, j, sign, rows, B, product);
+        for (; j < last; ++j) em_tile_1(n, j, sign, rows, B, product);
+    }
+#endif
+    for (int i = em_tiled(n); i < n; ++i)
+        for (int j = 0; j < (lower ? i + 1 : n); ++j) {
+            real sum = em_real(0.0);
+            for (int k = 0; k < n; ++k) sum += sign * A[i * n + k] * B[k * n + j];
+            O[i * n + j] = sum;
+        }
+}
+
+#endif
