@@ -12,7 +12,7 @@
 
 extern const em_model MODEL;
 
-enum { LARGEST = 256 };
+enum { LARGEST = 1024 };
 
 static void print(const em_run *run, int n) {
     printf("%ld %ld %ld %d\n", run->n_rhs, run->n_steps, run->n_bounded, (int)run->fault.status);

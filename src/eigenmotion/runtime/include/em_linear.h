@@ -19,9 +19,6 @@
  * that is kept, none: not known (em_rank.h). */
 enum { EM_STABILISE = 1, EM_KEEP_MODE = 2, EM_LEAST_NORM = 4, EM_BEGIN = 8, EM_FIRST_KEPT = 16, EM_MOST_ROWS = 26 };
 
-#ifndef EM_LONG
-#define EM_LONG 8
-#endif
 #define EM_VANISHED 1e-26 /* the square of what a row of B must be, beside the longest, to count as a row */
 #define EM_SINGULAR_PIVOT 1e-13 /* a pivot below this part of its diagonal entry leaves fewer than three right digits */
 
@@ -34,8 +31,10 @@ EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, do
 }
 
 #ifndef EM_ON_LANES
-/* The same row by row of D L^T, in vectors: a row is taken off those behind it. */
-EM_INLINE int em_cholesky_along(int n, const double *restrict M, double *restrict L, double *restrict r,
+enum { EM_LONG = 8 }; /* from here on rows of a factor are formed in vectors */
+
+/* em_cholesky row by row of D L^T: each is taken off those behind it, in vectors of EM_LANES numbers. */
+EM_COLD int em_cholesky_along(int n, const double *restrict M, double *restrict L, double *restrict r,
                                 double tolerance) {
     enum { WIDTH = EM_LANES };
     const int padded = (n + WIDTH - 1) / WIDTH;
@@ -44,11 +43,13 @@ EM_INLINE int em_cholesky_along(int n, const double *restrict M, double *restric
     memset(rows, 0, sizeof rows);
     for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) U[j * padded * WIDTH + i] = M[i * n + j];
+    EM_UNROLL
     for (int k = 0; k < n; ++k) {
         const double *const row = U + k * padded * WIDTH, pivot = row[k];
         if (!(pivot > tolerance * M[k * n + k])) return k;
         const double inverse = 1.0 / pivot;
         r[k] = sqrt(inverse);
+        EM_UNROLL
         for (int i = k + 1; i < n; ++i) {
             const double part = row[i] * inverse;
             for (int at = i / WIDTH; at < padded; ++at) rows[i * padded + at] -= part * rows[k * padded + at];
@@ -65,7 +66,7 @@ EM_INLINE int em_cholesky_along(int n, const double *restrict M, double *restric
  * By way of L D L^T: from pivot to pivot leads one division then, and the roots are not waited for. */
 EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
 #ifndef EM_ON_LANES
-    if (n >= EM_LONG && EM_LANES > 1) return em_cholesky_along(n, M, L, r, tolerance);
+    if (em_tiled(n) >= EM_LONG) return em_cholesky_along(n, M, L, r, tolerance);
 #endif
     real W[n * n]; /* L D^-1, while L D is in L and D^-1 in r */
     for (int j = 0; j < n; ++j) {

@@ -41,7 +41,7 @@ enum { EM_TILE = 4 }; /* rows of a product that are formed together: that many s
 #ifdef EM_ON_LANES
 EM_INLINE int em_tiled(EM_UNUSED int n) { return 0; }
 #else
-EM_INLINE int em_tiled(int n) { return EM_LANES > 1 ? n / EM_TILE * EM_TILE : 0; }
+EM_INLINE int em_tiled(int n) { return EM_LANES > 1 && __builtin_constant_p(n) ? n / EM_TILE * EM_TILE : 0; }
 
 /* Columns first ... first + width of as many rows of A B, in registers. The next row of B is fetched while one is used;
  * fetched where it is used, GCC may fetch it for each row of A. */
@@ -52,19 +52,19 @@ EM_INLINE int em_tiled(int n) { return EM_LANES > 1 ? n / EM_TILE * EM_TILE : 0;
                                    const double *restrict B, double *restrict O) {                                     \
         em_numbers_##width sum[EM_TILE] = {{0.0}}, b = *(const em_stored_##width *)(B + first);                        \
         for (int k = 0;; ++k) {                                                                                        \
-            for (int row = 0; row < EM_TILE; ++row) sum[row] += sign * A[row * n + k] * b;                             \
+            for (int row = 0; row < EM_TILE; ++row) sum[row] += A[row * n + k] * b;                                    \
             if (k + 1 == n) break;                                                                                     \
             b = *(const em_stored_##width *)(B + (k + 1) * n + first);                                                 \
         }                                                                                                              \
-        for (int row = 0; row < EM_TILE; ++row) *(em_stored_##width *)(O + row * n + first) = sum[row];                \
+        for (int row = 0; row < EM_TILE; ++row) *(em_stored_##width *)(O + row * n + first) = sign * sum[row];         \
     }                                                                                                                  \
     EM_INLINE void em_forward_##width(int n, int rows, int first, const double *restrict L, const double *restrict r,  \
                                       double *restrict X) {                                                            \
         em_numbers_##width x[n];                                                                                       \
         for (int i = 0; i < rows; ++i) x[i] = *(const em_stored_##width *)(X + i * n + first);                         \
-        for (int k = 0; k < rows; ++k) {                                                                               \
+        EM_UNROLL for (int k = 0; k < rows; ++k) {                                                                     \
             x[k] *= r[k];                                                                                              \
-            for (int i = k + 1; i < rows; ++i) x[i] -= L[i * n + k] * x[k];                                            \
+            EM_UNROLL for (int i = k + 1; i < rows; ++i) x[i] -= L[i * n + k] * x[k];                                            \
             *(em_stored_##width *)(X + k * n + first) = x[k];                                                          \
         }                                                                                                              \
     }
@@ -81,7 +81,7 @@ typedef double em_numbers __attribute__((vector_size(8 * EM_LANES), may_alias));
 EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, const real *restrict r, real *restrict X) {
     int j = 0;
 #ifndef EM_ON_LANES
-    if (em_tiled(n)) {
+    if (em_tiled(n) && n > EM_TILE) {
         for (; EM_LANES >= 8 && j + 8 <= n; j += 8) em_forward_8(n, upper ? j + 8 : n, j, L, r, X);
         for (; EM_LANES >= 4 && j + 4 <= n; j += 4) em_forward_4(n, upper ? j + 4 : n, j, L, r, X);
         for (; j + 2 <= n; j += 2) em_forward_2(n, upper ? j + 2 : n, j, L, r, X);

@@ -48,10 +48,16 @@ EM_INLINE void em_triangular_push(int n, const real *restrict L, const real *res
                                   real *restrict q) {
     for (int i = 0; i < n; ++i) a[i] = f[i], q[i] = em_real(0.0);
     em_forward(n, L, r, a);
-    real X[n * n]; /* L^-1 Mdot, transposed; then L^-1 of it */
-    em_forward_columns(n, 0, L, r, Mdot);
-    em_transpose(n, Mdot, X);
-    em_forward_columns(n, 1, L, r, X);
+    real X[n * n]; /* transposed, which it is equal to */
+    if (em_tiled(n) > 0 ? n > EM_TILE : n >= 2 * EM_TILE) {
+        em_forward_columns(n, 0, L, r, Mdot);
+        em_transpose(n, Mdot, X);
+        em_forward_columns(n, 1, L, r, X);
+    } else {
+        for (int j = 0; j < n; ++j) em_forward(n, L, r, Mdot + j * n);
+        em_forward_columns(n, 0, L, r, Mdot);
+        em_transpose(n, Mdot, X);
+    }
     for (int i = 0; i < n; ++i)
         for (int j = 0; j <= i; ++j) {
             const real Phi = (i == j ? 0.5 : 1.0) * X[j * n + i];

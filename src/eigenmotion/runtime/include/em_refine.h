@@ -37,7 +37,7 @@ EM_INLINE double em_correction(int n, const double *restrict R, const double *re
 }
 
 /* C, lambda <- those of M (n, n), where C is near enough and eigenvalues are apart; otherwise 0, and C is still near. */
-EM_INLINE int em_refine(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
+EM_COLD int em_refine(int n, const double *restrict M, double *restrict C, double *restrict lambda) {
     double limit = EM_REFINABLE;
     for (;;) {
         double T[n * n], R[n * n], W[n * n], Lambda[n * n];

@@ -18,28 +18,44 @@
 
 enum { EM_LOOK = -1 }; /* it takes the time to the nearest crossing to tell */
 
+/* The least of a (n), which are numbers. */
+EM_INLINE double em_smallest(int n, const double *restrict a) {
+    double least = INFINITY;
+    for (int i = 0; i < n; ++i) least = a[i] < least ? a[i] : least;
+    return least;
+}
+
 /* The smallest distance of two eigenvalues, relative to the larger. */
 EM_INLINE double em_gap(int n, const double *restrict s) {
-    double gap = INFINITY;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < i; ++j) {
-            const double larger = fmax(s[i], s[j]);
-            gap = fmin(gap, fabs((s[i] - s[j]) * (s[i] + s[j])) / (larger * larger));
+    double gap[n]; /* of each to those before */
+    for (int j = 0; j < n; ++j) gap[j] = INFINITY;
+    for (int i = 0; i < n; ++i) {
+        EM_ALONG
+        for (int j = 0; j < n; ++j) {
+            const double larger = s[j] > s[i] ? s[j] : s[i], apart = fabs((s[i] - s[j]) * (s[i] + s[j]));
+            const double here = j < i ? apart / (larger * larger) : INFINITY;
+            gap[j] = here < gap[j] ? here : gap[j];
         }
-    return gap;
+    }
+    return em_smallest(n, gap);
 }
 
 /* How far in time the nearest crossing is: with M(t + z) = M + z Mdot the eigenvalues i, j meet at a complex z of
  * size |l_i - l_j| / sqrt((mu_ii - mu_jj)^2 + 4 mu_ij^2). A step that is not well inside sees a spike in Omega. */
 EM_INLINE double em_time_to_crossing(int n, const double *restrict s, const double *restrict mu) {
-    double least = INFINITY;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < i; ++j) {
-            const double apart = mu[i * n + i] - mu[j * n + j], across = 2.0 * mu[i * n + j];
+    double time[n], rate[n];
+    for (int j = 0; j < n; ++j) time[j] = INFINITY, rate[j] = mu[j * n + j];
+    for (int i = 0; i < n; ++i) {
+        EM_ALONG
+        for (int j = 0; j < n; ++j) {
+            const double apart = rate[i] - rate[j], across = 2.0 * mu[i * n + j];
             const double speed = sqrt(apart * apart + across * across);
-            least = fmin(least, fabs((s[i] - s[j]) * (s[i] + s[j])) / fmax(speed, DBL_MIN));
+            const double here = fabs((s[i] - s[j]) * (s[i] + s[j])) / (speed > DBL_MIN ? speed : DBL_MIN);
+            const double counts = j < i ? here : INFINITY;
+            time[j] = counts < time[j] ? counts : time[j];
         }
-    return least;
+    }
+    return em_smallest(n, time);
 }
 
 /* The mode to come, by the relative gaps of the eigenvalues of M and of Delta; or EM_LOOK. */
