@@ -1,4 +1,4 @@
-"""What a state with eigenfactors costs beside one without: runs of chains and of dual_link in C, over those of lagrange.
+"""What eigenfactors in the state cost: runs of chains and of dual_link in C, over those of lagrange.
 
 Two seconds at 1e-9 with dop853, in interleaved rounds: medians of the ratios, with quartiles. With a folder of other
 headers (of another version, say) it prints each formulation over itself with those, too.
