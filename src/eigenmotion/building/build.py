@@ -3,7 +3,6 @@
 import logging
 import sys
 from functools import cache, partial
-from importlib.metadata import version
 from os import PathLike
 from pathlib import Path
 
@@ -125,13 +124,13 @@ def _generate(wanted: Order, folder: Path) -> None:
 
 @cache
 def _abi() -> str:
-    """Hash of the headers that are compiled in."""
-    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.h"))))
+    """Hash of the headers that are compiled in, and of what makes a module of a model."""
+    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.[ch]"))))
 
 
 def _python() -> str:
-    """Interpreter and libraries whose binary interfaces the module uses."""
-    return key(sys.version, EXTENSION_SUFFIX, version("cython"), version("numpy"))
+    """The interpreter, whose binary interface the module uses."""
+    return key(sys.version, EXTENSION_SUFFIX)
 
 
 @cache

@@ -4,7 +4,6 @@ import logging
 import shutil
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from importlib import import_module
 from importlib.machinery import ExtensionFileLoader, ModuleSpec
 from importlib.util import module_from_spec
 from pathlib import Path
@@ -22,8 +21,6 @@ from .toolchain import EXTENSION_SUFFIX, Toolchain
 
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
-_translating = Lock()  # Cython keeps what it knows in modules
-GLUE = "glue"
 
 
 def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None) -> None:
@@ -44,30 +41,11 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
 
 
 def compile_and_link(work: Path, name: str, tools: Toolchain) -> None:
-    """NAME.c, and NAME.pyx -> glue/NAME.c, into one module.
-
-    In a folder of its own, what Cython writes finds Python's headers also where NAME is `Python` or `code`.
-    """
-    glue = f"{GLUE}/{name}"
-    (work / GLUE).mkdir()
-    with ThreadPoolExecutor(max_workers=2) as pool:
-        model = pool.submit(tools.compile_model, work, name)
-        lanes = pool.submit(tools.compile_lanes, work, name)
-        translate(work, name, f"{glue}.c")
-        tools.compile_glue(work, glue)
-        model.result()
-        lanes.result()
-    tools.link(work, (name, f"{name}_lanes", glue), name)
-
-
-def translate(work: Path, name: str, target: str) -> None:
-    """NAME.pyx -> C. In this process: Cython takes nearly a second to start, and the second file a tenth of that."""
-    compiler = import_module("Cython.Compiler.Main")  # not before a model is compiled
-    with _translating:
-        options = {"language_level": 3, "output_file": str(work / target)}
-        done = compiler.compile(str(work / f"{name}.pyx"), full_module_name=name, **options)
-    if done.num_errors:
-        raise BuildError(f"Cython refused {name}.pyx, and said why on the standard error output")
+    """NAME.c, and what makes a module of it, side by side; then the module."""
+    units = (tools.compile_model, tools.compile_lanes, tools.compile_module)
+    with ThreadPoolExecutor(max_workers=len(units)) as pool:
+        objects = [pool.submit(compile_unit, work, name) for compile_unit in units]
+        tools.link(work, tuple(one.result() for one in objects), name)
 
 
 def load(binary: Path) -> System:
