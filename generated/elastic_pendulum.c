@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:c8dfc63292c441c5aeee93cb733a7f898505615f2fe1f844104470fa67177893 */
+/* body sha256:60a76718168e260f8ef56be06e95b58b15984d16b5490fe6b5725f31eb2080f8 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -68,19 +68,19 @@ EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real f2[N2])
 {
+    const real c_0 = c[8];
+    const real r_dot = v[1];
+    const real r = x[1];
+    Mdot1[0][0] = c_0*(r_dot*r);
+    const real c_1 = c[9];
+    const real theta = x[0];
+    const real sin_theta = em_sin(theta);
+    f1[0] = -r*c_1*sin_theta;
     const real m = c[0];
+    const real theta_dot = v[0];
+    const real cos_theta = em_cos(theta);
     const real k = c[1];
     const real L = c[3];
-    const real c_0 = c[8];
-    const real c_1 = c[9];
-    const real theta_dot = v[0];
-    const real r_dot = v[1];
-    const real theta = x[0];
-    const real r = x[1];
-    const real sin_theta = em_sin(theta);
-    const real cos_theta = em_cos(theta);
-    Mdot1[0][0] = c_0*(r_dot*r);
-    f1[0] = -r*c_1*sin_theta;
     f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
 }
 
@@ -201,10 +201,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double g = parameters[2];
-    const double z_0 = m*g;
     M2[0][0] = m;
     prepared[8] = 2.0*m;
+    const double g = parameters[2];
+    const double z_0 = m*g;
     prepared[9] = z_0;
     prepared[10] = 2.0*z_0;
 }
@@ -237,8 +237,8 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
                                  double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[8];
     const double r = x[1];
+    const double c_0 = c[8];
     dM[4] = r*c_0;
 }
 
@@ -265,18 +265,18 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, const doub
                         const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
                         EM_UNUSED double *restrict gamma)
 {
-    const double m = c[0];
-    const double k = c[1];
-    const double L = c[3];
-    const double c_0 = c[8];
+    const double r = x[1];
     const double c_1 = c[9];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double c_0 = c[8];
     const double theta_dot = v[0];
     const double r_dot = v[1];
-    const double theta = x[0];
-    const double r = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
     bias[0] = -(r*c_1*sin_theta + r*c_0*(theta_dot*r_dot));
+    const double m = c[0];
+    const double cos_theta = em_cos(theta);
+    const double k = c[1];
+    const double L = c[3];
     bias[1] = theta_dot*theta_dot*(m*r) + cos_theta*c_1 - k*(r - L);
 }
 
@@ -285,18 +285,18 @@ static void energy(EM_UNUSED double t, const double *restrict x, const double *r
                    const double *restrict c, double *restrict e)
 {
     const double m = c[0];
-    const double k = c[1];
-    const double L = c[3];
-    const double c_2 = c[10];
-    const double theta_dot = v[0];
     const double r_dot = v[1];
-    const double theta = x[0];
+    const double theta_dot = v[0];
     const double r = x[1];
-    const double z_0 = r - L;
-    const double cos_theta = em_cos(theta);
     e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
     e[1] = 0.0;
     e[2] = 0.0;
+    const double k = c[1];
+    const double L = c[3];
+    const double z_0 = r - L;
+    const double c_2 = c[10];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
     e[3] = 0.5*(k*(z_0*z_0) - c_2*(r*cos_theta));
 }
 

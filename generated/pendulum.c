@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:52093ff08df338eb7671e66ad6a6689dac8a4940eaed541f7478e4ba452b5597 */
+/* body sha256:b4514a157b32daed6f60c629f589e3a26965916bcd3577bc2c2ce9201832c0c4 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -151,9 +151,9 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 {
     const double m = parameters[0];
     const double l = parameters[1];
-    const double g = parameters[2];
     const double z_0 = m*(l*l);
     M1[0][0] = z_0;
+    const double g = parameters[2];
     prepared[7] = m*l*g;
     prepared[8] = z_0;
     prepared[9] = 0.5*z_0;
@@ -220,14 +220,14 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED 
 static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
                    const double *restrict c, double *restrict e)
 {
-    const double c_0 = c[7];
     const double c_2 = c[9];
     const double theta_dot = v[0];
-    const double theta = x[0];
-    const double cos_theta = em_cos(theta);
     e[0] = c_2*(theta_dot*theta_dot);
     e[1] = 0.0;
     e[2] = 0.0;
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[7];
     e[3] = -cos_theta*c_0;
 }
 

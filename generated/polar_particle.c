@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:137a4034d0485ac2a1f28bbd650b2de325c60c914ce4f321d9a2315b4e5c1594 */
+/* body sha256:4a4e2070275a5b8e6285c75295a92b8219872f076eec11f2a15d910731724386 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -71,14 +71,14 @@ EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   const real shared[1], real Mdot2[N2][N2], real f1[N1], real f2[N2])
 {
-    const real m = c[0];
     const real c_0 = c[6];
-    const real c_1 = c[7];
-    const real z_0 = shared[0];
     const real r_dot = v[0];
-    const real theta_dot = v[1];
     const real r = x[0];
     Mdot2[0][0] = c_0*(r_dot*r);
+    const real m = c[0];
+    const real theta_dot = v[1];
+    const real c_1 = c[7];
+    const real z_0 = shared[0];
     f1[0] = m*r*(theta_dot*theta_dot) - c_1/z_0;
     f2[0] = em_real(0.0);
 }
@@ -200,9 +200,9 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double mu = parameters[1];
     M1[0][0] = m;
     prepared[6] = 2.0*m;
+    const double mu = parameters[1];
     prepared[7] = m*mu;
 }
 
@@ -222,9 +222,9 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
                         double *restrict M)
 {
     const double m = c[0];
-    const double r = x[0];
     M[0] = m;
     M[2] = M[1] = 0.0;
+    const double r = x[0];
     M[3] = m*(r*r);
 }
 
@@ -234,8 +234,8 @@ static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, c
                                  double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[6];
     const double r = x[0];
+    const double c_0 = c[6];
     dM[3] = r*c_0;
 }
 
@@ -262,13 +262,13 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, const doub
                         const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
                         EM_UNUSED double *restrict gamma)
 {
-    const double m = c[0];
-    const double c_0 = c[6];
-    const double c_1 = c[7];
-    const double r_dot = v[0];
     const double theta_dot = v[1];
+    const double m = c[0];
     const double r = x[0];
+    const double c_1 = c[7];
     bias[0] = theta_dot*theta_dot*(m*r) - c_1/(r*r);
+    const double c_0 = c[6];
+    const double r_dot = v[0];
     bias[1] = -r*c_0*(r_dot*theta_dot);
 }
 
@@ -277,13 +277,13 @@ static void energy(EM_UNUSED double t, const double *restrict x, const double *r
                    const double *restrict c, double *restrict e)
 {
     const double m = c[0];
-    const double c_1 = c[7];
     const double r_dot = v[0];
     const double theta_dot = v[1];
     const double r = x[0];
     e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
     e[1] = 0.0;
     e[2] = 0.0;
+    const double c_1 = c[7];
     e[3] = -c_1/r;
 }
 

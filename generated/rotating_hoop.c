@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:77cde080e1871b0f6602509c45c3f47a50197e3be97d86d964d85143466d95b1 */
+/* body sha256:f4477c62a31eafe9a8ec3b6d0f2d9f56324c7598fda7662d57d1b5b8ec007667 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -52,11 +52,11 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1])
 {
-    const real c_0 = c[8];
-    const real c_1 = c[9];
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
+    const real c_0 = c[8];
     const real cos_theta = em_cos(theta);
+    const real c_1 = c[9];
     f1[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
 }
 
@@ -152,12 +152,12 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 {
     const double m = parameters[0];
     const double R = parameters[1];
-    const double Omega = parameters[2];
-    const double g = parameters[3];
     const double z_0 = m*(R*R);
-    const double z_1 = z_0*(Omega*Omega);
     M1[0][0] = z_0;
+    const double g = parameters[3];
     prepared[8] = m*R*g;
+    const double Omega = parameters[2];
+    const double z_1 = z_0*(Omega*Omega);
     prepared[9] = z_1;
     prepared[10] = z_0;
     prepared[11] = 0.5*z_0;
@@ -215,11 +215,11 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED 
                         const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
                         EM_UNUSED double *restrict gamma)
 {
-    const double c_0 = c[8];
-    const double c_1 = c[9];
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
+    const double c_0 = c[8];
     const double cos_theta = em_cos(theta);
+    const double c_1 = c[9];
     bias[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
 }
 
@@ -227,16 +227,16 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED 
 static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
                    const double *restrict c, double *restrict e)
 {
-    const double c_0 = c[8];
     const double c_3 = c[11];
-    const double c_4 = c[12];
     const double theta_dot = v[0];
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
     e[0] = c_3*(theta_dot*theta_dot);
     e[1] = 0.0;
+    const double c_4 = c[12];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
     e[2] = c_4*(sin_theta*sin_theta);
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[8];
     e[3] = -cos_theta*c_0;
 }
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:3b28253d83ba276383d07f472b6e6d5688c6c834ba69f7b1f700e35842fe43b2 */
+/* body sha256:264d046d7f45ea4f9d96568fe774dd1d76277a2f9fbb638ab3512294bafcc1a0 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -57,16 +57,16 @@ EM_UNUSED static const int coordinate2[N2] = { 1 };
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real f1[N1], real f2[N2])
 {
-    const real c_0 = c[12];
-    const real c_1 = c[13];
-    const real c_2 = c[14];
-    const real x_dot = v[0];
     const real y_dot = v[1];
-    const real x_ = x[0];
-    const real y = x[1];
+    const real c_0 = c[12];
     const real z_0 = y_dot*c_0;
-    const real z_1 = x_dot*c_0;
+    const real x_ = x[0];
+    const real c_1 = c[13];
     f1[0] = z_0 + (z_0 - x_*c_1);
+    const real x_dot = v[0];
+    const real z_1 = x_dot*c_0;
+    const real y = x[1];
+    const real c_2 = c[14];
     f2[0] = -(z_1 + (z_1 + y*c_2));
 }
 
@@ -181,15 +181,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double k_x = parameters[1];
-    const double k_y = parameters[2];
-    const double Omega = parameters[3];
-    const double z_0 = Omega*Omega;
-    const double z_1 = m*z_0;
     M1[0][0] = m;
     M2[0][0] = m;
+    const double Omega = parameters[3];
     prepared[12] = m*Omega;
+    const double k_x = parameters[1];
+    const double z_0 = Omega*Omega;
+    const double z_1 = m*z_0;
     prepared[13] = k_x - z_1;
+    const double k_y = parameters[2];
     prepared[14] = k_y - z_1;
     prepared[15] = z_0;
     prepared[16] = 0.5*m;
@@ -249,16 +249,16 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, const doub
                         const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
                         EM_UNUSED double *restrict gamma)
 {
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double x_dot = v[0];
     const double y_dot = v[1];
-    const double x_ = x[0];
-    const double y = x[1];
+    const double c_0 = c[12];
     const double z_0 = y_dot*c_0;
-    const double z_1 = x_dot*c_0;
+    const double x_ = x[0];
+    const double c_1 = c[13];
     bias[0] = z_0 + (z_0 - x_*c_1);
+    const double x_dot = v[0];
+    const double z_1 = x_dot*c_0;
+    const double y = x[1];
+    const double c_2 = c[14];
     bias[1] = -(z_1 + (z_1 + y*c_2));
 }
 
@@ -267,20 +267,20 @@ static void energy(EM_UNUSED double t, const double *restrict x, const double *r
                    const double *restrict c, double *restrict e)
 {
     const double m = c[0];
-    const double k_x = c[1];
-    const double k_y = c[2];
-    const double c_0 = c[12];
-    const double c_3 = c[15];
-    const double c_4 = c[16];
     const double x_dot = v[0];
     const double y_dot = v[1];
-    const double x_ = x[0];
+    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
+    const double c_0 = c[12];
     const double y = x[1];
+    const double x_ = x[0];
+    e[1] = -c_0*(x_dot*y - y_dot*x_);
+    const double c_3 = c[15];
     const double z_0 = x_*x_;
     const double z_1 = y*y;
-    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
-    e[1] = -c_0*(x_dot*y - y_dot*x_);
+    const double c_4 = c[16];
     e[2] = c_3*(z_0 + z_1)*c_4;
+    const double k_x = c[1];
+    const double k_y = c[2];
     e[3] = 0.5*(k_x*z_0 + k_y*z_1);
 }
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:f0b340f27dd4c658a634fa8caf176080d486ee14fa91f0946f1be15872a8854a */
+/* body sha256:8649036e51b11ea01f59fd5afb0045c913c136552a361bc17a8be1080c3def2c */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -57,16 +57,16 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1])
 {
-    const real k_z = c[2];
-    const real c_0 = c[3];
     const real x_dot = v[0];
-    const real z_dot = v[1];
-    const real x_ = x[0];
-    const real z = x[1];
     Mdot1[0][0] = 0.5*x_dot;
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = (-0.5)*x_dot;
+    const real z_dot = v[1];
+    const real x_ = x[0];
+    const real c_0 = c[3];
     f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
+    const real k_z = c[2];
+    const real z = x[1];
     f1[1] = -k_z*z;
 }
 
@@ -124,9 +124,9 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 /* M of the blocks that vary: the lower triangle */
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
 {
-    const real gap = c[0];
     const real x_ = x[0];
     M1[0][0] = 0.5*(x_ + 4.0);
+    const real gap = c[0];
     M1[1][0] = gap;
     M1[1][1] = 0.5*(4.0 - x_);
 }
@@ -135,16 +135,16 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                  real Mdot1[N1][N1], real f1[N1])
 {
-    const real k_z = c[2];
-    const real c_0 = c[3];
     const real x_dot = v[0];
-    const real z_dot = v[1];
-    const real x_ = x[0];
-    const real z = x[1];
     Mdot1[0][0] = 0.5*x_dot;
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = (-0.5)*x_dot;
+    const real z_dot = v[1];
+    const real x_ = x[0];
+    const real c_0 = c[3];
     f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
+    const real k_z = c[2];
+    const real z = x[1];
     f1[1] = -k_z*z;
 }
 
@@ -231,11 +231,11 @@ static const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double gap = parameters[0];
     const double k_x = parameters[1];
-    const double k_z = parameters[2];
     prepared[3] = 4.0*k_x;
+    const double k_z = parameters[2];
     prepared[4] = 2.0*k_z;
+    const double gap = parameters[0];
     prepared[5] = 2.0*gap;
 }
 
@@ -252,9 +252,9 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double gap = c[0];
     const double x_ = x[0];
     M[0] = 0.5*(x_ + 4.0);
+    const double gap = c[0];
     M[2] = M[1] = gap;
     M[3] = 0.5*(4.0 - x_);
 }
@@ -292,14 +292,14 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, const doub
                         const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
                         EM_UNUSED double *restrict gamma)
 {
-    const double c_0 = c[3];
-    const double c_1 = c[4];
     const double x_dot = v[0];
+    const double z_0 = x_dot*x_dot;
     const double z_dot = v[1];
     const double x_ = x[0];
-    const double z = x[1];
-    const double z_0 = x_dot*x_dot;
+    const double c_0 = c[3];
     bias[0] = (-0.25)*(2.0*z_0 - (z_0 - z_dot*z_dot - x_*c_0));
+    const double z = x[1];
+    const double c_1 = c[4];
     bias[1] = 0.5*(x_dot*z_dot - z*c_1);
 }
 
@@ -307,16 +307,16 @@ static void motion_bias(EM_UNUSED double t, const double *restrict x, const doub
 static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
                    const double *restrict c, double *restrict e)
 {
-    const double k_x = c[1];
-    const double k_z = c[2];
-    const double c_2 = c[5];
     const double x_dot = v[0];
-    const double z_dot = v[1];
     const double x_ = x[0];
-    const double z = x[1];
+    const double z_dot = v[1];
+    const double c_2 = c[5];
     e[0] = 0.25*(x_dot*(x_dot*(x_ + 4.0) + z_dot*c_2) + z_dot*(z_dot*(4.0 - x_) + x_dot*c_2));
     e[1] = 0.0;
     e[2] = 0.0;
+    const double k_x = c[1];
+    const double k_z = c[2];
+    const double z = x[1];
     e[3] = 0.5*(k_x*(x_*x_) + k_z*(z*z));
 }
 
@@ -340,9 +340,9 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
 {
-    const double gap = c[0];
     const double x_ = x[0];
     M1[0][0] = 0.5*(x_ + 4.0);
+    const double gap = c[0];
     M1[0][1] = M1[1][0] = gap;
     M1[1][1] = 0.5*(4.0 - x_);
 }
