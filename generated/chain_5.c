@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:819e47c23d42f76503c84cf5e0a563dc35bc4012df06cdb9c699db6b2d056f38 */
+/* body sha256:3f421802aff43de636b84a0eec0097849a6de370878020050e06c10c15e33b12 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -51,6 +51,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -399,6 +401,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -420,6 +423,267 @@ extern em_lanes chain_5_lanes;
 em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[11];
+    const double theta_2 = x[1];
+    const double cos_theta_2 = em_cos(theta_2);
+    const double theta_1 = x[0];
+    const double sin_theta_1 = em_sin(theta_1);
+    const double cos_theta_1 = em_cos(theta_1);
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_4 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
+    dM[5] = dM[1] = -z_4;
+    const double c_1 = c[12];
+    const double theta_3 = x[2];
+    const double cos_theta_3 = em_cos(theta_3);
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_7 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
+    dM[10] = dM[2] = -z_7;
+    const double c_3 = c[14];
+    const double theta_4 = x[3];
+    const double cos_theta_4 = em_cos(theta_4);
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_10 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
+    dM[15] = dM[3] = -z_10;
+    const double c_6 = c[17];
+    const double theta_5 = x[4];
+    const double cos_theta_5 = em_cos(theta_5);
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_13 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
+    dM[20] = dM[4] = -z_13;
+    dM[30] = dM[26] = z_4;
+    const double c_2 = c[13];
+    const double z_14 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
+    dM[36] = dM[32] = -z_14;
+    const double c_4 = c[15];
+    const double z_15 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
+    dM[41] = dM[33] = -z_15;
+    const double c_7 = c[18];
+    const double z_16 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
+    dM[46] = dM[34] = -z_16;
+    dM[60] = dM[52] = z_7;
+    dM[61] = dM[57] = z_14;
+    const double c_5 = c[16];
+    const double z_17 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
+    dM[67] = dM[63] = -z_17;
+    const double c_8 = c[19];
+    const double z_18 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
+    dM[72] = dM[64] = -z_18;
+    dM[90] = dM[78] = z_10;
+    dM[91] = dM[83] = z_15;
+    dM[92] = dM[88] = z_17;
+    const double c_9 = c[20];
+    const double z_19 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
+    dM[98] = dM[94] = -z_19;
+    dM[120] = dM[104] = z_13;
+    dM[121] = dM[109] = z_16;
+    dM[122] = dM[114] = z_18;
+    dM[123] = dM[119] = z_19;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta_1_dot = v[0];
+    const double l_1 = c[5];
+    const double z_0 = theta_1_dot*l_1;
+    const double theta_1 = x[0];
+    const double cos_theta_1 = em_cos(theta_1);
+    const double m_5 = c[4];
+    const double sin_theta_1 = em_sin(theta_1);
+    const double theta_2 = x[1];
+    const double sin_theta_2 = em_sin(theta_2);
+    const double theta_2_dot = v[1];
+    const double l_2 = c[6];
+    const double z_4 = theta_2_dot*l_2;
+    const double z_5 = sin_theta_1*z_0 + sin_theta_2*z_4;
+    const double theta_3 = x[2];
+    const double sin_theta_3 = em_sin(theta_3);
+    const double theta_3_dot = v[2];
+    const double l_3 = c[7];
+    const double z_7 = theta_3_dot*l_3;
+    const double z_8 = z_5 + sin_theta_3*z_7;
+    const double theta_4 = x[3];
+    const double sin_theta_4 = em_sin(theta_4);
+    const double theta_4_dot = v[3];
+    const double l_4 = c[8];
+    const double z_10 = theta_4_dot*l_4;
+    const double z_11 = z_8 + sin_theta_4*z_10;
+    const double l_5 = c[9];
+    const double theta_5_dot = v[4];
+    const double theta_5 = x[4];
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_13 = theta_5_dot*sin_theta_5;
+    const double z_14 = z_11 + l_5*z_13;
+    const double m_4 = c[3];
+    const double z_15 = m_5*z_14 + m_4*z_11;
+    const double m_3 = c[2];
+    const double z_16 = z_15 + m_3*z_8;
+    const double m_2 = c[1];
+    const double z_17 = z_16 + m_2*z_5;
+    const double z_18 = cos_theta_1*z_17;
+    const double cos_theta_2 = em_cos(theta_2);
+    const double z_20 = cos_theta_1*z_0 + cos_theta_2*z_4;
+    const double cos_theta_3 = em_cos(theta_3);
+    const double z_22 = z_20 + cos_theta_3*z_7;
+    const double cos_theta_4 = em_cos(theta_4);
+    const double z_24 = z_22 + cos_theta_4*z_10;
+    const double cos_theta_5 = em_cos(theta_5);
+    const double z_26 = theta_5_dot*cos_theta_5;
+    const double z_27 = z_24 + l_5*z_26;
+    const double z_28 = m_5*z_27 + m_4*z_24;
+    const double z_29 = z_28 + m_3*z_22;
+    const double z_30 = z_29 + m_2*z_20;
+    const double c_10 = c[21];
+    const double z_31 = theta_1_dot*theta_1_dot;
+    const double z_32 = theta_2_dot*theta_2_dot;
+    const double z_33 = z_31*(l_1*cos_theta_1) + z_32*(l_2*cos_theta_2);
+    const double z_34 = theta_3_dot*theta_3_dot;
+    const double z_35 = z_33 + z_34*(l_3*cos_theta_3);
+    const double z_36 = theta_4_dot*theta_4_dot;
+    const double z_37 = z_35 + z_36*(l_4*cos_theta_4);
+    const double z_38 = l_5*(theta_5_dot*theta_5_dot);
+    const double z_39 = z_37 + cos_theta_5*z_38;
+    const double z_40 = m_5*z_39 + m_4*z_37;
+    const double z_41 = m_3*z_35 + z_40;
+    const double z_42 = m_2*z_33 + z_41;
+    const double z_43 = z_31*(l_1*sin_theta_1) + z_32*(l_2*sin_theta_2);
+    const double z_44 = z_43 + z_34*(l_3*sin_theta_3);
+    const double z_45 = z_44 + z_36*(l_4*sin_theta_4);
+    const double z_46 = z_45 + sin_theta_5*z_38;
+    const double z_47 = m_5*z_46 + m_4*z_45;
+    const double z_48 = m_3*z_44 + z_47;
+    const double z_49 = m_2*z_43 + z_48;
+    bias[0] = (z_0*z_18 - sin_theta_1*(z_30*z_0 + c_10)) - (l_1*(theta_1_dot*z_18 + sin_theta_1*z_42) -
+        l_1*(theta_1_dot*(sin_theta_1*z_30) + cos_theta_1*z_49));
+    const double z_50 = cos_theta_2*z_17;
+    const double c_11 = c[22];
+    bias[1] = (z_4*z_50 - sin_theta_2*(z_30*z_4 + c_11)) - (l_2*(theta_2_dot*z_50 + sin_theta_2*z_42) -
+        l_2*(theta_2_dot*(sin_theta_2*z_30) + cos_theta_2*z_49));
+    const double z_51 = cos_theta_3*z_16;
+    const double c_12 = c[23];
+    bias[2] = (z_7*z_51 - sin_theta_3*(z_29*z_7 + c_12)) - (l_3*(theta_3_dot*z_51 + sin_theta_3*z_41) -
+        l_3*(theta_3_dot*(sin_theta_3*z_29) + cos_theta_3*z_48));
+    const double z_52 = cos_theta_4*z_15;
+    const double c_13 = c[24];
+    bias[3] = (z_10*z_52 - sin_theta_4*(z_28*z_10 + c_13)) - (l_4*(theta_4_dot*z_52 + sin_theta_4*z_40) -
+        l_4*(theta_4_dot*(sin_theta_4*z_28) + cos_theta_4*z_47));
+    const double c_20 = c[31];
+    const double z_53 = z_14*z_26;
+    const double c_14 = c[25];
+    bias[4] = (c_20*z_53 - sin_theta_5*(theta_5_dot*(z_27*c_20) + c_14)) - (c_20*(z_53 + sin_theta_5*z_39) -
+        c_20*(z_27*z_13 + cos_theta_5*z_46));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double theta_1_dot = v[0];
+    const double c_15 = c[26];
+    const double theta_2_dot = v[1];
+    const double c_0 = c[11];
+    const double theta_1 = x[0];
+    const double cos_theta_1 = em_cos(theta_1);
+    const double theta_2 = x[1];
+    const double cos_theta_2 = em_cos(theta_2);
+    const double sin_theta_1 = em_sin(theta_1);
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_4 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double theta_3_dot = v[2];
+    const double c_1 = c[12];
+    const double theta_3 = x[2];
+    const double cos_theta_3 = em_cos(theta_3);
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_7 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double theta_4_dot = v[3];
+    const double c_3 = c[14];
+    const double theta_4 = x[3];
+    const double cos_theta_4 = em_cos(theta_4);
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_10 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double theta_5_dot = v[4];
+    const double c_6 = c[17];
+    const double theta_5 = x[4];
+    const double cos_theta_5 = em_cos(theta_5);
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_13 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const double c_16 = c[27];
+    const double c_2 = c[13];
+    const double z_14 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const double c_4 = c[15];
+    const double z_15 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double c_7 = c[18];
+    const double z_16 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const double c_17 = c[28];
+    const double c_5 = c[16];
+    const double z_17 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double c_8 = c[19];
+    const double z_18 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const double c_18 = c[29];
+    const double c_9 = c[20];
+    const double z_19 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double c_19 = c[30];
+    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_4 + theta_3_dot*z_7 + theta_4_dot*z_10 +
+        theta_5_dot*z_13) + theta_2_dot*(theta_1_dot*z_4 + theta_2_dot*c_16 + theta_3_dot*z_14 + theta_4_dot*z_15
+        + theta_5_dot*z_16) + theta_3_dot*(theta_1_dot*z_7 + theta_2_dot*z_14 + theta_3_dot*c_17 +
+        theta_4_dot*z_17 + theta_5_dot*z_18) + theta_4_dot*(theta_1_dot*z_10 + theta_2_dot*z_15 + theta_3_dot*z_17
+        + theta_4_dot*c_18 + theta_5_dot*z_19) + theta_5_dot*(theta_1_dot*z_13 + theta_2_dot*z_16 +
+        theta_3_dot*z_18 + theta_4_dot*z_19 + theta_5_dot*c_19));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double l_1 = c[5];
+    const double l_2 = c[6];
+    const double z_20 = l_1*cos_theta_1 + l_2*cos_theta_2;
+    const double c_21 = c[32];
+    const double l_3 = c[7];
+    const double z_21 = z_20 + l_3*cos_theta_3;
+    const double c_22 = c[33];
+    const double l_4 = c[8];
+    const double z_22 = z_21 + l_4*cos_theta_4;
+    const double c_23 = c[34];
+    const double l_5 = c[9];
+    const double c_24 = c[35];
+    const double c_25 = c[36];
+    e[3] = -(z_20*c_21 + z_21*c_22 + z_22*c_23 + (z_22 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chain_5_lanes;
@@ -553,69 +817,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[24] = c_19;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[11];
-    const double theta_2 = x[1];
-    const double cos_theta_2 = em_cos(theta_2);
-    const double theta_1 = x[0];
-    const double sin_theta_1 = em_sin(theta_1);
-    const double cos_theta_1 = em_cos(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double z_4 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
-    dM[5] = dM[1] = -z_4;
-    const double c_1 = c[12];
-    const double theta_3 = x[2];
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double z_7 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
-    dM[10] = dM[2] = -z_7;
-    const double c_3 = c[14];
-    const double theta_4 = x[3];
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double z_10 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
-    dM[15] = dM[3] = -z_10;
-    const double c_6 = c[17];
-    const double theta_5 = x[4];
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
-    dM[20] = dM[4] = -z_13;
-    dM[30] = dM[26] = z_4;
-    const double c_2 = c[13];
-    const double z_14 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
-    dM[36] = dM[32] = -z_14;
-    const double c_4 = c[15];
-    const double z_15 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
-    dM[41] = dM[33] = -z_15;
-    const double c_7 = c[18];
-    const double z_16 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
-    dM[46] = dM[34] = -z_16;
-    dM[60] = dM[52] = z_7;
-    dM[61] = dM[57] = z_14;
-    const double c_5 = c[16];
-    const double z_17 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
-    dM[67] = dM[63] = -z_17;
-    const double c_8 = c[19];
-    const double z_18 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
-    dM[72] = dM[64] = -z_18;
-    dM[90] = dM[78] = z_10;
-    dM[91] = dM[83] = z_15;
-    dM[92] = dM[88] = z_17;
-    const double c_9 = c[20];
-    const double z_19 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
-    dM[98] = dM[94] = -z_19;
-    dM[120] = dM[104] = z_13;
-    dM[121] = dM[109] = z_16;
-    dM[122] = dM[114] = z_18;
-    dM[123] = dM[119] = z_19;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -631,183 +832,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double theta_1_dot = v[0];
-    const double l_1 = c[5];
-    const double z_0 = theta_1_dot*l_1;
-    const double theta_1 = x[0];
-    const double cos_theta_1 = em_cos(theta_1);
-    const double m_5 = c[4];
-    const double sin_theta_1 = em_sin(theta_1);
-    const double theta_2 = x[1];
-    const double sin_theta_2 = em_sin(theta_2);
-    const double theta_2_dot = v[1];
-    const double l_2 = c[6];
-    const double z_4 = theta_2_dot*l_2;
-    const double z_5 = sin_theta_1*z_0 + sin_theta_2*z_4;
-    const double theta_3 = x[2];
-    const double sin_theta_3 = em_sin(theta_3);
-    const double theta_3_dot = v[2];
-    const double l_3 = c[7];
-    const double z_7 = theta_3_dot*l_3;
-    const double z_8 = z_5 + sin_theta_3*z_7;
-    const double theta_4 = x[3];
-    const double sin_theta_4 = em_sin(theta_4);
-    const double theta_4_dot = v[3];
-    const double l_4 = c[8];
-    const double z_10 = theta_4_dot*l_4;
-    const double z_11 = z_8 + sin_theta_4*z_10;
-    const double l_5 = c[9];
-    const double theta_5_dot = v[4];
-    const double theta_5 = x[4];
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = theta_5_dot*sin_theta_5;
-    const double z_14 = z_11 + l_5*z_13;
-    const double m_4 = c[3];
-    const double z_15 = m_5*z_14 + m_4*z_11;
-    const double m_3 = c[2];
-    const double z_16 = z_15 + m_3*z_8;
-    const double m_2 = c[1];
-    const double z_17 = z_16 + m_2*z_5;
-    const double z_18 = cos_theta_1*z_17;
-    const double cos_theta_2 = em_cos(theta_2);
-    const double z_20 = cos_theta_1*z_0 + cos_theta_2*z_4;
-    const double cos_theta_3 = em_cos(theta_3);
-    const double z_22 = z_20 + cos_theta_3*z_7;
-    const double cos_theta_4 = em_cos(theta_4);
-    const double z_24 = z_22 + cos_theta_4*z_10;
-    const double cos_theta_5 = em_cos(theta_5);
-    const double z_26 = theta_5_dot*cos_theta_5;
-    const double z_27 = z_24 + l_5*z_26;
-    const double z_28 = m_5*z_27 + m_4*z_24;
-    const double z_29 = z_28 + m_3*z_22;
-    const double z_30 = z_29 + m_2*z_20;
-    const double c_10 = c[21];
-    const double z_31 = theta_1_dot*theta_1_dot;
-    const double z_32 = theta_2_dot*theta_2_dot;
-    const double z_33 = z_31*(l_1*cos_theta_1) + z_32*(l_2*cos_theta_2);
-    const double z_34 = theta_3_dot*theta_3_dot;
-    const double z_35 = z_33 + z_34*(l_3*cos_theta_3);
-    const double z_36 = theta_4_dot*theta_4_dot;
-    const double z_37 = z_35 + z_36*(l_4*cos_theta_4);
-    const double z_38 = l_5*(theta_5_dot*theta_5_dot);
-    const double z_39 = z_37 + cos_theta_5*z_38;
-    const double z_40 = m_5*z_39 + m_4*z_37;
-    const double z_41 = m_3*z_35 + z_40;
-    const double z_42 = m_2*z_33 + z_41;
-    const double z_43 = z_31*(l_1*sin_theta_1) + z_32*(l_2*sin_theta_2);
-    const double z_44 = z_43 + z_34*(l_3*sin_theta_3);
-    const double z_45 = z_44 + z_36*(l_4*sin_theta_4);
-    const double z_46 = z_45 + sin_theta_5*z_38;
-    const double z_47 = m_5*z_46 + m_4*z_45;
-    const double z_48 = m_3*z_44 + z_47;
-    const double z_49 = m_2*z_43 + z_48;
-    bias[0] = (z_0*z_18 - sin_theta_1*(z_30*z_0 + c_10)) - (l_1*(theta_1_dot*z_18 + sin_theta_1*z_42) -
-        l_1*(theta_1_dot*(sin_theta_1*z_30) + cos_theta_1*z_49));
-    const double z_50 = cos_theta_2*z_17;
-    const double c_11 = c[22];
-    bias[1] = (z_4*z_50 - sin_theta_2*(z_30*z_4 + c_11)) - (l_2*(theta_2_dot*z_50 + sin_theta_2*z_42) -
-        l_2*(theta_2_dot*(sin_theta_2*z_30) + cos_theta_2*z_49));
-    const double z_51 = cos_theta_3*z_16;
-    const double c_12 = c[23];
-    bias[2] = (z_7*z_51 - sin_theta_3*(z_29*z_7 + c_12)) - (l_3*(theta_3_dot*z_51 + sin_theta_3*z_41) -
-        l_3*(theta_3_dot*(sin_theta_3*z_29) + cos_theta_3*z_48));
-    const double z_52 = cos_theta_4*z_15;
-    const double c_13 = c[24];
-    bias[3] = (z_10*z_52 - sin_theta_4*(z_28*z_10 + c_13)) - (l_4*(theta_4_dot*z_52 + sin_theta_4*z_40) -
-        l_4*(theta_4_dot*(sin_theta_4*z_28) + cos_theta_4*z_47));
-    const double c_20 = c[31];
-    const double z_53 = z_14*z_26;
-    const double c_14 = c[25];
-    bias[4] = (c_20*z_53 - sin_theta_5*(theta_5_dot*(z_27*c_20) + c_14)) - (c_20*(z_53 + sin_theta_5*z_39) -
-        c_20*(z_27*z_13 + cos_theta_5*z_46));
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double theta_1_dot = v[0];
-    const double c_15 = c[26];
-    const double theta_2_dot = v[1];
-    const double c_0 = c[11];
-    const double theta_1 = x[0];
-    const double cos_theta_1 = em_cos(theta_1);
-    const double theta_2 = x[1];
-    const double cos_theta_2 = em_cos(theta_2);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double z_4 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    const double theta_3_dot = v[2];
-    const double c_1 = c[12];
-    const double theta_3 = x[2];
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double z_7 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    const double theta_4_dot = v[3];
-    const double c_3 = c[14];
-    const double theta_4 = x[3];
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double z_10 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    const double theta_5_dot = v[4];
-    const double c_6 = c[17];
-    const double theta_5 = x[4];
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const double c_16 = c[27];
-    const double c_2 = c[13];
-    const double z_14 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    const double c_4 = c[15];
-    const double z_15 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    const double c_7 = c[18];
-    const double z_16 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const double c_17 = c[28];
-    const double c_5 = c[16];
-    const double z_17 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    const double c_8 = c[19];
-    const double z_18 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const double c_18 = c[29];
-    const double c_9 = c[20];
-    const double z_19 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const double c_19 = c[30];
-    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_4 + theta_3_dot*z_7 + theta_4_dot*z_10 +
-        theta_5_dot*z_13) + theta_2_dot*(theta_1_dot*z_4 + theta_2_dot*c_16 + theta_3_dot*z_14 + theta_4_dot*z_15
-        + theta_5_dot*z_16) + theta_3_dot*(theta_1_dot*z_7 + theta_2_dot*z_14 + theta_3_dot*c_17 +
-        theta_4_dot*z_17 + theta_5_dot*z_18) + theta_4_dot*(theta_1_dot*z_10 + theta_2_dot*z_15 + theta_3_dot*z_17
-        + theta_4_dot*c_18 + theta_5_dot*z_19) + theta_5_dot*(theta_1_dot*z_13 + theta_2_dot*z_16 +
-        theta_3_dot*z_18 + theta_4_dot*z_19 + theta_5_dot*c_19));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double l_1 = c[5];
-    const double l_2 = c[6];
-    const double z_20 = l_1*cos_theta_1 + l_2*cos_theta_2;
-    const double c_21 = c[32];
-    const double l_3 = c[7];
-    const double z_21 = z_20 + l_3*cos_theta_3;
-    const double c_22 = c[33];
-    const double l_4 = c[8];
-    const double z_22 = z_21 + l_4*cos_theta_4;
-    const double c_23 = c[34];
-    const double l_5 = c[9];
-    const double c_24 = c[35];
-    const double c_25 = c[36];
-    e[3] = -(z_20*c_21 + z_21*c_22 + z_22*c_23 + (z_22 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -1135,4 +1159,5 @@ const em_model chain_5_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:b44e4e928496c2e8d19ef23763df9e406952848413203b6e908e893e59423e09 */
+/* body sha256:96216c022e3b98dcf855cebc0021ad88a4fb193e08fc625444aefc78cb013745 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -54,6 +54,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -262,6 +264,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -283,6 +286,89 @@ extern em_lanes chaplygin_sleigh_lanes;
 em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[3];
+    dM[24] = dM[20] = -cos_theta*c_0;
+    const double sin_theta = em_sin(theta);
+    dM[25] = dM[23] = -sin_theta*c_0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[3];
+    const double theta_dot = v[2];
+    const double z_1 = c_0*(theta_dot*theta_dot);
+    bias[0] = cos_theta*z_1;
+    const double sin_theta = em_sin(theta);
+    bias[1] = sin_theta*z_1;
+    bias[2] = 0.0;
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    gamma[0] = -(x_dot*theta_dot*cos_theta + y_dot*theta_dot*sin_theta);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double x_dot = v[0];
+    const double m = c[0];
+    const double theta = x[2];
+    const double sin_theta = em_sin(theta);
+    const double theta_dot = v[2];
+    const double c_0 = c[3];
+    const double z_1 = theta_dot*c_0;
+    const double y_dot = v[1];
+    const double cos_theta = em_cos(theta);
+    const double c_1 = c[4];
+    e[0] = 0.5*(x_dot*(x_dot*m - sin_theta*z_1) + y_dot*(y_dot*m + cos_theta*z_1) - theta_dot*(x_dot*sin_theta*c_0
+        - y_dot*cos_theta*c_0 - theta_dot*c_1));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = 0.0;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chaplygin_sleigh_lanes;
@@ -336,20 +422,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = c_1;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double theta = x[2];
-    const double cos_theta = em_cos(theta);
-    const double c_0 = c[3];
-    dM[24] = dM[20] = -cos_theta*c_0;
-    const double sin_theta = em_sin(theta);
-    dM[25] = dM[23] = -sin_theta*c_0;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -371,54 +443,6 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double theta = x[2];
-    const double cos_theta = em_cos(theta);
-    const double c_0 = c[3];
-    const double theta_dot = v[2];
-    const double z_1 = c_0*(theta_dot*theta_dot);
-    bias[0] = cos_theta*z_1;
-    const double sin_theta = em_sin(theta);
-    bias[1] = sin_theta*z_1;
-    bias[2] = 0.0;
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    gamma[0] = -(x_dot*theta_dot*cos_theta + y_dot*theta_dot*sin_theta);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double x_dot = v[0];
-    const double m = c[0];
-    const double theta = x[2];
-    const double sin_theta = em_sin(theta);
-    const double theta_dot = v[2];
-    const double c_0 = c[3];
-    const double z_1 = theta_dot*c_0;
-    const double y_dot = v[1];
-    const double cos_theta = em_cos(theta);
-    const double c_1 = c[4];
-    e[0] = 0.5*(x_dot*(x_dot*m - sin_theta*z_1) + y_dot*(y_dot*m + cos_theta*z_1) - theta_dot*(x_dot*sin_theta*c_0
-        - y_dot*cos_theta*c_0 - theta_dot*c_1));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = 0.0;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -682,4 +706,5 @@ const em_model chaplygin_sleigh_model = {
     .event = model_events,
 };
 
+#endif
 #endif

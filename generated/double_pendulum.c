@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:1391842f885764465b55a5d755b908c902eacbd725bf94b0009ec9c93f5b185c */
+/* body sha256:e82dc0f9cb9e7eeeee40f95874f68df8d41378e6ad66a6393743df274d14fda6 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -51,6 +51,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -216,6 +218,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -237,6 +240,104 @@ extern em_lanes double_pendulum_lanes;
 em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[5];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_4 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    dM[2] = dM[1] = -z_4;
+    dM[6] = dM[5] = z_4;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double c_0 = c[5];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double z_2 = cos_theta2*sin_theta1;
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta1*sin_theta2;
+    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
+    const double c_1 = c[6];
+    const double z_7 = c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2);
+    bias[0] = -((z_6 + sin_theta1*c_1) - theta2_dot*z_7);
+    const double c_2 = c[7];
+    bias[1] = (z_6 - sin_theta2*c_2) + theta1_dot*z_7;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double theta1_dot = v[0];
+    const double c_3 = c[8];
+    const double theta2_dot = v[1];
+    const double c_0 = c[5];
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_4 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_4 = c[9];
+    e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_4) + theta2_dot*(theta1_dot*z_4 + theta2_dot*c_4));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double g = c[4];
+    const double m2 = c[1];
+    const double l1 = c[2];
+    const double l2 = c[3];
+    const double c_5 = c[10];
+    e[3] = -g*(m2*(l1*cos_theta1 + l2*cos_theta2) + cos_theta1*c_5);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
@@ -299,24 +400,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = c_4;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[5];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double theta1 = x[0];
-    const double sin_theta1 = em_sin(theta1);
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_4 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    dM[2] = dM[1] = -z_4;
-    dM[6] = dM[5] = z_4;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -332,65 +415,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double c_0 = c[5];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double theta1 = x[0];
-    const double sin_theta1 = em_sin(theta1);
-    const double z_2 = cos_theta2*sin_theta1;
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = cos_theta1*sin_theta2;
-    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
-    const double c_1 = c[6];
-    const double z_7 = c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2);
-    bias[0] = -((z_6 + sin_theta1*c_1) - theta2_dot*z_7);
-    const double c_2 = c[7];
-    bias[1] = (z_6 - sin_theta2*c_2) + theta1_dot*z_7;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double theta1_dot = v[0];
-    const double c_3 = c[8];
-    const double theta2_dot = v[1];
-    const double c_0 = c[5];
-    const double theta1 = x[0];
-    const double cos_theta1 = em_cos(theta1);
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_4 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double c_4 = c[9];
-    e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_4) + theta2_dot*(theta1_dot*z_4 + theta2_dot*c_4));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double g = c[4];
-    const double m2 = c[1];
-    const double l1 = c[2];
-    const double l2 = c[3];
-    const double c_5 = c[10];
-    e[3] = -g*(m2*(l1*cos_theta1 + l2*cos_theta2) + cos_theta1*c_5);
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -631,4 +655,5 @@ const em_model double_pendulum_model = {
     .event = model_events,
 };
 
+#endif
 #endif

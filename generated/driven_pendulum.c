@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:baba05df48364525c8862c0ccede385c2d5137688c0aa954a4d753dbc1ee1801 */
+/* body sha256:71c5dc5e8e7b6bdc472b0451a7f1de25842d0cc94f3efdcdc92ef073e8be09ac */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -54,6 +54,8 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(real t, const real *restrict x, const real *restrict v,
@@ -174,6 +176,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -195,6 +198,82 @@ extern em_lanes driven_pendulum_lanes;
 em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    bias[0] = 0.0;
+    const double c_0 = c[13];
+    bias[1] = c_0;
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double w = c[4];
+    const double z_0 = t*w;
+    const double sin_z_0 = em_sin(z_0);
+    const double c_1 = c[14];
+    const double z_2 = sin_z_0*c_1;
+    const double z_3 = y_dot + z_2;
+    const double cos_z_0 = em_cos(z_0);
+    const double y = x[1];
+    const double a_ = c[3];
+    const double c_2 = c[15];
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_3) + (z_2*z_3 + cos_z_0*(y - a_*cos_z_0)*c_2));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double m = c[0];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double y = x[1];
+    const double c_6 = c[19];
+    e[3] = y*c_6;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
@@ -256,15 +335,6 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[3] = m;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                 EM_UNUSED const double *restrict c, double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -304,52 +374,6 @@ static void position(double t, const double *restrict x, const double *restrict 
     const double c_5 = c[18];
     const double sin_z_1 = em_sin(z_1);
     terms[0] = 2.0*(z_0 + c_4 + (fabs(y) + c_5*(fabs(cos_z_1) + fabs(z_1*sin_z_1)))*fabs(z_3));
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    bias[0] = 0.0;
-    const double c_0 = c[13];
-    bias[1] = c_0;
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double w = c[4];
-    const double z_0 = t*w;
-    const double sin_z_0 = em_sin(z_0);
-    const double c_1 = c[14];
-    const double z_2 = sin_z_0*c_1;
-    const double z_3 = y_dot + z_2;
-    const double cos_z_0 = em_cos(z_0);
-    const double y = x[1];
-    const double a_ = c[3];
-    const double c_2 = c[15];
-    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_3) + (z_2*z_3 + cos_z_0*(y - a_*cos_z_0)*c_2));
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m = c[0];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double y = x[1];
-    const double c_6 = c[19];
-    e[3] = y*c_6;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -567,4 +591,5 @@ const em_model driven_pendulum_model = {
     .event = model_events,
 };
 
+#endif
 #endif

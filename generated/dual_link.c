@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:17201f37847851f082c65819b08e4cf2ae4dee445d41635c90b9b447f96770d6 */
+/* body sha256:74f8e52f2f76611dc1dbd0542f569ea4eb8dc12d5a974435a446e5ef2697c37b */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -58,6 +58,8 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
 EM_UNUSED static const int coordinate2[N2] = { 3 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -370,6 +372,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -391,6 +394,154 @@ extern em_lanes dual_link_lanes;
 em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double c_1 = c[14];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = z_0*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    dM[4] = dM[1] = -z_5;
+    const double z_6 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    dM[9] = dM[6] = z_6;
+    dM[20] = dM[17] = z_5;
+    dM[25] = dM[22] = -z_6;
+    const double c_0 = c[13];
+    dM[32] = z_0*c_0;
+    dM[36] = dM[33] = z_6;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double K3 = c[8];
+    const double theta1 = x[0];
+    const double theta4 = x[3];
+    const double z_0 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_1 = theta3 + l1;
+    const double cos_theta1 = em_cos(theta1);
+    const double z_3 = z_1*cos_theta1;
+    const double K2 = c[7];
+    const double l2 = c[4];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = l2*sin_theta2;
+    const double sin_theta1 = em_sin(theta1);
+    const double z_7 = z_1*sin_theta1;
+    const double z_8 = 4.0 - z_5 - z_7;
+    const double cos_theta2 = em_cos(theta2);
+    const double z_10 = z_3 + l2*cos_theta2;
+    const double c_1 = c[14];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_12 = theta3_dot*z_11;
+    const double z_13 = theta2_dot*z_12;
+    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double theta1_dot = v[0];
+    const double z_15 = theta1_dot*z_1;
+    const double z_16 = c_1*(z_13 - theta2_dot*(z_14*z_15));
+    const double z_17 = theta1_dot - theta2_dot;
+    const double z_18 = z_17*z_14;
+    const double c_0 = c[13];
+    bias[0] = -(((z_0 - z_3*K2*z_8 - K2*z_10*z_7) - z_16) + (c_1*(z_13 - theta2_dot*(z_1*z_18)) +
+        c_0*(theta3_dot*z_15)));
+    const double c_2 = c[15];
+    bias[1] = (c_2*(cos_theta2*z_8 + z_10*sin_theta2) - z_16) - (c_1*(theta1_dot*z_12 - z_15*z_18) +
+        c_1*z_17*z_12);
+    const double K1 = c[6];
+    const double c_3 = c[16];
+    const double z_19 = z_11*(theta2_dot*c_1);
+    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_8 - cos_theta1*z_10)) - (z_1*c_3*(theta1_dot*theta1_dot) +
+        theta1_dot*z_19)) + z_17*z_19);
+    bias[3] = z_0;
+    const double z_20 = theta3_dot*cos_theta1;
+    gamma[0] = theta1_dot*(z_20 - sin_theta1*z_15) + theta1_dot*z_20 - z_5*(theta2_dot*theta2_dot);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double c_5 = c[18];
+    const double theta4_dot = v[3];
+    const double theta1_dot = v[0];
+    const double c_3 = c[16];
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double theta2_dot = v[1];
+    const double c_1 = c[14];
+    const double z_1 = theta2_dot*c_1;
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_6 = z_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_4 = c[17];
+    const double theta3_dot = v[2];
+    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_0*z_0) + z_1*z_6) +
+        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_6 + theta3_dot*c_1*z_7) + theta3_dot*(theta3_dot*c_3 +
+        z_7*z_1));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double l2 = c[4];
+    const double z_8 = z_0*cos_theta1 + l2*cos_theta2;
+    const double z_9 = 4.0 - l2*sin_theta2 - z_0*sin_theta1;
+    const double K3 = c[8];
+    const double theta4 = x[3];
+    const double z_10 = theta1 + 1.5707963267948966 - theta4;
+    e[3] = 0.5*(K1*(theta3*theta3) + K2*(z_8*z_8 + z_9*z_9) + K3*(z_10*z_10));
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes dual_link_lanes;
@@ -468,33 +619,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[15] = c_5;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double theta3 = x[2];
-    const double l1 = c[3];
-    const double z_0 = theta3 + l1;
-    const double c_1 = c[14];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double theta1 = x[0];
-    const double sin_theta1 = em_sin(theta1);
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = z_0*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    dM[4] = dM[1] = -z_5;
-    const double z_6 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    dM[9] = dM[6] = z_6;
-    dM[20] = dM[17] = z_5;
-    dM[25] = dM[22] = -z_6;
-    const double c_0 = c[13];
-    dM[32] = z_0*c_0;
-    dM[36] = dM[33] = z_6;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -522,106 +646,6 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double K3 = c[8];
-    const double theta1 = x[0];
-    const double theta4 = x[3];
-    const double z_0 = K3*(theta1 + 1.5707963267948966 - theta4);
-    const double theta3 = x[2];
-    const double l1 = c[3];
-    const double z_1 = theta3 + l1;
-    const double cos_theta1 = em_cos(theta1);
-    const double z_3 = z_1*cos_theta1;
-    const double K2 = c[7];
-    const double l2 = c[4];
-    const double theta2 = x[1];
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = l2*sin_theta2;
-    const double sin_theta1 = em_sin(theta1);
-    const double z_7 = z_1*sin_theta1;
-    const double z_8 = 4.0 - z_5 - z_7;
-    const double cos_theta2 = em_cos(theta2);
-    const double z_10 = z_3 + l2*cos_theta2;
-    const double c_1 = c[14];
-    const double theta2_dot = v[1];
-    const double theta3_dot = v[2];
-    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_12 = theta3_dot*z_11;
-    const double z_13 = theta2_dot*z_12;
-    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    const double theta1_dot = v[0];
-    const double z_15 = theta1_dot*z_1;
-    const double z_16 = c_1*(z_13 - theta2_dot*(z_14*z_15));
-    const double z_17 = theta1_dot - theta2_dot;
-    const double z_18 = z_17*z_14;
-    const double c_0 = c[13];
-    bias[0] = -(((z_0 - z_3*K2*z_8 - K2*z_10*z_7) - z_16) + (c_1*(z_13 - theta2_dot*(z_1*z_18)) +
-        c_0*(theta3_dot*z_15)));
-    const double c_2 = c[15];
-    bias[1] = (c_2*(cos_theta2*z_8 + z_10*sin_theta2) - z_16) - (c_1*(theta1_dot*z_12 - z_15*z_18) +
-        c_1*z_17*z_12);
-    const double K1 = c[6];
-    const double c_3 = c[16];
-    const double z_19 = z_11*(theta2_dot*c_1);
-    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_8 - cos_theta1*z_10)) - (z_1*c_3*(theta1_dot*theta1_dot) +
-        theta1_dot*z_19)) + z_17*z_19);
-    bias[3] = z_0;
-    const double z_20 = theta3_dot*cos_theta1;
-    gamma[0] = theta1_dot*(z_20 - sin_theta1*z_15) + theta1_dot*z_20 - z_5*(theta2_dot*theta2_dot);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double c_5 = c[18];
-    const double theta4_dot = v[3];
-    const double theta1_dot = v[0];
-    const double c_3 = c[16];
-    const double theta3 = x[2];
-    const double l1 = c[3];
-    const double z_0 = theta3 + l1;
-    const double theta2_dot = v[1];
-    const double c_1 = c[14];
-    const double z_1 = theta2_dot*c_1;
-    const double theta1 = x[0];
-    const double cos_theta1 = em_cos(theta1);
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_6 = z_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double c_4 = c[17];
-    const double theta3_dot = v[2];
-    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_0*z_0) + z_1*z_6) +
-        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_6 + theta3_dot*c_1*z_7) + theta3_dot*(theta3_dot*c_3 +
-        z_7*z_1));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double K1 = c[6];
-    const double K2 = c[7];
-    const double l2 = c[4];
-    const double z_8 = z_0*cos_theta1 + l2*cos_theta2;
-    const double z_9 = 4.0 - l2*sin_theta2 - z_0*sin_theta1;
-    const double K3 = c[8];
-    const double theta4 = x[3];
-    const double z_10 = theta1 + 1.5707963267948966 - theta4;
-    e[3] = 0.5*(K1*(theta3*theta3) + K2*(z_8*z_8 + z_9*z_9) + K3*(z_10*z_10));
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -906,4 +930,5 @@ const em_model dual_link_model = {
     .event = model_events,
 };
 
+#endif
 #endif

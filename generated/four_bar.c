@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:396e106aabfd42a5131d31fa50a619334faa2d53e8a03701b2d10a9337c36c3d */
+/* body sha256:85bfbdd4aafc29bc12cdd51675cc7c676ba6f1a3688c52d14a59b04bb90a86cc */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -57,6 +57,8 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_UNUSED static const int coordinate2[N2] = { 2 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -353,6 +355,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -374,6 +377,123 @@ extern em_lanes four_bar_lanes;
 em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[10];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = c_0*(cos_q2*sin_q1 - cos_q1*sin_q2);
+    dM[3] = dM[1] = (-0.5)*z_4;
+    dM[12] = dM[10] = 0.5*z_4;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double c_0 = c[10];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    const double z_2 = cos_q2*sin_q1;
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_5 = cos_q1*sin_q2;
+    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
+    const double c_1 = c[11];
+    const double z_7 = c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2);
+    bias[0] = (-0.5)*((z_6 + cos_q1*c_1) - q2_dot*z_7);
+    const double c_2 = c[12];
+    bias[1] = 0.5*((z_6 - cos_q2*c_2) + q1_dot*z_7);
+    const double q3 = x[2];
+    const double cos_q3 = em_cos(q3);
+    const double c_3 = c[13];
+    bias[2] = -cos_q3*c_3;
+    const double a_ = c[0];
+    const double z_9 = a_*(q1_dot*q1_dot);
+    const double b = c[1];
+    const double z_10 = b*(q2_dot*q2_dot);
+    const double c_ = c[2];
+    const double q3_dot = v[2];
+    const double z_11 = c_*(q3_dot*q3_dot);
+    gamma[0] = -(cos_q1*z_9 + cos_q2*z_10 - cos_q3*z_11);
+    const double sin_q3 = em_sin(q3);
+    gamma[1] = -(sin_q1*z_9 + sin_q2*z_10 - sin_q3*z_11);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double c_0 = c[10];
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = c_0*(cos_q1*cos_q2 + sin_q1*sin_q2);
+    const double c_11 = c[21];
+    const double c_12 = c[22];
+    const double c_13 = c[23];
+    const double q3_dot = v[2];
+    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_4 + q1_dot*c_11) + q2_dot*(3.0*q1_dot*z_4 + q2_dot*c_12) +
+        c_13*(q3_dot*q3_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double b = c[1];
+    const double c_14 = c[24];
+    const double c_15 = c[25];
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    const double c_16 = c[26];
+    const double c_17 = c[27];
+    e[3] = (b*(b*sin_q2 + sin_q1*c_14) + c_15*sin_q1 + sin_q3*c_16)*c_17;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
@@ -464,24 +584,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = c_6;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[10];
-    const double q2 = x[1];
-    const double cos_q2 = em_cos(q2);
-    const double q1 = x[0];
-    const double sin_q1 = em_sin(q1);
-    const double cos_q1 = em_cos(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_4 = c_0*(cos_q2*sin_q1 - cos_q1*sin_q2);
-    dM[3] = dM[1] = (-0.5)*z_4;
-    dM[12] = dM[10] = 0.5*z_4;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -539,84 +641,6 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
         fabs(q3*sin_q3)) + c_10;
     terms[1] = c_7*(fabs(sin_q1) + fabs(q1*cos_q1)) + c_8*(fabs(sin_q2) + fabs(q2*cos_q2)) + c_9*(fabs(sin_q3) +
         fabs(q3*cos_q3));
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double q1_dot = v[0];
-    const double q2_dot = v[1];
-    const double c_0 = c[10];
-    const double q2 = x[1];
-    const double cos_q2 = em_cos(q2);
-    const double q1 = x[0];
-    const double sin_q1 = em_sin(q1);
-    const double z_2 = cos_q2*sin_q1;
-    const double cos_q1 = em_cos(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_5 = cos_q1*sin_q2;
-    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
-    const double c_1 = c[11];
-    const double z_7 = c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2);
-    bias[0] = (-0.5)*((z_6 + cos_q1*c_1) - q2_dot*z_7);
-    const double c_2 = c[12];
-    bias[1] = 0.5*((z_6 - cos_q2*c_2) + q1_dot*z_7);
-    const double q3 = x[2];
-    const double cos_q3 = em_cos(q3);
-    const double c_3 = c[13];
-    bias[2] = -cos_q3*c_3;
-    const double a_ = c[0];
-    const double z_9 = a_*(q1_dot*q1_dot);
-    const double b = c[1];
-    const double z_10 = b*(q2_dot*q2_dot);
-    const double c_ = c[2];
-    const double q3_dot = v[2];
-    const double z_11 = c_*(q3_dot*q3_dot);
-    gamma[0] = -(cos_q1*z_9 + cos_q2*z_10 - cos_q3*z_11);
-    const double sin_q3 = em_sin(q3);
-    gamma[1] = -(sin_q1*z_9 + sin_q2*z_10 - sin_q3*z_11);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double q1_dot = v[0];
-    const double q2_dot = v[1];
-    const double c_0 = c[10];
-    const double q1 = x[0];
-    const double cos_q1 = em_cos(q1);
-    const double q2 = x[1];
-    const double cos_q2 = em_cos(q2);
-    const double sin_q1 = em_sin(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_4 = c_0*(cos_q1*cos_q2 + sin_q1*sin_q2);
-    const double c_11 = c[21];
-    const double c_12 = c[22];
-    const double c_13 = c[23];
-    const double q3_dot = v[2];
-    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_4 + q1_dot*c_11) + q2_dot*(3.0*q1_dot*z_4 + q2_dot*c_12) +
-        c_13*(q3_dot*q3_dot));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double b = c[1];
-    const double c_14 = c[24];
-    const double c_15 = c[25];
-    const double q3 = x[2];
-    const double sin_q3 = em_sin(q3);
-    const double c_16 = c[26];
-    const double c_17 = c[27];
-    e[3] = (b*(b*sin_q2 + sin_q1*c_14) + c_15*sin_q1 + sin_q3*c_16)*c_17;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -904,4 +928,5 @@ const em_model four_bar_model = {
     .event = model_events,
 };
 
+#endif
 #endif

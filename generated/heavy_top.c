@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:6a4442f3c619b6d9676ef3d1f20b178c74c00e9ed2002359279067cb434783e9 */
+/* body sha256:3cb2f68a05cb5c3d2eaa36dca40ee7003a07e0fab5c4aee4692dd367a24ab85c */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -57,6 +57,8 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 2 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -244,6 +246,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -265,6 +268,93 @@ extern em_lanes heavy_top_lanes;
 em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[9];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    dM[9] = c_0*(sin_theta*cos_theta);
+    const double J3 = c[4];
+    dM[15] = dM[11] = -sin_theta*J3;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta_dot = v[1];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double psi_dot = v[2];
+    const double J3 = c[4];
+    const double z_1 = psi_dot*J3;
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[9];
+    const double phi_dot = v[0];
+    const double z_3 = phi_dot*sin_theta;
+    const double z_4 = theta_dot*z_3;
+    bias[0] = -(cos_theta*c_0*z_4 - theta_dot*sin_theta*z_1);
+    const double c_1 = c[10];
+    const double c_2 = c[11];
+    bias[1] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - z_3*z_1) + sin_theta*c_2;
+    bias[2] = J3*z_4;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double phi_dot = v[0];
+    const double J = c[3];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double J3 = c[4];
+    const double cos_theta = em_cos(theta);
+    const double psi_dot = v[2];
+    const double theta_dot = v[1];
+    e[0] = 0.5*(phi_dot*(phi_dot*(J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
+        J*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_2 = c[11];
+    e[3] = cos_theta*c_2;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes heavy_top_lanes;
@@ -326,21 +416,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = J3;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[9];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    dM[9] = c_0*(sin_theta*cos_theta);
-    const double J3 = c[4];
-    dM[15] = dM[11] = -sin_theta*J3;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -356,57 +431,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double theta_dot = v[1];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double psi_dot = v[2];
-    const double J3 = c[4];
-    const double z_1 = psi_dot*J3;
-    const double cos_theta = em_cos(theta);
-    const double c_0 = c[9];
-    const double phi_dot = v[0];
-    const double z_3 = phi_dot*sin_theta;
-    const double z_4 = theta_dot*z_3;
-    bias[0] = -(cos_theta*c_0*z_4 - theta_dot*sin_theta*z_1);
-    const double c_1 = c[10];
-    const double c_2 = c[11];
-    bias[1] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - z_3*z_1) + sin_theta*c_2;
-    bias[2] = J3*z_4;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double phi_dot = v[0];
-    const double J = c[3];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double J3 = c[4];
-    const double cos_theta = em_cos(theta);
-    const double psi_dot = v[2];
-    const double theta_dot = v[1];
-    e[0] = 0.5*(phi_dot*(phi_dot*(J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
-        J*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double c_2 = c[11];
-    e[3] = cos_theta*c_2;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -644,4 +668,5 @@ const em_model heavy_top_model = {
     .event = model_events,
 };
 
+#endif
 #endif

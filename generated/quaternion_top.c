@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:d1c0af67675cd90cc0bb7192d4dccd6a84c8e98be3d537a830dc98c93a090ebb */
+/* body sha256:92a461cb17dee309e28d3742f14e99c8ef4c38f680c1c73400fd972e69d8c55b */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -53,6 +53,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -364,6 +366,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -385,6 +388,230 @@ extern em_lanes quaternion_top_lanes;
 em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q_1 = x[1];
+    const double c_9 = c[14];
+    dM[4] = dM[1] = -q_1*c_9;
+    const double q_0 = x[0];
+    const double c_10 = c[15];
+    dM[5] = q_0*c_10;
+    const double q_2 = x[2];
+    dM[8] = dM[2] = -q_2*c_9;
+    dM[10] = q_0*c_10;
+    const double q_3 = x[3];
+    const double c_8 = c[13];
+    dM[12] = dM[3] = -q_3*c_8;
+    const double c_11 = c[16];
+    const double z_0 = q_2*c_11;
+    dM[13] = dM[7] = -z_0;
+    const double z_1 = q_1*c_11;
+    dM[14] = dM[11] = z_1;
+    const double c_12 = c[17];
+    dM[15] = q_0*c_12;
+    dM[16] = q_1*c_10;
+    dM[20] = dM[17] = -q_0*c_9;
+    const double z_2 = q_3*c_11;
+    dM[24] = dM[18] = -z_2;
+    dM[25] = dM[22] = -q_2*c_8;
+    dM[26] = q_1*c_12;
+    dM[29] = dM[23] = -q_3*c_9;
+    const double z_3 = q_0*c_11;
+    dM[30] = dM[27] = z_3;
+    dM[31] = q_1*c_10;
+    dM[32] = q_2*c_10;
+    dM[36] = dM[33] = z_2;
+    dM[37] = q_2*c_12;
+    dM[40] = dM[34] = -q_0*c_9;
+    dM[41] = dM[38] = -q_1*c_8;
+    dM[45] = dM[39] = -z_3;
+    dM[46] = dM[43] = -q_3*c_9;
+    dM[47] = q_2*c_10;
+    dM[48] = q_3*c_12;
+    dM[52] = dM[49] = z_0;
+    dM[53] = q_3*c_10;
+    dM[56] = dM[50] = -z_1;
+    dM[58] = q_3*c_10;
+    dM[60] = dM[51] = -q_0*c_8;
+    dM[61] = dM[55] = -q_1*c_9;
+    dM[62] = dM[59] = -q_2*c_9;
+}
+
+/* dM (n, n, n), of what is factored */
+EM_RARE /* no step calls it */
+EM_ASIDE void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q_0 = x[0];
+    const double c_14 = c[19];
+    dM[0] = q_0*c_14;
+    const double q_1 = x[1];
+    const double c_15 = c[20];
+    dM[4] = dM[1] = -q_1*c_15;
+    const double c_10 = c[15];
+    dM[5] = q_0*c_10;
+    const double q_2 = x[2];
+    dM[8] = dM[2] = -q_2*c_15;
+    dM[10] = q_0*c_10;
+    const double q_3 = x[3];
+    const double c_13 = c[18];
+    dM[12] = dM[3] = -q_3*c_13;
+    const double c_11 = c[16];
+    const double z_0 = q_2*c_11;
+    dM[13] = dM[7] = -z_0;
+    const double z_1 = q_1*c_11;
+    dM[14] = dM[11] = z_1;
+    const double c_12 = c[17];
+    dM[15] = q_0*c_12;
+    dM[16] = q_1*c_10;
+    dM[20] = dM[17] = -q_0*c_15;
+    dM[21] = q_1*c_14;
+    const double z_2 = q_3*c_11;
+    dM[24] = dM[18] = -z_2;
+    dM[25] = dM[22] = -q_2*c_13;
+    dM[26] = q_1*c_12;
+    dM[29] = dM[23] = -q_3*c_15;
+    const double z_3 = q_0*c_11;
+    dM[30] = dM[27] = z_3;
+    dM[31] = q_1*c_10;
+    dM[32] = q_2*c_10;
+    dM[36] = dM[33] = z_2;
+    dM[37] = q_2*c_12;
+    dM[40] = dM[34] = -q_0*c_15;
+    dM[41] = dM[38] = -q_1*c_13;
+    dM[42] = q_2*c_14;
+    dM[45] = dM[39] = -z_3;
+    dM[46] = dM[43] = -q_3*c_15;
+    dM[47] = q_2*c_10;
+    dM[48] = q_3*c_12;
+    dM[52] = dM[49] = z_0;
+    dM[53] = q_3*c_10;
+    dM[56] = dM[50] = -z_1;
+    dM[58] = q_3*c_10;
+    dM[60] = dM[51] = -q_0*c_13;
+    dM[61] = dM[55] = -q_1*c_15;
+    dM[62] = dM[59] = -q_2*c_15;
+    dM[63] = q_3*c_14;
+}
+
+/* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double q_0 = x[0];
+    const double c_4 = c[9];
+    const double q_3_dot = v[3];
+    const double q_0_dot = v[0];
+    const double q_3 = x[3];
+    const double q_2_dot = v[2];
+    const double q_1 = x[1];
+    const double q_1_dot = v[1];
+    const double q_2 = x[2];
+    const double z_0 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
+    const double c_5 = c[10];
+    const double z_1 = z_0*c_5;
+    const double z_2 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
+    const double c_6 = c[11];
+    const double z_3 = z_2*c_6;
+    const double z_4 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
+    const double z_5 = z_4*c_6;
+    const double J3 = c[4];
+    const double z_6 = J3*z_0;
+    const double J = c[3];
+    const double z_7 = J*z_2;
+    const double z_8 = J*z_4;
+    const double z_9 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
+    const double c_7 = c[12];
+    const double z_10 = z_9*c_7;
+    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_1 + q_2_dot*z_3 + q_1_dot*z_5) + 2.0*(q_3_dot*z_6 + q_2_dot*z_7 +
+        q_1_dot*z_8)) + q_0*z_10);
+    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_1 + q_0_dot*z_5 - q_3_dot*z_3) + 2.0*(q_2_dot*z_6 + q_0_dot*z_8 -
+        q_3_dot*z_7)) - q_1*z_10);
+    bias[2] = (-2.0)*(((q_1_dot*z_1 - q_2*c_4 - q_0_dot*z_3 - q_3_dot*z_5) + 2.0*(q_1_dot*z_6 - q_0_dot*z_7 -
+        q_3_dot*z_8)) + q_2*z_10);
+    bias[3] = 2.0*(((q_0_dot*z_1 + q_1_dot*z_3 - q_3*c_4 - q_2_dot*z_5) + 2.0*(q_0_dot*z_6 + q_1_dot*z_7 -
+        q_2_dot*z_8)) - q_3*z_10);
+    gamma[0] = 2.0*z_9;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double q_0_dot = v[0];
+    const double J3 = c[4];
+    const double q_3 = x[3];
+    const double z_0 = q_3*q_3;
+    const double J = c[3];
+    const double q_1 = x[1];
+    const double z_1 = q_1*q_1;
+    const double q_2 = x[2];
+    const double z_2 = q_2*q_2;
+    const double z_3 = J*z_1 + J*z_2;
+    const double q_1_dot = v[1];
+    const double q_0 = x[0];
+    const double z_4 = J*q_1;
+    const double c_1 = c[6];
+    const double z_5 = q_2*c_1;
+    const double z_6 = q_0*z_4 - q_3*z_5;
+    const double q_2_dot = v[2];
+    const double z_7 = J*q_2;
+    const double z_8 = q_1*c_1;
+    const double z_9 = q_0*z_7 + q_3*z_8;
+    const double q_3_dot = v[3];
+    const double z_10 = q_0*(J3*q_3);
+    const double z_11 = q_0*q_0;
+    const double z_12 = J*z_11 + J*z_0;
+    const double z_13 = J3*(q_1*q_2);
+    const double z_14 = q_0*z_5 + q_3*z_4;
+    const double z_15 = q_3*z_7 - q_0*z_8;
+    e[0] = 2.0*(q_0_dot*(q_0_dot*(J3*z_0 + z_3) - q_1_dot*z_6 - q_2_dot*z_9 - q_3_dot*z_10) - q_1_dot*(q_0_dot*z_6
+        + q_2_dot*z_13 + q_3_dot*z_14 - q_1_dot*(J3*z_2 + z_12)) - q_2_dot*(q_0_dot*z_9 + q_1_dot*z_13 +
+        q_3_dot*z_15 - q_2_dot*(J3*z_1 + z_12)) - q_3_dot*(q_0_dot*z_10 + q_1_dot*z_14 + q_2_dot*z_15 -
+        q_3_dot*(J3*z_11 + z_3)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_4 = c[9];
+    e[3] = -(z_1 + z_2 - z_0 - z_11)*c_4;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes quaternion_top_lanes;
@@ -477,59 +704,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[15] = 4.0*(J3*z_6 + z_3);
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q_1 = x[1];
-    const double c_9 = c[14];
-    dM[4] = dM[1] = -q_1*c_9;
-    const double q_0 = x[0];
-    const double c_10 = c[15];
-    dM[5] = q_0*c_10;
-    const double q_2 = x[2];
-    dM[8] = dM[2] = -q_2*c_9;
-    dM[10] = q_0*c_10;
-    const double q_3 = x[3];
-    const double c_8 = c[13];
-    dM[12] = dM[3] = -q_3*c_8;
-    const double c_11 = c[16];
-    const double z_0 = q_2*c_11;
-    dM[13] = dM[7] = -z_0;
-    const double z_1 = q_1*c_11;
-    dM[14] = dM[11] = z_1;
-    const double c_12 = c[17];
-    dM[15] = q_0*c_12;
-    dM[16] = q_1*c_10;
-    dM[20] = dM[17] = -q_0*c_9;
-    const double z_2 = q_3*c_11;
-    dM[24] = dM[18] = -z_2;
-    dM[25] = dM[22] = -q_2*c_8;
-    dM[26] = q_1*c_12;
-    dM[29] = dM[23] = -q_3*c_9;
-    const double z_3 = q_0*c_11;
-    dM[30] = dM[27] = z_3;
-    dM[31] = q_1*c_10;
-    dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_2;
-    dM[37] = q_2*c_12;
-    dM[40] = dM[34] = -q_0*c_9;
-    dM[41] = dM[38] = -q_1*c_8;
-    dM[45] = dM[39] = -z_3;
-    dM[46] = dM[43] = -q_3*c_9;
-    dM[47] = q_2*c_10;
-    dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_0;
-    dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_1;
-    dM[58] = q_3*c_10;
-    dM[60] = dM[51] = -q_0*c_8;
-    dM[61] = dM[55] = -q_1*c_9;
-    dM[62] = dM[59] = -q_2*c_9;
-}
-
 /* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
 static void factored_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                             double *restrict M)
@@ -566,64 +740,6 @@ static void factored_matrix(EM_UNUSED double t, const double *restrict x, const 
     M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
 }
 
-/* dM (n, n, n), of that */
-EM_RARE /* no step calls it */
-static void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                              double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q_0 = x[0];
-    const double c_14 = c[19];
-    dM[0] = q_0*c_14;
-    const double q_1 = x[1];
-    const double c_15 = c[20];
-    dM[4] = dM[1] = -q_1*c_15;
-    const double c_10 = c[15];
-    dM[5] = q_0*c_10;
-    const double q_2 = x[2];
-    dM[8] = dM[2] = -q_2*c_15;
-    dM[10] = q_0*c_10;
-    const double q_3 = x[3];
-    const double c_13 = c[18];
-    dM[12] = dM[3] = -q_3*c_13;
-    const double c_11 = c[16];
-    const double z_0 = q_2*c_11;
-    dM[13] = dM[7] = -z_0;
-    const double z_1 = q_1*c_11;
-    dM[14] = dM[11] = z_1;
-    const double c_12 = c[17];
-    dM[15] = q_0*c_12;
-    dM[16] = q_1*c_10;
-    dM[20] = dM[17] = -q_0*c_15;
-    dM[21] = q_1*c_14;
-    const double z_2 = q_3*c_11;
-    dM[24] = dM[18] = -z_2;
-    dM[25] = dM[22] = -q_2*c_13;
-    dM[26] = q_1*c_12;
-    dM[29] = dM[23] = -q_3*c_15;
-    const double z_3 = q_0*c_11;
-    dM[30] = dM[27] = z_3;
-    dM[31] = q_1*c_10;
-    dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_2;
-    dM[37] = q_2*c_12;
-    dM[40] = dM[34] = -q_0*c_15;
-    dM[41] = dM[38] = -q_1*c_13;
-    dM[42] = q_2*c_14;
-    dM[45] = dM[39] = -z_3;
-    dM[46] = dM[43] = -q_3*c_15;
-    dM[47] = q_2*c_10;
-    dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_0;
-    dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_1;
-    dM[58] = q_3*c_10;
-    dM[60] = dM[51] = -q_0*c_13;
-    dM[61] = dM[55] = -q_1*c_15;
-    dM[62] = dM[59] = -q_2*c_15;
-    dM[63] = q_3*c_14;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     factored_matrix;
@@ -654,96 +770,6 @@ static void position(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
     const double z_0 = (q_1*q_1 + q_2*q_2) + (q_3*q_3 + q_0*q_0);
     phi[0] = -(1.0 - z_0);
     terms[0] = 1.0 + 2.0*z_0;
-}
-
-/* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double q_0 = x[0];
-    const double c_4 = c[9];
-    const double q_3_dot = v[3];
-    const double q_0_dot = v[0];
-    const double q_3 = x[3];
-    const double q_2_dot = v[2];
-    const double q_1 = x[1];
-    const double q_1_dot = v[1];
-    const double q_2 = x[2];
-    const double z_0 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
-    const double c_5 = c[10];
-    const double z_1 = z_0*c_5;
-    const double z_2 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
-    const double c_6 = c[11];
-    const double z_3 = z_2*c_6;
-    const double z_4 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
-    const double z_5 = z_4*c_6;
-    const double J3 = c[4];
-    const double z_6 = J3*z_0;
-    const double J = c[3];
-    const double z_7 = J*z_2;
-    const double z_8 = J*z_4;
-    const double z_9 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
-    const double c_7 = c[12];
-    const double z_10 = z_9*c_7;
-    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_1 + q_2_dot*z_3 + q_1_dot*z_5) + 2.0*(q_3_dot*z_6 + q_2_dot*z_7 +
-        q_1_dot*z_8)) + q_0*z_10);
-    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_1 + q_0_dot*z_5 - q_3_dot*z_3) + 2.0*(q_2_dot*z_6 + q_0_dot*z_8 -
-        q_3_dot*z_7)) - q_1*z_10);
-    bias[2] = (-2.0)*(((q_1_dot*z_1 - q_2*c_4 - q_0_dot*z_3 - q_3_dot*z_5) + 2.0*(q_1_dot*z_6 - q_0_dot*z_7 -
-        q_3_dot*z_8)) + q_2*z_10);
-    bias[3] = 2.0*(((q_0_dot*z_1 + q_1_dot*z_3 - q_3*c_4 - q_2_dot*z_5) + 2.0*(q_0_dot*z_6 + q_1_dot*z_7 -
-        q_2_dot*z_8)) - q_3*z_10);
-    gamma[0] = 2.0*z_9;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double q_0_dot = v[0];
-    const double J3 = c[4];
-    const double q_3 = x[3];
-    const double z_0 = q_3*q_3;
-    const double J = c[3];
-    const double q_1 = x[1];
-    const double z_1 = q_1*q_1;
-    const double q_2 = x[2];
-    const double z_2 = q_2*q_2;
-    const double z_3 = J*z_1 + J*z_2;
-    const double q_1_dot = v[1];
-    const double q_0 = x[0];
-    const double z_4 = J*q_1;
-    const double c_1 = c[6];
-    const double z_5 = q_2*c_1;
-    const double z_6 = q_0*z_4 - q_3*z_5;
-    const double q_2_dot = v[2];
-    const double z_7 = J*q_2;
-    const double z_8 = q_1*c_1;
-    const double z_9 = q_0*z_7 + q_3*z_8;
-    const double q_3_dot = v[3];
-    const double z_10 = q_0*(J3*q_3);
-    const double z_11 = q_0*q_0;
-    const double z_12 = J*z_11 + J*z_0;
-    const double z_13 = J3*(q_1*q_2);
-    const double z_14 = q_0*z_5 + q_3*z_4;
-    const double z_15 = q_3*z_7 - q_0*z_8;
-    e[0] = 2.0*(q_0_dot*(q_0_dot*(J3*z_0 + z_3) - q_1_dot*z_6 - q_2_dot*z_9 - q_3_dot*z_10) - q_1_dot*(q_0_dot*z_6
-        + q_2_dot*z_13 + q_3_dot*z_14 - q_1_dot*(J3*z_2 + z_12)) - q_2_dot*(q_0_dot*z_9 + q_1_dot*z_13 +
-        q_3_dot*z_15 - q_2_dot*(J3*z_1 + z_12)) - q_3_dot*(q_0_dot*z_10 + q_1_dot*z_14 + q_2_dot*z_15 -
-        q_3_dot*(J3*z_11 + z_3)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double c_4 = c[9];
-    e[3] = -(z_1 + z_2 - z_0 - z_11)*c_4;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -1048,4 +1074,5 @@ const em_model quaternion_top_model = {
     .factored_gradient = factored_gradient,
 };
 
+#endif
 #endif

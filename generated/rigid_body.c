@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:195ce8e7bc3db7025f814d485b8618b682ab760d4013ee811549608acd52600b */
+/* body sha256:dff4a419cb03021e7b0a2cc3dfc2209f1b140d084d61ee459282d6cc6c53b94f */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -53,6 +53,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -266,6 +268,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -287,6 +290,154 @@ extern em_lanes rigid_body_lanes;
 em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                    EM_UNUSED const double *restrict c, double *restrict y);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double J3 = c[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double z_2 = cos_theta*sin_theta;
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*sin_phi;
+    const double J2 = c[1];
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    dM[9] = (-2.0)*(J3*z_2 - J1*z_4*z_2 - J2*z_6*z_2);
+    const double c_0 = c[3];
+    const double z_7 = sin_phi*cos_phi;
+    dM[12] = dM[10] = cos_theta*(c_0*z_7);
+    dM[15] = dM[11] = -J3*sin_theta;
+    const double c_1 = c[4];
+    const double z_8 = c_1*z_7;
+    dM[18] = sin_theta*sin_theta*z_8;
+    dM[21] = dM[19] = c_0*(sin_theta*z_6 - sin_theta*z_4);
+    dM[22] = -z_8;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double psi_dot = v[0];
+    const double J3 = c[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double theta_dot = v[1];
+    const double sin_theta = em_sin(theta);
+    const double z_2 = theta_dot*sin_theta;
+    const double z_3 = cos_theta*z_2;
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    const double z_6 = sin_phi*cos_phi;
+    const double phi_dot = v[2];
+    const double z_7 = z_6*(phi_dot*(sin_theta*sin_theta));
+    const double z_8 = sin_phi*sin_phi;
+    const double J2 = c[1];
+    const double z_9 = cos_phi*cos_phi;
+    const double c_0 = c[3];
+    const double z_10 = phi_dot*z_2;
+    bias[0] = 2.0*psi_dot*(J3*z_3 - J1*(z_7 + z_8*z_3) - J2*(-(z_7 - z_9*z_3))) + J3*z_10 - c_0*(z_9*z_10 +
+        z_6*(cos_theta*(theta_dot*theta_dot)) - z_8*z_10);
+    const double z_11 = psi_dot*sin_theta;
+    const double z_12 = J2*(theta_dot*sin_phi - cos_phi*z_11);
+    const double z_13 = J1*(theta_dot*cos_phi + sin_phi*z_11);
+    const double z_14 = psi_dot*cos_theta;
+    const double z_15 = theta_dot*z_6;
+    const double z_16 = phi_dot*z_11;
+    const double c_1 = c[4];
+    bias[1] = -((cos_theta*(psi_dot*cos_phi*z_12 - psi_dot*sin_phi*z_13) + J3*(phi_dot + z_14)*z_11) +
+        (c_0*(z_14*z_15 + z_9*z_16 - z_8*z_16) - phi_dot*c_1*z_15));
+    bias[2] = (sin_phi*(z_11*z_12 - theta_dot*z_13) + cos_phi*(theta_dot*z_12 + z_11*z_13)) + psi_dot*J3*z_2;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double psi_dot = v[0];
+    const double J3 = c[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double z_2 = sin_phi*sin_phi;
+    const double sin_theta = em_sin(theta);
+    const double z_4 = sin_theta*sin_theta;
+    const double J2 = c[1];
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    const double theta_dot = v[1];
+    const double c_0 = c[3];
+    const double z_7 = sin_phi*sin_theta*(cos_phi*c_0);
+    const double phi_dot = v[2];
+    e[0] = 0.5*(psi_dot*(psi_dot*(J3*(cos_theta*cos_theta) + J1*z_2*z_4 + J2*z_4*z_6) + theta_dot*z_7 +
+        cos_theta*(phi_dot*J3)) + theta_dot*(psi_dot*z_7 + theta_dot*(J1*z_6 + J2*z_2)) + phi_dot*(J3*(phi_dot +
+        psi_dot*cos_theta)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = 0.0;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
+EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                    EM_UNUSED const double *restrict c, double *restrict y)
+{
+    const double theta_dot = v[1];
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double sin_phi = em_sin(phi);
+    const double psi_dot = v[0];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double z_3 = psi_dot*sin_theta;
+    y[0] = theta_dot*cos_phi + sin_phi*z_3;
+    y[1] = -(theta_dot*sin_phi - cos_phi*z_3);
+    const double phi_dot = v[2];
+    const double cos_theta = em_cos(theta);
+    y[2] = phi_dot + psi_dot*cos_theta;
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rigid_body_lanes;
@@ -347,36 +498,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = J3;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double J3 = c[2];
-    const double theta = x[1];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_2 = cos_theta*sin_theta;
-    const double J1 = c[0];
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*sin_phi;
-    const double J2 = c[1];
-    const double cos_phi = em_cos(phi);
-    const double z_6 = cos_phi*cos_phi;
-    dM[9] = (-2.0)*(J3*z_2 - J1*z_4*z_2 - J2*z_6*z_2);
-    const double c_0 = c[3];
-    const double z_7 = sin_phi*cos_phi;
-    dM[12] = dM[10] = cos_theta*(c_0*z_7);
-    dM[15] = dM[11] = -J3*sin_theta;
-    const double c_1 = c[4];
-    const double z_8 = c_1*z_7;
-    dM[18] = sin_theta*sin_theta*z_8;
-    dM[21] = dM[19] = c_0*(sin_theta*z_6 - sin_theta*z_4);
-    dM[22] = -z_8;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -395,106 +516,11 @@ static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double psi_dot = v[0];
-    const double J3 = c[2];
-    const double theta = x[1];
-    const double cos_theta = em_cos(theta);
-    const double theta_dot = v[1];
-    const double sin_theta = em_sin(theta);
-    const double z_2 = theta_dot*sin_theta;
-    const double z_3 = cos_theta*z_2;
-    const double J1 = c[0];
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double cos_phi = em_cos(phi);
-    const double z_6 = sin_phi*cos_phi;
-    const double phi_dot = v[2];
-    const double z_7 = z_6*(phi_dot*(sin_theta*sin_theta));
-    const double z_8 = sin_phi*sin_phi;
-    const double J2 = c[1];
-    const double z_9 = cos_phi*cos_phi;
-    const double c_0 = c[3];
-    const double z_10 = phi_dot*z_2;
-    bias[0] = 2.0*psi_dot*(J3*z_3 - J1*(z_7 + z_8*z_3) - J2*(-(z_7 - z_9*z_3))) + J3*z_10 - c_0*(z_9*z_10 +
-        z_6*(cos_theta*(theta_dot*theta_dot)) - z_8*z_10);
-    const double z_11 = psi_dot*sin_theta;
-    const double z_12 = J2*(theta_dot*sin_phi - cos_phi*z_11);
-    const double z_13 = J1*(theta_dot*cos_phi + sin_phi*z_11);
-    const double z_14 = psi_dot*cos_theta;
-    const double z_15 = theta_dot*z_6;
-    const double z_16 = phi_dot*z_11;
-    const double c_1 = c[4];
-    bias[1] = -((cos_theta*(psi_dot*cos_phi*z_12 - psi_dot*sin_phi*z_13) + J3*(phi_dot + z_14)*z_11) +
-        (c_0*(z_14*z_15 + z_9*z_16 - z_8*z_16) - phi_dot*c_1*z_15));
-    bias[2] = (sin_phi*(z_11*z_12 - theta_dot*z_13) + cos_phi*(theta_dot*z_12 + z_11*z_13)) + psi_dot*J3*z_2;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double psi_dot = v[0];
-    const double J3 = c[2];
-    const double theta = x[1];
-    const double cos_theta = em_cos(theta);
-    const double J1 = c[0];
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double z_2 = sin_phi*sin_phi;
-    const double sin_theta = em_sin(theta);
-    const double z_4 = sin_theta*sin_theta;
-    const double J2 = c[1];
-    const double cos_phi = em_cos(phi);
-    const double z_6 = cos_phi*cos_phi;
-    const double theta_dot = v[1];
-    const double c_0 = c[3];
-    const double z_7 = sin_phi*sin_theta*(cos_phi*c_0);
-    const double phi_dot = v[2];
-    e[0] = 0.5*(psi_dot*(psi_dot*(J3*(cos_theta*cos_theta) + J1*z_2*z_4 + J2*z_4*z_6) + theta_dot*z_7 +
-        cos_theta*(phi_dot*J3)) + theta_dot*(psi_dot*z_7 + theta_dot*(J1*z_6 + J2*z_2)) + phi_dot*(J3*(phi_dot +
-        psi_dot*cos_theta)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = 0.0;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
-}
-
 /* crossing (n_events): an event happens where its number passes through zero */
 static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
-static void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                  EM_UNUSED const double *restrict c, double *restrict y)
-{
-    const double theta_dot = v[1];
-    const double phi = x[2];
-    const double cos_phi = em_cos(phi);
-    const double sin_phi = em_sin(phi);
-    const double psi_dot = v[0];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double z_3 = psi_dot*sin_theta;
-    y[0] = theta_dot*cos_phi + sin_phi*z_3;
-    y[1] = -(theta_dot*sin_phi - cos_phi*z_3);
-    const double phi_dot = v[2];
-    const double cos_theta = em_cos(theta);
-    y[2] = phi_dot + psi_dot*cos_theta;
 }
 
 #include "em_mechanics.h"
@@ -757,4 +783,5 @@ const em_model rigid_body_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:7dd57acd31b7fff3c2887941c6a9cfc48822b24cc5c05884199291b08c908892 */
+/* body sha256:ea2f06ae519de482db890cb0ca10d705443fa7d630f9cfca319a0d9f5e1db030 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -52,6 +52,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -367,6 +369,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -388,6 +391,153 @@ extern em_lanes rolling_disk_lanes;
 em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double c_0 = c[3];
+    const double z_2 = sin_phi*c_0;
+    dM[60] = dM[52] = sin_theta*z_2;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = cos_phi*c_0;
+    dM[61] = dM[57] = -sin_theta*z_4;
+    const double cos_theta = em_cos(theta);
+    dM[65] = dM[53] = -cos_theta*z_4;
+    dM[66] = dM[58] = -cos_theta*z_2;
+    dM[85] = dM[77] = -cos_theta*z_4;
+    dM[86] = dM[82] = -cos_theta*z_2;
+    const double c_1 = c[4];
+    dM[87] = c_1*(sin_theta*cos_theta);
+    dM[90] = dM[78] = sin_theta*z_2;
+    dM[91] = dM[83] = -sin_theta*z_4;
+    const double c_2 = c[5];
+    dM[97] = dM[89] = -cos_theta*c_2;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double c_0 = c[3];
+    const double phi_dot = v[2];
+    const double z_0 = phi_dot*phi_dot;
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double z_3 = sin_theta*sin_phi;
+    const double cos_phi = em_cos(phi);
+    const double theta_dot = v[3];
+    const double cos_theta = em_cos(theta);
+    const double z_6 = phi_dot*cos_theta;
+    const double z_7 = theta_dot*z_6;
+    const double z_8 = cos_phi*z_7;
+    const double z_9 = theta_dot*theta_dot;
+    bias[0] = -(c_0*(z_0*z_3 - z_8) - c_0*(z_8 - z_9*z_3));
+    const double z_10 = sin_phi*z_7;
+    const double z_11 = cos_phi*sin_theta;
+    bias[1] = c_0*(z_10 + z_0*z_11) + c_0*(z_10 + z_9*z_11);
+    const double x_dot = v[0];
+    const double z_12 = x_dot*theta_dot;
+    const double z_13 = z_3*(x_dot*phi_dot) - z_12*(cos_phi*cos_theta);
+    const double y_dot = v[1];
+    const double z_14 = y_dot*theta_dot;
+    const double z_15 = z_11*(y_dot*phi_dot) + z_14*(cos_theta*sin_phi);
+    const double psi_dot = v[4];
+    const double c_3 = c[6];
+    const double c_9 = c[12];
+    bias[2] = 0.5*(2.0*c_0*(z_13 - z_15) - (2.0*c_0*z_13 + c_9*(sin_theta*z_7) - 2.0*c_0*z_15 -
+        theta_dot*cos_theta*(psi_dot*c_3)));
+    const double z_16 = z_6*(x_dot*cos_phi);
+    const double c_5 = c[8];
+    const double z_17 = z_6*(y_dot*sin_phi);
+    const double z_18 = z_3*z_12;
+    const double z_19 = z_11*z_14;
+    const double c_10 = c[13];
+    const double c_4 = c[7];
+    bias[3] = (-0.25)*(((z_16*c_5 + z_17*c_5 + z_19*c_5 + psi_dot*c_10*z_6 - c_9*(z_0*(sin_theta*cos_theta)) -
+        z_18*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_16 - z_18) + c_0*(z_17 + z_19)));
+    const double c_2 = c[5];
+    bias[4] = c_2*z_7;
+    const double r = c[1];
+    const double z_20 = r*(phi_dot*psi_dot);
+    gamma[0] = sin_phi*z_20;
+    gamma[1] = -cos_phi*z_20;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double x_dot = v[0];
+    const double m = c[0];
+    const double phi_dot = v[2];
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = phi_dot*sin_theta;
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double c_0 = c[3];
+    const double z_3 = cos_phi*c_0;
+    const double sin_phi = em_sin(phi);
+    const double z_5 = sin_phi*c_0;
+    const double theta_dot = v[3];
+    const double cos_theta = em_cos(theta);
+    const double z_7 = theta_dot*cos_theta;
+    const double y_dot = v[1];
+    const double c_3 = c[6];
+    const double c_5 = c[8];
+    const double z_8 = cos_phi*c_5;
+    const double z_9 = sin_phi*c_5;
+    const double c_10 = c[13];
+    const double psi_dot = v[4];
+    const double c_9 = c[12];
+    e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_1*z_3 - z_5*z_7) + 4.0*y_dot*(y_dot*m + z_3*z_7 - z_1*z_5) -
+        phi_dot*(x_dot*sin_theta*z_8 + y_dot*sin_theta*z_9 + c_10*(psi_dot*sin_theta) -
+        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_9 -
+        y_dot*cos_theta*z_8 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_1))));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_11 = c[14];
+    e[3] = cos_theta*c_11;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
@@ -470,35 +620,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[24] = c_2;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double c_0 = c[3];
-    const double z_2 = sin_phi*c_0;
-    dM[60] = dM[52] = sin_theta*z_2;
-    const double cos_phi = em_cos(phi);
-    const double z_4 = cos_phi*c_0;
-    dM[61] = dM[57] = -sin_theta*z_4;
-    const double cos_theta = em_cos(theta);
-    dM[65] = dM[53] = -cos_theta*z_4;
-    dM[66] = dM[58] = -cos_theta*z_2;
-    dM[85] = dM[77] = -cos_theta*z_4;
-    dM[86] = dM[82] = -cos_theta*z_2;
-    const double c_1 = c[4];
-    dM[87] = c_1*(sin_theta*cos_theta);
-    dM[90] = dM[78] = sin_theta*z_2;
-    dM[91] = dM[83] = -sin_theta*z_4;
-    const double c_2 = c[5];
-    dM[97] = dM[89] = -cos_theta*c_2;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -529,103 +650,6 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double c_0 = c[3];
-    const double phi_dot = v[2];
-    const double z_0 = phi_dot*phi_dot;
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double z_3 = sin_theta*sin_phi;
-    const double cos_phi = em_cos(phi);
-    const double theta_dot = v[3];
-    const double cos_theta = em_cos(theta);
-    const double z_6 = phi_dot*cos_theta;
-    const double z_7 = theta_dot*z_6;
-    const double z_8 = cos_phi*z_7;
-    const double z_9 = theta_dot*theta_dot;
-    bias[0] = -(c_0*(z_0*z_3 - z_8) - c_0*(z_8 - z_9*z_3));
-    const double z_10 = sin_phi*z_7;
-    const double z_11 = cos_phi*sin_theta;
-    bias[1] = c_0*(z_10 + z_0*z_11) + c_0*(z_10 + z_9*z_11);
-    const double x_dot = v[0];
-    const double z_12 = x_dot*theta_dot;
-    const double z_13 = z_3*(x_dot*phi_dot) - z_12*(cos_phi*cos_theta);
-    const double y_dot = v[1];
-    const double z_14 = y_dot*theta_dot;
-    const double z_15 = z_11*(y_dot*phi_dot) + z_14*(cos_theta*sin_phi);
-    const double psi_dot = v[4];
-    const double c_3 = c[6];
-    const double c_9 = c[12];
-    bias[2] = 0.5*(2.0*c_0*(z_13 - z_15) - (2.0*c_0*z_13 + c_9*(sin_theta*z_7) - 2.0*c_0*z_15 -
-        theta_dot*cos_theta*(psi_dot*c_3)));
-    const double z_16 = z_6*(x_dot*cos_phi);
-    const double c_5 = c[8];
-    const double z_17 = z_6*(y_dot*sin_phi);
-    const double z_18 = z_3*z_12;
-    const double z_19 = z_11*z_14;
-    const double c_10 = c[13];
-    const double c_4 = c[7];
-    bias[3] = (-0.25)*(((z_16*c_5 + z_17*c_5 + z_19*c_5 + psi_dot*c_10*z_6 - c_9*(z_0*(sin_theta*cos_theta)) -
-        z_18*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_16 - z_18) + c_0*(z_17 + z_19)));
-    const double c_2 = c[5];
-    bias[4] = c_2*z_7;
-    const double r = c[1];
-    const double z_20 = r*(phi_dot*psi_dot);
-    gamma[0] = sin_phi*z_20;
-    gamma[1] = -cos_phi*z_20;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double x_dot = v[0];
-    const double m = c[0];
-    const double phi_dot = v[2];
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double z_1 = phi_dot*sin_theta;
-    const double phi = x[2];
-    const double cos_phi = em_cos(phi);
-    const double c_0 = c[3];
-    const double z_3 = cos_phi*c_0;
-    const double sin_phi = em_sin(phi);
-    const double z_5 = sin_phi*c_0;
-    const double theta_dot = v[3];
-    const double cos_theta = em_cos(theta);
-    const double z_7 = theta_dot*cos_theta;
-    const double y_dot = v[1];
-    const double c_3 = c[6];
-    const double c_5 = c[8];
-    const double z_8 = cos_phi*c_5;
-    const double z_9 = sin_phi*c_5;
-    const double c_10 = c[13];
-    const double psi_dot = v[4];
-    const double c_9 = c[12];
-    e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_1*z_3 - z_5*z_7) + 4.0*y_dot*(y_dot*m + z_3*z_7 - z_1*z_5) -
-        phi_dot*(x_dot*sin_theta*z_8 + y_dot*sin_theta*z_9 + c_10*(psi_dot*sin_theta) -
-        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_9 -
-        y_dot*cos_theta*z_8 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_1))));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double c_11 = c[14];
-    e[3] = cos_theta*c_11;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -931,4 +955,5 @@ const em_model rolling_disk_model = {
     .event = model_events,
 };
 
+#endif
 #endif

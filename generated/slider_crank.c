@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:40f550bd328d425060f2aba95a447f58e6c0d2a9df189fbd6c82a839d1709957 */
+/* body sha256:596a01a415f66cb8df021f66b187d2467c9f60f5495fc43eeba231bf11e19399 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -57,6 +57,8 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_UNUSED static const int coordinate2[N2] = { 2 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -335,6 +337,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -356,6 +359,113 @@ extern em_lanes slider_crank_lanes;
 em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[10];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    dM[3] = dM[1] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
+    dM[12] = dM[10] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double c_0 = c[10];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double z_2 = sin_phi*cos_theta;
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    const double z_5 = sin_theta*cos_phi;
+    const double z_6 = theta_dot*phi_dot*(c_0*(z_2 + z_5));
+    const double c_1 = c[11];
+    const double z_7 = c_0*(phi_dot*z_5 + theta_dot*z_2) + c_0*(phi_dot*z_2 + theta_dot*z_5);
+    bias[0] = 0.5*((z_6 - cos_theta*c_1) - phi_dot*z_7);
+    const double c_2 = c[12];
+    bias[1] = 0.5*((z_6 + cos_phi*c_2) - theta_dot*z_7);
+    bias[2] = 0.0;
+    const double r = c[0];
+    const double z_8 = r*(theta_dot*theta_dot);
+    const double l = c[1];
+    const double z_9 = l*(phi_dot*phi_dot);
+    gamma[0] = cos_theta*z_8 + cos_phi*z_9;
+    gamma[1] = -(sin_theta*z_8 - sin_phi*z_9);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double c_0 = c[10];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    const double cos_theta = em_cos(theta);
+    const double z_4 = c_0*(sin_phi*sin_theta - cos_phi*cos_theta);
+    const double c_7 = c[17];
+    const double c_8 = c[18];
+    const double c_9 = c[19];
+    const double x_dot = v[2];
+    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_4 + theta_dot*c_7) + phi_dot*(3.0*theta_dot*z_4 + phi_dot*c_8) +
+        c_9*(x_dot*x_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double m_r = c[3];
+    const double l = c[1];
+    const double c_10 = c[20];
+    const double c_11 = c[21];
+    const double c_12 = c[22];
+    e[3] = (m_r*(sin_theta*c_10 - l*sin_phi) + sin_theta*c_11)*c_12;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
@@ -437,23 +547,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = m_s;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[10];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double theta = x[0];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    dM[3] = dM[1] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
-    dM[12] = dM[10] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -500,75 +593,6 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
     terms[0] = c_5*(fabs(cos_theta) + fabs(theta*sin_theta)) + c_6*(fabs(cos_phi_) + fabs(phi_*sin_phi_)) +
         fabs(x_);
     terms[1] = c_5*(fabs(sin_theta) + fabs(theta*cos_theta)) + c_6*(fabs(sin_phi_) + fabs(phi_*cos_phi_));
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double theta_dot = v[0];
-    const double phi_dot = v[1];
-    const double c_0 = c[10];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double theta = x[0];
-    const double cos_theta = em_cos(theta);
-    const double z_2 = sin_phi*cos_theta;
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    const double z_5 = sin_theta*cos_phi;
-    const double z_6 = theta_dot*phi_dot*(c_0*(z_2 + z_5));
-    const double c_1 = c[11];
-    const double z_7 = c_0*(phi_dot*z_5 + theta_dot*z_2) + c_0*(phi_dot*z_2 + theta_dot*z_5);
-    bias[0] = 0.5*((z_6 - cos_theta*c_1) - phi_dot*z_7);
-    const double c_2 = c[12];
-    bias[1] = 0.5*((z_6 + cos_phi*c_2) - theta_dot*z_7);
-    bias[2] = 0.0;
-    const double r = c[0];
-    const double z_8 = r*(theta_dot*theta_dot);
-    const double l = c[1];
-    const double z_9 = l*(phi_dot*phi_dot);
-    gamma[0] = cos_theta*z_8 + cos_phi*z_9;
-    gamma[1] = -(sin_theta*z_8 - sin_phi*z_9);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double theta_dot = v[0];
-    const double phi_dot = v[1];
-    const double c_0 = c[10];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    const double cos_theta = em_cos(theta);
-    const double z_4 = c_0*(sin_phi*sin_theta - cos_phi*cos_theta);
-    const double c_7 = c[17];
-    const double c_8 = c[18];
-    const double c_9 = c[19];
-    const double x_dot = v[2];
-    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_4 + theta_dot*c_7) + phi_dot*(3.0*theta_dot*z_4 + phi_dot*c_8) +
-        c_9*(x_dot*x_dot));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double m_r = c[3];
-    const double l = c[1];
-    const double c_10 = c[20];
-    const double c_11 = c[21];
-    const double c_12 = c[22];
-    e[3] = (m_r*(sin_theta*c_10 - l*sin_phi) + sin_theta*c_11)*c_12;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -852,4 +876,5 @@ const em_model slider_crank_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:82407607244093f77979284b576429efaf1b523bd2e14b04af1349e76ca90cd8 */
+/* body sha256:a023a95052e55bf03a30a8591cdf5cd58fbc3d4cb7d550d0626b547259b11e38 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -52,6 +52,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -390,6 +392,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -411,6 +414,237 @@ extern em_lanes spatial_arm_3_lanes;
 em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q_2 = x[1];
+    const double cos_q_2 = em_cos(q_2);
+    const double c_0 = c[8];
+    const double l_3 = c[5];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
+    const double q_3 = x[2];
+    const double cos_q_3 = em_cos(q_3);
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const double c_1 = c[9];
+    const double sin_q_2 = em_sin(q_2);
+    const double c_13 = c[21];
+    const double z_6 = cos_q_3*sin_q_2;
+    const double z_7 = l_3*sin_q_2 + c_13*z_6;
+    const double z_8 = c_0*sin_q_2 + z_7*c_1;
+    const double m_2 = c[1];
+    const double c_2 = c[10];
+    const double c_3 = c[11];
+    const double z_9 = cos_q_3*c_3;
+    const double c_4 = c[12];
+    const double sin_q_3 = em_sin(q_3);
+    const double z_11 = sin_q_3*sin_q_3;
+    const double c_5 = c[13];
+    const double z_12 = sin_q_2*c_5;
+    const double z_13 = sin_q_2*z_11;
+    const double c_28 = c[36];
+    const double m_3 = c[2];
+    const double c_29 = c[37];
+    const double c_9 = c[17];
+    const double c_30 = c[38];
+    const double c_14 = c[22];
+    const double z_14 = cos_q_3*cos_q_3;
+    const double z_15 = cos_q_2*sin_q_2;
+    const double c_10 = c[18];
+    dM[9] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*sin_q_2 + cos_q_2*z_8) + 3.0*l_2*(sin_q_2*(m_2*(c_2 + z_1) +
+        z_4*z_9 + c_4*(z_2*z_11)) + cos_q_2*(z_12 + z_7*z_9 + z_13*c_28)) + (z_12 + z_7*(m_3*cos_q_3) +
+        z_13*c_29)*c_9 - c_30*(cos_q_2*z_13) - c_14*(z_14*z_15) - c_10*z_15);
+    const double c_11 = c[19];
+    const double z_16 = cos_q_3*sin_q_3;
+    const double c_15 = c[23];
+    const double z_17 = cos_q_2*sin_q_3;
+    dM[12] = dM[10] = (1.0/12.0)*(cos_q_2*c_11*z_16 + c_15*z_17);
+    dM[15] = dM[11] = ((-1.0/12.0))*z_8;
+    const double c_31 = c[39];
+    const double z_18 = z_2*z_16;
+    const double z_19 = z_18*c_4 - m_3*(z_4*sin_q_3 + 2.0*z_18);
+    const double c_32 = c[40];
+    const double c_21 = c[29];
+    dM[18] = (1.0/6.0)*(c_31*(sin_q_2*sin_q_2)*z_16 + z_19*c_32 + cos_q_2*z_19*c_21 - c_1*(z_2*z_17));
+    dM[21] = dM[19] = ((-1.0/12.0))*(c_11*(z_13 - sin_q_2*z_14) - c_15*z_6);
+    const double c_7 = c[15];
+    dM[22] = ((-1.0/12.0))*((c_7*z_16 + sin_q_3*(cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)) + sin_q_3*c_15 -
+        c_14*z_16);
+    const double c_33 = c[41];
+    dM[24] = dM[20] = -c_33*(z_2*sin_q_3);
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double c_8 = c[16];
+    const double q_2_dot = v[1];
+    const double q_3 = x[2];
+    const double sin_q_3 = em_sin(q_3);
+    const double cos_q_3 = em_cos(q_3);
+    const double q_1_dot = v[0];
+    const double q_2 = x[1];
+    const double sin_q_2 = em_sin(q_2);
+    const double z_3 = q_1_dot*sin_q_2;
+    const double z_4 = q_2_dot*sin_q_3 - cos_q_3*z_3;
+    const double q_3_dot = v[2];
+    const double z_5 = q_3_dot*sin_q_3;
+    const double cos_q_2 = em_cos(q_2);
+    const double z_7 = q_2_dot*cos_q_2;
+    const double z_8 = cos_q_3*z_4;
+    const double z_9 = q_3_dot*cos_q_3;
+    const double z_10 = q_2_dot*z_9 + (z_3*z_5 - q_1_dot*cos_q_3*z_7);
+    const double c_0 = c[8];
+    const double z_11 = q_2_dot*cos_q_3 + sin_q_3*z_3;
+    const double l_3 = c[5];
+    const double c_13 = c[21];
+    const double c_1 = c[9];
+    const double z_12 = c_0*z_11 + (l_3*z_11 + q_2_dot*c_13)*c_1;
+    const double c_7 = c[15];
+    const double z_13 = q_1_dot*sin_q_3;
+    const double z_14 = q_2_dot*z_5 - (z_3*z_9 + z_7*z_13);
+    const double z_15 = c_7*z_14;
+    const double z_16 = q_3_dot + q_1_dot*cos_q_2;
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double z_17 = cos_q_2*(q_1_dot*l_2);
+    const double z_18 = q_1_dot*l_1 + z_17;
+    const double z_19 = l_3*z_16 + 2.0*cos_q_3*z_18;
+    const double z_20 = c_0*z_16 + z_19*c_1;
+    const double z_21 = q_2_dot*sin_q_2;
+    const double z_22 = q_2_dot*z_3;
+    const double z_23 = z_18*z_5;
+    const double z_24 = l_3*z_22 + 2.0*(z_23 + l_2*cos_q_3*z_22);
+    const double z_25 = c_0*z_22 + c_1*z_24;
+    const double m_3 = c[2];
+    const double z_26 = sin_q_3*sin_q_3;
+    const double m_2 = c[1];
+    const double c_2 = c[10];
+    const double z_27 = 2.0*m_3*(2.0*z_18*z_26 + cos_q_3*z_19) + m_2*(z_17 + q_1_dot*c_2);
+    const double c_6 = c[14];
+    const double c_3 = c[11];
+    const double z_28 = 2.0*(cos_q_3*c_3*z_23 - c_6*z_26*z_22) - m_3*(z_19*z_5 + cos_q_3*z_24);
+    const double c_5 = c[13];
+    const double z_29 = c_5*z_22;
+    const double c_9 = c[17];
+    const double c_10 = c[18];
+    bias[0] = ((-1.0/12.0))*(6.0*c_8*(z_4*(sin_q_2*z_5) - z_7*z_8 - z_10*(cos_q_3*sin_q_2)) + (sin_q_2*z_12*z_9 +
+        sin_q_3*z_12*z_7 - sin_q_3*sin_q_2*z_15) + c_9*(z_28 - z_29) + c_10*(z_3*z_7) - (z_20*z_21 + cos_q_2*z_25)
+        - 3.0*l_2*(z_27*z_21 - cos_q_2*(2.0*z_28 - z_29)));
+    const double c_16 = c[24];
+    const double c_17 = c[25];
+    const double z_30 = q_1_dot*q_1_dot;
+    const double c_18 = c[26];
+    const double c_19 = c[27];
+    const double c_20 = c[28];
+    const double c_21 = c[29];
+    const double c_15 = c[23];
+    bias[1] = (1.0/12.0)*((cos_q_2*(z_12*z_13 + c_16 + c_17*(sin_q_2*z_30) + cos_q_3*c_19 - q_1_dot*c_18*z_8) -
+        sin_q_2*(cos_q_2*c_20*z_30 + q_1_dot*z_20 + q_1_dot*z_27*c_21)) - (6.0*c_8*(q_3_dot*z_8 + sin_q_3*z_10) -
+        (z_12*z_5 + cos_q_3*z_15) - c_15*z_14));
+    const double z_31 = c_18*z_4;
+    const double c_22 = c[30];
+    const double c_23 = c[31];
+    bias[2] = (1.0/12.0)*((cos_q_3*(z_12*z_3 + q_2_dot*z_31 + c_22*(sin_q_3*(z_18*z_18))) + sin_q_3*(z_3*z_31 -
+        q_2_dot*z_12 - z_18*z_19*c_23 - sin_q_2*c_19)) + z_25);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double q_1_dot = v[0];
+    const double q_2 = x[1];
+    const double cos_q_2 = em_cos(q_2);
+    const double c_0 = c[8];
+    const double l_3 = c[5];
+    const double l_1 = c[3];
+    const double l_2 = c[4];
+    const double z_1 = l_2*cos_q_2;
+    const double z_2 = l_1 + z_1;
+    const double q_3 = x[2];
+    const double cos_q_3 = em_cos(q_3);
+    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const double c_1 = c[9];
+    const double z_5 = cos_q_2*c_0 + z_4*c_1;
+    const double c_20 = c[28];
+    const double c_7 = c[15];
+    const double sin_q_3 = em_sin(q_3);
+    const double z_7 = sin_q_3*sin_q_3;
+    const double sin_q_2 = em_sin(q_2);
+    const double z_9 = sin_q_2*sin_q_2;
+    const double c_24 = c[32];
+    const double m_2 = c[1];
+    const double c_2 = c[10];
+    const double z_10 = m_2*(c_2 + z_1);
+    const double m_3 = c[2];
+    const double z_11 = cos_q_3*z_4;
+    const double c_3 = c[11];
+    const double z_12 = z_2*z_7;
+    const double c_9 = c[17];
+    const double c_17 = c[25];
+    const double c_4 = c[12];
+    const double c_21 = c[29];
+    const double c_18 = c[26];
+    const double q_2_dot = v[1];
+    const double c_11 = c[19];
+    const double z_13 = sin_q_3*sin_q_2;
+    const double c_15 = c[23];
+    const double z_14 = cos_q_3*c_11*z_13 + c_15*z_13;
+    const double q_3_dot = v[2];
+    const double c_13 = c[21];
+    const double z_15 = l_3*cos_q_3;
+    const double z_16 = c_13 + z_15;
+    const double c_25 = c[33];
+    const double c_26 = c[34];
+    e[0] = (1.0/24.0)*(q_1_dot*(q_1_dot*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + c_7*z_7*z_9 + c_24 + (z_10 +
+        m_3*z_11 + c_3*z_12)*c_9 + c_17*z_9 + cos_q_2*(z_10 + c_3*z_11 + c_4*z_12)*c_21 +
+        c_18*(z_9*(cos_q_3*cos_q_3))) + q_2_dot*z_14 + q_3_dot*z_5) + q_2_dot*(q_1_dot*z_14 +
+        q_2_dot*(cos_q_3*(cos_q_3*c_0 + z_16*c_1) + c_25 + z_16*c_26 + c_18*z_7)) + q_3_dot*(q_1_dot*z_5 +
+        q_3_dot*c_7));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_34 = c[42];
+    const double c_35 = c[43];
+    e[3] = (-0.5)*((sin_q_2*z_15 + sin_q_2*c_13)*c_34 + sin_q_2*c_35);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes spatial_arm_3_lanes;
@@ -554,71 +788,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = c_27;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q_2 = x[1];
-    const double cos_q_2 = em_cos(q_2);
-    const double c_0 = c[8];
-    const double l_3 = c[5];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double z_1 = l_2*cos_q_2;
-    const double z_2 = l_1 + z_1;
-    const double q_3 = x[2];
-    const double cos_q_3 = em_cos(q_3);
-    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
-    const double c_1 = c[9];
-    const double sin_q_2 = em_sin(q_2);
-    const double c_13 = c[21];
-    const double z_6 = cos_q_3*sin_q_2;
-    const double z_7 = l_3*sin_q_2 + c_13*z_6;
-    const double z_8 = c_0*sin_q_2 + z_7*c_1;
-    const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double c_3 = c[11];
-    const double z_9 = cos_q_3*c_3;
-    const double c_4 = c[12];
-    const double sin_q_3 = em_sin(q_3);
-    const double z_11 = sin_q_3*sin_q_3;
-    const double c_5 = c[13];
-    const double z_12 = sin_q_2*c_5;
-    const double z_13 = sin_q_2*z_11;
-    const double c_28 = c[36];
-    const double m_3 = c[2];
-    const double c_29 = c[37];
-    const double c_9 = c[17];
-    const double c_30 = c[38];
-    const double c_14 = c[22];
-    const double z_14 = cos_q_3*cos_q_3;
-    const double z_15 = cos_q_2*sin_q_2;
-    const double c_10 = c[18];
-    dM[9] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*sin_q_2 + cos_q_2*z_8) + 3.0*l_2*(sin_q_2*(m_2*(c_2 + z_1) +
-        z_4*z_9 + c_4*(z_2*z_11)) + cos_q_2*(z_12 + z_7*z_9 + z_13*c_28)) + (z_12 + z_7*(m_3*cos_q_3) +
-        z_13*c_29)*c_9 - c_30*(cos_q_2*z_13) - c_14*(z_14*z_15) - c_10*z_15);
-    const double c_11 = c[19];
-    const double z_16 = cos_q_3*sin_q_3;
-    const double c_15 = c[23];
-    const double z_17 = cos_q_2*sin_q_3;
-    dM[12] = dM[10] = (1.0/12.0)*(cos_q_2*c_11*z_16 + c_15*z_17);
-    dM[15] = dM[11] = ((-1.0/12.0))*z_8;
-    const double c_31 = c[39];
-    const double z_18 = z_2*z_16;
-    const double z_19 = z_18*c_4 - m_3*(z_4*sin_q_3 + 2.0*z_18);
-    const double c_32 = c[40];
-    const double c_21 = c[29];
-    dM[18] = (1.0/6.0)*(c_31*(sin_q_2*sin_q_2)*z_16 + z_19*c_32 + cos_q_2*z_19*c_21 - c_1*(z_2*z_17));
-    dM[21] = dM[19] = ((-1.0/12.0))*(c_11*(z_13 - sin_q_2*z_14) - c_15*z_6);
-    const double c_7 = c[15];
-    dM[22] = ((-1.0/12.0))*((c_7*z_16 + sin_q_3*(cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)) + sin_q_3*c_15 -
-        c_14*z_16);
-    const double c_33 = c[41];
-    dM[24] = dM[20] = -c_33*(z_2*sin_q_3);
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -634,151 +803,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double c_8 = c[16];
-    const double q_2_dot = v[1];
-    const double q_3 = x[2];
-    const double sin_q_3 = em_sin(q_3);
-    const double cos_q_3 = em_cos(q_3);
-    const double q_1_dot = v[0];
-    const double q_2 = x[1];
-    const double sin_q_2 = em_sin(q_2);
-    const double z_3 = q_1_dot*sin_q_2;
-    const double z_4 = q_2_dot*sin_q_3 - cos_q_3*z_3;
-    const double q_3_dot = v[2];
-    const double z_5 = q_3_dot*sin_q_3;
-    const double cos_q_2 = em_cos(q_2);
-    const double z_7 = q_2_dot*cos_q_2;
-    const double z_8 = cos_q_3*z_4;
-    const double z_9 = q_3_dot*cos_q_3;
-    const double z_10 = q_2_dot*z_9 + (z_3*z_5 - q_1_dot*cos_q_3*z_7);
-    const double c_0 = c[8];
-    const double z_11 = q_2_dot*cos_q_3 + sin_q_3*z_3;
-    const double l_3 = c[5];
-    const double c_13 = c[21];
-    const double c_1 = c[9];
-    const double z_12 = c_0*z_11 + (l_3*z_11 + q_2_dot*c_13)*c_1;
-    const double c_7 = c[15];
-    const double z_13 = q_1_dot*sin_q_3;
-    const double z_14 = q_2_dot*z_5 - (z_3*z_9 + z_7*z_13);
-    const double z_15 = c_7*z_14;
-    const double z_16 = q_3_dot + q_1_dot*cos_q_2;
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double z_17 = cos_q_2*(q_1_dot*l_2);
-    const double z_18 = q_1_dot*l_1 + z_17;
-    const double z_19 = l_3*z_16 + 2.0*cos_q_3*z_18;
-    const double z_20 = c_0*z_16 + z_19*c_1;
-    const double z_21 = q_2_dot*sin_q_2;
-    const double z_22 = q_2_dot*z_3;
-    const double z_23 = z_18*z_5;
-    const double z_24 = l_3*z_22 + 2.0*(z_23 + l_2*cos_q_3*z_22);
-    const double z_25 = c_0*z_22 + c_1*z_24;
-    const double m_3 = c[2];
-    const double z_26 = sin_q_3*sin_q_3;
-    const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double z_27 = 2.0*m_3*(2.0*z_18*z_26 + cos_q_3*z_19) + m_2*(z_17 + q_1_dot*c_2);
-    const double c_6 = c[14];
-    const double c_3 = c[11];
-    const double z_28 = 2.0*(cos_q_3*c_3*z_23 - c_6*z_26*z_22) - m_3*(z_19*z_5 + cos_q_3*z_24);
-    const double c_5 = c[13];
-    const double z_29 = c_5*z_22;
-    const double c_9 = c[17];
-    const double c_10 = c[18];
-    bias[0] = ((-1.0/12.0))*(6.0*c_8*(z_4*(sin_q_2*z_5) - z_7*z_8 - z_10*(cos_q_3*sin_q_2)) + (sin_q_2*z_12*z_9 +
-        sin_q_3*z_12*z_7 - sin_q_3*sin_q_2*z_15) + c_9*(z_28 - z_29) + c_10*(z_3*z_7) - (z_20*z_21 + cos_q_2*z_25)
-        - 3.0*l_2*(z_27*z_21 - cos_q_2*(2.0*z_28 - z_29)));
-    const double c_16 = c[24];
-    const double c_17 = c[25];
-    const double z_30 = q_1_dot*q_1_dot;
-    const double c_18 = c[26];
-    const double c_19 = c[27];
-    const double c_20 = c[28];
-    const double c_21 = c[29];
-    const double c_15 = c[23];
-    bias[1] = (1.0/12.0)*((cos_q_2*(z_12*z_13 + c_16 + c_17*(sin_q_2*z_30) + cos_q_3*c_19 - q_1_dot*c_18*z_8) -
-        sin_q_2*(cos_q_2*c_20*z_30 + q_1_dot*z_20 + q_1_dot*z_27*c_21)) - (6.0*c_8*(q_3_dot*z_8 + sin_q_3*z_10) -
-        (z_12*z_5 + cos_q_3*z_15) - c_15*z_14));
-    const double z_31 = c_18*z_4;
-    const double c_22 = c[30];
-    const double c_23 = c[31];
-    bias[2] = (1.0/12.0)*((cos_q_3*(z_12*z_3 + q_2_dot*z_31 + c_22*(sin_q_3*(z_18*z_18))) + sin_q_3*(z_3*z_31 -
-        q_2_dot*z_12 - z_18*z_19*c_23 - sin_q_2*c_19)) + z_25);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double q_1_dot = v[0];
-    const double q_2 = x[1];
-    const double cos_q_2 = em_cos(q_2);
-    const double c_0 = c[8];
-    const double l_3 = c[5];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double z_1 = l_2*cos_q_2;
-    const double z_2 = l_1 + z_1;
-    const double q_3 = x[2];
-    const double cos_q_3 = em_cos(q_3);
-    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
-    const double c_1 = c[9];
-    const double z_5 = cos_q_2*c_0 + z_4*c_1;
-    const double c_20 = c[28];
-    const double c_7 = c[15];
-    const double sin_q_3 = em_sin(q_3);
-    const double z_7 = sin_q_3*sin_q_3;
-    const double sin_q_2 = em_sin(q_2);
-    const double z_9 = sin_q_2*sin_q_2;
-    const double c_24 = c[32];
-    const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double z_10 = m_2*(c_2 + z_1);
-    const double m_3 = c[2];
-    const double z_11 = cos_q_3*z_4;
-    const double c_3 = c[11];
-    const double z_12 = z_2*z_7;
-    const double c_9 = c[17];
-    const double c_17 = c[25];
-    const double c_4 = c[12];
-    const double c_21 = c[29];
-    const double c_18 = c[26];
-    const double q_2_dot = v[1];
-    const double c_11 = c[19];
-    const double z_13 = sin_q_3*sin_q_2;
-    const double c_15 = c[23];
-    const double z_14 = cos_q_3*c_11*z_13 + c_15*z_13;
-    const double q_3_dot = v[2];
-    const double c_13 = c[21];
-    const double z_15 = l_3*cos_q_3;
-    const double z_16 = c_13 + z_15;
-    const double c_25 = c[33];
-    const double c_26 = c[34];
-    e[0] = (1.0/24.0)*(q_1_dot*(q_1_dot*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + c_7*z_7*z_9 + c_24 + (z_10 +
-        m_3*z_11 + c_3*z_12)*c_9 + c_17*z_9 + cos_q_2*(z_10 + c_3*z_11 + c_4*z_12)*c_21 +
-        c_18*(z_9*(cos_q_3*cos_q_3))) + q_2_dot*z_14 + q_3_dot*z_5) + q_2_dot*(q_1_dot*z_14 +
-        q_2_dot*(cos_q_3*(cos_q_3*c_0 + z_16*c_1) + c_25 + z_16*c_26 + c_18*z_7)) + q_3_dot*(q_1_dot*z_5 +
-        q_3_dot*c_7));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double c_34 = c[42];
-    const double c_35 = c[43];
-    e[3] = (-0.5)*((sin_q_2*z_15 + sin_q_2*c_13)*c_34 + sin_q_2*c_35);
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -1102,4 +1126,5 @@ const em_model spatial_arm_3_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:8649036e51b11ea01f59fd5afb0045c913c136552a361bc17a8be1080c3def2c */
+/* body sha256:9d171657fedc79a8ee35dc2a915320066c5dbde5576cf2ce991f572a3ca8d50c */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -52,6 +52,8 @@ enum {
 
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
+
+#ifndef EM_ASIDE_ALONE
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -191,6 +193,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -212,6 +215,78 @@ extern em_lanes veering_lanes;
 em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.5;
+    dM[3] = -0.5;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double x_dot = v[0];
+    const double z_0 = x_dot*x_dot;
+    const double z_dot = v[1];
+    const double x_ = x[0];
+    const double c_0 = c[3];
+    bias[0] = (-0.25)*(2.0*z_0 - (z_0 - z_dot*z_dot - x_*c_0));
+    const double z = x[1];
+    const double c_1 = c[4];
+    bias[1] = 0.5*(x_dot*z_dot - z*c_1);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double x_dot = v[0];
+    const double x_ = x[0];
+    const double z_dot = v[1];
+    const double c_2 = c[5];
+    e[0] = 0.25*(x_dot*(x_dot*(x_ + 4.0) + z_dot*c_2) + z_dot*(z_dot*(4.0 - x_) + x_dot*c_2));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double k_x = c[1];
+    const double k_z = c[2];
+    const double z = x[1];
+    e[3] = 0.5*(k_x*(x_*x_) + k_z*(z*z));
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes veering_lanes;
@@ -259,16 +334,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = 0.5*(4.0 - x_);
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                 EM_UNUSED const double *restrict c, double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.5;
-    dM[3] = -0.5;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -284,47 +349,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double x_dot = v[0];
-    const double z_0 = x_dot*x_dot;
-    const double z_dot = v[1];
-    const double x_ = x[0];
-    const double c_0 = c[3];
-    bias[0] = (-0.25)*(2.0*z_0 - (z_0 - z_dot*z_dot - x_*c_0));
-    const double z = x[1];
-    const double c_1 = c[4];
-    bias[1] = 0.5*(x_dot*z_dot - z*c_1);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double x_dot = v[0];
-    const double x_ = x[0];
-    const double z_dot = v[1];
-    const double c_2 = c[5];
-    e[0] = 0.25*(x_dot*(x_dot*(x_ + 4.0) + z_dot*c_2) + z_dot*(z_dot*(4.0 - x_) + x_dot*c_2));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    const double k_x = c[1];
-    const double k_z = c[2];
-    const double z = x[1];
-    e[3] = 0.5*(k_x*(x_*x_) + k_z*(z*z));
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -545,4 +569,5 @@ const em_model veering_model = {
     .event = model_events,
 };
 
+#endif
 #endif

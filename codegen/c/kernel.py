@@ -44,6 +44,7 @@ class Draft:
     arguments : their names, where others rely on them; else they are what the kernel reads and assigns
     actual : what the caller calls them, where that differs
     on_lanes : whether it computes with `real` (em_real.h) in place of double
+    aside : whether no step calls it, so that it may be compiled beside what steps call
     """
 
     name: str
@@ -51,6 +52,7 @@ class Draft:
     arguments: tuple[str, ...] = ()
     actual: Mapping[str, str] | None = None
     on_lanes: bool = False
+    aside: bool = False
 
     @property
     def number(self) -> str:
@@ -234,7 +236,7 @@ def _head(draft: Draft, used: Sequence[str]) -> str:
     """Of a function that others call: its arguments are given, and marked where it does not use them."""
     given = [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
     marked = [("" if name in used else "EM_UNUSED ") + text for name, text in zip(draft.arguments, given, strict=True)]
-    return _folded(f"static void {draft.name}(", marked, ")")
+    return _folded(f"{'EM_ASIDE' if draft.aside else 'static'} void {draft.name}(", marked, ")")
 
 
 def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:

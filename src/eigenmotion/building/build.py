@@ -5,16 +5,19 @@ import sys
 from functools import cache, partial
 from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import SourceFile, Sources, body_hash
 from ..codegen.model import Model
 from ..files import write
-from ..system.system import System
 from .cache import entry, guarded, key
 from .errors import FolderError
 from .extension import compile_in, load
 from .request import Order, order
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
+
+if TYPE_CHECKING:
+    from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
 
@@ -29,7 +32,7 @@ def build(
     compiler: str | None = None,
     flags: str | None = None,
     **keywords: object,
-) -> System:
+) -> "System":
     """Generate, compile and import; what was built before is taken from the cache.
 
     Parameters
@@ -63,7 +66,7 @@ def build(
 
 
 def system_of(wanted: Order, compiler: str | None = None, flags: str | None = None, output: Path | None = None
-              ) -> System:  # fmt: skip
+              ) -> "System":  # fmt: skip
     """Return the System of an order, which pickles as that order."""
     system = load(make(wanted, toolchain(compiler, flags), output))
     system.compiled.recipe = partial(system_of, wanted, compiler, flags)

@@ -10,14 +10,16 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from threading import Lock
 from types import ModuleType
+from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import Sources
 from ..codegen.model import Model
-from ..system.system import System
 from .cache import LOCATION
 from .errors import BuildError
-from .proof import prove
-from .toolchain import EXTENSION_SUFFIX, Toolchain
+from .toolchain import EXTENSION_SUFFIX, UNITS, Toolchain
+
+if TYPE_CHECKING:
+    from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
@@ -33,7 +35,10 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
         work = Path(place)
         for file in sources.files:
             (work / file.name).write_text(file.text, encoding="utf-8")
-        compile_and_link(work, sources.name, tools)
+        with ThreadPoolExecutor(max_workers=1) as pool:
+            built = pool.submit(compile_and_link, work, sources.name, tools)
+            from .proof import prove  # noqa: PLC0415, half a second with all that runs a model, while compilers work
+        built.result()
         module = f"{sources.name}{EXTENSION_SUFFIX}"
         if model is not None:
             prove(model, _loaded_apart(work / module, sources.name))
@@ -41,15 +46,17 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
 
 
 def compile_and_link(work: Path, name: str, tools: Toolchain) -> None:
-    """NAME.c, and what makes a module of it, side by side; then the module."""
-    units = (tools.compile_model, tools.compile_lanes, tools.compile_module)
-    with ThreadPoolExecutor(max_workers=len(units)) as pool:
-        objects = [pool.submit(compile_unit, work, name) for compile_unit in units]
-        tools.link(work, tuple(one.result() for one in objects), name)
+    """The units of NAME.c, and what makes a module of them, side by side; then the module."""
+    with ThreadPoolExecutor(max_workers=len(UNITS) + 1) as pool:
+        units = [pool.submit(tools.compile_unit, work, name, unit) for unit in UNITS]
+        units.append(pool.submit(tools.compile_module, work, name))
+        tools.link(work, tuple(unit.result() for unit in units), name)
 
 
-def load(binary: Path) -> System:
+def load(binary: Path) -> "System":
     """Import the extension module at `binary`, once a process, and return its `system`."""
+    from ..system.system import System  # noqa: PLC0415, as above
+
     stem = binary.name.removesuffix(EXTENSION_SUFFIX)
     name = f"_eigenmotion_{binary.parent.name}.{stem}"
     with _loading:
@@ -75,7 +82,7 @@ def _executed(name: str, binary: Path) -> ModuleType:
     return module
 
 
-def _loaded_apart(binary: Path, stem: str) -> System:
+def _loaded_apart(binary: Path, stem: str) -> "System":
     """Return the System of a module that is loaded from here this once; what is imported later is a copy of it."""
     with _loading:
         system: System = _executed(f"_eigenmotion_apart.{stem}", binary).system

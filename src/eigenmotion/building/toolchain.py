@@ -23,6 +23,8 @@ STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend it
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
+UNITS = {"steps": "EM_ASIDE_ELSEWHERE", "aside": "EM_ASIDE_ALONE", "lanes": "EM_ON_LANES"}
+"""What a model's C file is compiled to, side by side, and the macro that says so."""
 FLAGS = "EIGENMOTION_CFLAGS"
 _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
@@ -47,7 +49,7 @@ class Toolchain:
         The macros that the compiler predefines tell all three.
         """
         macros = self._run(*self.optimised, *self.flags, *_MACROS)
-        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *LINK, *self.flags)
+        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *LINK, *UNITS, *UNITS.values(), *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
     @property
@@ -59,13 +61,12 @@ class Toolchain:
             name = Path(self.command[0]).name
         return {"compiler": name, "flags": " ".join((*self.optimised, *self.flags))}
 
-    def compile_model(self, folder: Path, stem: str) -> str:
-        """STEM.c -> STEM.o, of which the name is returned."""
-        return self._compile(folder, f"{stem}.c", f"{stem}.o")
-
-    def compile_lanes(self, folder: Path, stem: str) -> str:
-        """STEM.c -> STEM_lanes.o, its right-hand side on vectors."""
-        return self._compile(folder, f"{stem}.c", f"{stem}_lanes.o", "-DEM_ON_LANES")
+    def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
+        """STEM.c -> STEM_UNIT.o, a part of it, of which the name is returned."""
+        target = f"{stem}_{unit}.o"
+        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", f"-D{UNITS[unit]}")
+        self._run(*flags, "-c", f"{stem}.c", "-o", target, folder=folder)
+        return target
 
     def compile_module(self, folder: Path, stem: str) -> str:
         """em_module.c -> STEM_module.o, with which the model is Python's module STEM."""
@@ -78,11 +79,6 @@ class Toolchain:
     def link(self, folder: Path, objects: tuple[str, ...], name: str) -> None:
         """Object files -> the extension module NAME."""
         self._run(*LINK, *SHARED, *self.flags, *objects, "-lm", "-o", f"{name}{EXTENSION_SUFFIX}", folder=folder)
-
-    def _compile(self, folder: Path, source: str, target: str, *flags: str) -> str:
-        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", *flags)
-        self._run(*flags, "-c", source, "-o", target, folder=folder)
-        return target
 
     def _takes(self, *flags: str) -> bool:
         """Whether the compiler takes flags without a word; one that cannot be started takes all, and says so later."""

@@ -20,7 +20,7 @@ from .start cimport em_start
 
 import numpy as np
 
-cdef extern from "Python.h":
+cdef extern from *:
     double PyLong_AsDouble(object) noexcept  # the exception is looked at below
 
 MOST_STEPS = 10**15
