@@ -4,7 +4,7 @@ from .abi cimport em_model
 
 
 cdef extern from "em_start.h" nogil:
-    const double EM_START_STEPS
+    const int EM_START_STEPS
     double em_start_tolerance(double)
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
     void em_factored_gradient(const em_model *, double, const double *, const double *, double *)

@@ -7,7 +7,7 @@
 
 #include "em_linear.h"
 
-#define EM_START_STEPS 10.0    /* how many times the tolerances of a run its start may be off the constraints; */
+#define EM_START_STEPS 10      /* how many times the tolerances of a run its start may be off the constraints; */
 #define EM_START_TIGHTEST 1e-9 /* rounding in what the user computed is forgiven up to this, relative to the terms that */
 #define EM_START_LOOSEST 1e-4  /* cancel in them, and more than this never is */
 
