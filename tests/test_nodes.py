@@ -122,7 +122,7 @@ def test_kinks_and_jumps_anywhere_in_a_step(build: Build, second_order: int, rto
         assert run.status == FINISHED
         x, v = end(10.0 - start)
         worst = max(worst, abs(run.y[0, -1] - 1.0 - x) / (1.0 + x), abs(run.y[1, -1] - v) / (1.0 + v))
-    assert worst < 30 * rtol
+    assert worst < 8 * rtol
 
 
 def peak_response(t: float, centre: float) -> tuple[float, float]:

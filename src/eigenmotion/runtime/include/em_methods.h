@@ -25,7 +25,7 @@ EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU)
 EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU)
 
 static em_scheme em_ra15(void) {
-    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.0, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
+    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
                        em_nodes_sketch, em_nodes_evaluate};
 }
 
