@@ -174,11 +174,11 @@ def _simulate_compiled(task: Task, method: int) -> Solution:
     run = Run(task, method)
     t, rows = run.rows
     t_events, y_events = run.events
-    nfev, nsteps, nrejected, n_bounded = run.counts
+    nfev, nsteps, nrejected, n_bounded, n_stiff = run.counts
     fields = {
         "t": t, "y": rows.T, "sol": DenseOutput(run.step_times, run.interpolate) if run.n_dense else None,
         "t_events": t_events, "y_events": y_events, "nfev": nfev, "njev": 0, "nlu": 0, "status": run.status,
         "message": run.message, "success": run.status >= 0, "nsteps": nsteps, "nrejected": nrejected,
-        "n_bounded": n_bounded, "stop": run.stop, "error_estimate": None, "error_cost": None,
+        "n_bounded": n_bounded, "n_stiff": n_stiff, "stop": run.stop, "error_estimate": None, "error_cost": None,
     }  # fmt: skip
     return Solution(Trajectory(task, t, rows), fields)

@@ -28,7 +28,7 @@ cdef extern from "eigenmotion.h" nogil:
         const double *values
 
     ctypedef enum em_method:
-        pass
+        EM_RA15
 
     ctypedef struct em_rows:
         size_t count
@@ -71,6 +71,7 @@ cdef extern from "eigenmotion.h" nogil:
         long n_steps
         long n_rejected
         long n_bounded
+        long n_stiff
         double t_reached
         const em_model *model
 

@@ -5,14 +5,14 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_TERMINAL_EVENT
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_TERMINAL_EVENT
 from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 
 import numpy as np
 
-from .faults import StopReason, explain
+from .faults import StopReason, explain, stiffness
 
 _REASONS = tuple(StopReason)
 _FINISHED = explain(StopReason.FINISHED, ())
@@ -131,8 +131,8 @@ cdef class Run:
 
     @property
     def counts(self):
-        """n_rhs, n_steps, n_rejected, n_bounded."""
-        return self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded
+        """n_rhs, n_steps, n_rejected, n_bounded, n_stiff."""
+        return self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff
 
     @property
     def n_dense(self):
@@ -147,11 +147,12 @@ cdef class Run:
     @property
     def message(self):
         """How the run ended, where, and what to do."""
+        stiff = stiffness(self.run.n_stiff, self.run.n_steps, self.run.method == EM_RA15)
         if self.stop is StopReason.FINISHED:
-            return _FINISHED
+            return _FINISHED + stiff
         fault = self.run.fault
         words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
-        return f"At t = {self.run.t_reached:.9g}: {words}"
+        return f"At t = {self.run.t_reached:.9g}: {words}{stiff}"
 
     @property
     def step_times(self):

@@ -23,6 +23,8 @@ enum {
 #define EM_LEFT 0.03 /* of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere */
 #define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding: */
 #define EM_ROUNDED 0.1 /* the error norm then, as good as it gets */
+#define EM_SMOOTH 1e3 /* in tolerances: what has changed by less in the first iteration was known well, */
+#define EM_SLOW 0.25  /* and ought to converge faster than by this factor */
 #define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
 
 /* --- the rates a step begins with --- */
@@ -182,12 +184,14 @@ static double em_power(double base, int times) {
 /* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
  * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates. */
 static double em_solve_nodes(em_walk *w, int most, double *aimed) {
-    double before = 0.0, left = EM_DIVERGES;
+    double first = 0.0, before = 0.0, left = EM_DIVERGES;
     *aimed = EM_DIVERGES;
     for (int k = 1; k <= most; ++k) {
         const double change = em_iterate(w), factor = k == 1 ? 1.0 : before > 0.0 ? change / before : 0.0;
         if (!isfinite(change)) return NAN;
         left = factor < 0.9 ? change * factor / (1.0 - factor) : EM_DIVERGES;
+        if (k == 1) first = change;
+        w->nodes.slow = k >= EM_AIMED && first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
         if (k <= EM_AIMED) *aimed = k == 1 ? left : left * em_power(em_max(factor, 1e-3), EM_AIMED - k);
         if (k >= 2 && left < EM_LEFT) return left;
         if (k >= EM_AIMED && change <= EM_ITERATED * em_rates_size(w)) return EM_ROUNDED;
@@ -276,6 +280,7 @@ static int em_nodes_judge(em_walk *w) {
     }
     const double truncation = em_truncation(w, f);
     w->error_norm = em_max(w->error_norm, truncation);
+    w->stiff = w->nodes.slow && truncation < 1.0;
     if (!(truncation < 1.0)) em_note_changes(w);
     const double root = sqrt(truncation), by_truncation = root * sqrt(root); /* to the power 12 / 16, with care */
     w->size_norm = em_max(w->nodes.blind ? 0.1 : w->nodes.aimed, by_truncation);
