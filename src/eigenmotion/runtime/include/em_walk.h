@@ -56,7 +56,11 @@ typedef struct em_found {
 } em_found;
 
 /* Numbers at EM_LANES nodes of a step (em_nodes.h) in one register. */
+#if EM_LANES > 1
 typedef double em_bundle __attribute__((vector_size(8 * EM_LANES), may_alias));
+#else
+typedef double em_bundle; /* a loop over the state may then become vectors after all */
+#endif
 
 /* What a step by nodes carries from one to the next. */
 typedef struct em_nodes {
