@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:84c50f2c16477737dd3123d9035e6503cccf77366b0a38993febc2488d9567cf */
+/* body sha256:4940f5c44e67fc7536619c5295696831fa7069b03f89975218f35e4809df6aa4 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1133,6 +1133,7 @@ const em_model chain_5_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &chain_5_lanes,
 };
 
 #endif

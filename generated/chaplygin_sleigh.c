@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:f68d64fda4d9b7c1e34d1a03abf02f4ba53ed0967fd2b92dead0da3ac7dd8b75 */
+/* body sha256:aac9b7b292a369eb7b0c253f19d641340a9702d1ec66e6f1318e595d970156f9 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -680,6 +680,7 @@ const em_model chaplygin_sleigh_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &chaplygin_sleigh_lanes,
 };
 
 #endif

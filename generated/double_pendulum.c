@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:5cd79542a0cc140baae72f46a36e92dada6b7cef71ab1482cf5fe9f44ade8043 */
+/* body sha256:9ffd8b8df76de5a8b3d252f3dfa4fa6e0ee03b3783cdc7d26c20085f55a07e7f */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -629,6 +629,7 @@ const em_model double_pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &double_pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:977ea13c87ed411d03eea5f7b4225cb95d294c804850f6d4fa89810375a96ab3 */
+/* body sha256:126f010f96985f53bc7ff8dd0dedec025e2fbd2ca34423af05d2a8ee18c83c1b */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -565,6 +565,7 @@ const em_model driven_pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &driven_pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:159c5b5d5aa70e1f247c93002a0356dde9b3dbd2366b92558c5e960edf61fb6c */
+/* body sha256:693d40ea76f09f0d9774bef21ef652d8d7cc07c1b052f12a22380945c4e2f415 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -904,6 +904,7 @@ const em_model dual_link_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &dual_link_lanes,
 };
 
 #endif

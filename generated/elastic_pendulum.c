@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:c8dfc63292c441c5aeee93cb733a7f898505615f2fe1f844104470fa67177893 */
+/* body sha256:17881946ce8957cb402f058de3c0234fc15eb3234fde1dbebadf7c21b92a3db9 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -487,6 +487,7 @@ const em_model elastic_pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &elastic_pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:8e4bf614cf0faef4cbaebb18e5d919741632e8555ba871ddc88eee62efea0f23 */
+/* body sha256:eb9eb7999e4dda7eebb80ede6dae4f51b3afda0851de525a05881de831b9f3b6 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -902,6 +902,7 @@ const em_model four_bar_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &four_bar_lanes,
 };
 
 #endif

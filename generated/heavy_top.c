@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:3b98ce66f0c0ba2d58dbe5ec42e7f810ca705e42bf932738c1a104b92d3efe11 */
+/* body sha256:e1e785cf81a6dcc50c8586e61c5642f771e2c938c84b953ac5833b682d7d6b4b */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -642,6 +642,7 @@ const em_model heavy_top_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &heavy_top_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:52093ff08df338eb7671e66ad6a6689dac8a4940eaed541f7478e4ba452b5597 */
+/* body sha256:87b022c792c9d9dd3db67251a1732b5a6866ea945f7435f619432f1af64df78c */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -401,6 +401,7 @@ const em_model pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:137a4034d0485ac2a1f28bbd650b2de325c60c914ce4f321d9a2315b4e5c1594 */
+/* body sha256:20b8118ec539fb5787876f4a80f55dc76abbfc0b8a8bd970359f132779ee16e3 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -474,6 +474,7 @@ const em_model polar_particle_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &polar_particle_lanes,
 };
 
 #endif

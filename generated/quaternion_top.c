@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:6c240b02f189933964c7ce7f40e8b4f9de0a9d1b2448d8bd3c02b17bf431f5a0 */
+/* body sha256:d332b77541db2cdf460c776b9fe4956ff7f82e56e3c99128d71f40b77a15d466 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1046,6 +1046,7 @@ const em_model quaternion_top_model = {
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
+    .lanes = &quaternion_top_lanes,
 };
 
 #endif

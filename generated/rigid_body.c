@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:bd6e9412b08b07d8d458ff602094be6838f941cf74ab064ccbb7dca6c336237a */
+/* body sha256:3598703809e8c6522e30e0fa8e575231363b76ebe0fd2d8ae60ea832b2dd9bcd */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -755,6 +755,7 @@ const em_model rigid_body_model = {
     .quasi = quasi,
     .initial_y = initial_y,
     .event = model_events,
+    .lanes = &rigid_body_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:b76032cf9dc88ee3a609bbb59106ecfc9ffb50a60ab4b6ed0a0acfabc4744380 */
+/* body sha256:b4c75be929436468070227980696144f39e5b2ada5e9d2226306fa46e441c07c */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -929,6 +929,7 @@ const em_model rolling_disk_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &rolling_disk_lanes,
 };
 
 #endif

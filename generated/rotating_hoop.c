@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:77cde080e1871b0f6602509c45c3f47a50197e3be97d86d964d85143466d95b1 */
+/* body sha256:ba54a9c9d71d9ea2379b13316ff6a43cc8a278a08ff1debd043d9aa2853be12f */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -409,6 +409,7 @@ const em_model rotating_hoop_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &rotating_hoop_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:3b28253d83ba276383d07f472b6e6d5688c6c834ba69f7b1f700e35842fe43b2 */
+/* body sha256:2f0b80c300ff714c22c5949ffbccbb2002f08582138b9bcb27bc8308ed446d31 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -456,6 +456,7 @@ const em_model rotating_spring_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &rotating_spring_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:bbdeccbc82468b7d72bbe9a2ac19b9c3ec8d9b2e979d54df777be774289bbd37 */
+/* body sha256:57c46ed8ecfb51d93d8655d4275a56b885b4dca2130d02ef062a00aa864643e1 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -850,6 +850,7 @@ const em_model slider_crank_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &slider_crank_lanes,
 };
 
 #endif

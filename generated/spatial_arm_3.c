@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:9c845ed00d41c78efbb17921e87f71df045944d8ba0e0d3d1698369d5a140f96 */
+/* body sha256:e7a2f5d73dd9df31d809b32c3cebb0675492d2e1a38de2ff269b55220f67c16e */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1100,6 +1100,7 @@ const em_model spatial_arm_3_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &spatial_arm_3_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:27898602a2dfe261ba701400127a0f1e0d91b57508a6302e1966eb3c82dcfeb0 */
+/* body sha256:f6b1a58d53b7d0a8c6faed8807a008a67bbd5027f73ee5a3983f04f3e9b76007 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1114,6 +1114,7 @@ const em_model sphere_model = {
     .quasi = quasi,
     .initial_y = initial_y,
     .event = model_events,
+    .lanes = &sphere_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:f0b340f27dd4c658a634fa8caf176080d486ee14fa91f0946f1be15872a8854a */
+/* body sha256:d4436ef93159046b2a38648b4c05d2554e85503e9939915ec0c3486f820d5cd2 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -543,6 +543,7 @@ const em_model veering_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &veering_lanes,
 };
 
 #endif

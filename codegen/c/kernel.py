@@ -64,6 +64,7 @@ class Kernel:
 
     head : its first line; declared, call : how its caller declares what it assigns (if it must), and calls it
     loads, temporaries, outputs : its statements
+    called : names of functions that it and those written with it call
     """
 
     head: str
@@ -73,6 +74,7 @@ class Kernel:
     temporaries: tuple[str, ...]
     outputs: tuple[str, ...]
     cost: Cost
+    called: frozenset[str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -223,6 +225,7 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
         call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         loads=tuple(load for array in sorted(scope.read) for _, load in sorted(scope.read[array])),
         temporaries=tuple(scope.temporaries), outputs=(*outputs, *scope.shares), cost=cost,
+        called=frozenset(called for kind, (called, *_) in plan.operations.values() if kind == "call"),
     )  # fmt: skip
 
 

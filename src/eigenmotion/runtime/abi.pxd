@@ -75,6 +75,9 @@ cdef extern from "eigenmotion.h" nogil:
         double t_reached
         const em_model *model
 
+    ctypedef struct em_lanes:
+        int width
+
     ctypedef struct em_model:
         int abi
         const char *name
@@ -136,3 +139,4 @@ cdef extern from "eigenmotion.h" nogil:
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
+        const em_lanes *lanes

@@ -60,6 +60,7 @@ cdef class PointModel:
         self.n, self.m, self.h, self.n_state = c.n, c.m, c.h, c.n_state
         self.n_inputs, self.n_outputs, self.n_events = c.n_inputs, c.n_outputs, c.n_events
         self.conserves_energy = c.conserves_energy
+        self.lanes = c.lanes.width if c.lanes != NULL else 0
         self.read_names()
         self.read_defaults()
 

@@ -180,6 +180,8 @@ typedef struct em_model {
      * where M is (em_factored_matrix of em_start.h knows). */
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
+
+    const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
 } em_model;
 
 #endif
