@@ -1,27 +1,31 @@
-"""Steps by nodes, "ra15", beside dop853 at equal error: every model in two formulations, and a force that has kinks.
+"""Steps by nodes, "ra15", beside dop853 at equal error: every model in two formulations, a kinked and a held force.
 
 Time of whole calls in interleaved rounds over tolerances, and the largest error of x at eleven times; between them
-both are interpolated. Ratios are ra15 over dop853, at errors of 1e-6 and 1e-9 relative to the size of the motion.
+both are interpolated. Ratios are ra15 over dop853, at errors from 1e-3 to 1e-9 relative to the size of the motion. Last
+what "auto" (running/choosing.py) makes of it: the time of the method it takes over that of the better one.
 """
 
 from __future__ import annotations
 
 from functools import partial
 from pathlib import Path
+from time import thread_time
 
 import numpy as np
 import sympy
 from common.timing import interleaved
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, System, build
+from eigenmotion import Model, Signal, System, build
 
 MODELS = sorted(path for path in (Path(__file__).parents[1] / "models").glob("*.py") if path.stem != "__init__")
 FORMULATIONS = ("lagrange", "eigenfactor")
 METHODS = ("dop853", "ra15")
-TOLERANCES = 10.0 ** -np.arange(4.0, 12.0)
-TARGETS = (1e-6, 1e-9)
-SPAN, ROUNDS = 5.0, 9
+TOLERANCES = 10.0 ** -np.arange(2.0, 12.0)
+TARGETS = (1e-3, 1e-5, 1e-7, 1e-9)
+SPAN, ROUNDS = 5.0, 7
+
+Both = dict[str, tuple[np.ndarray, np.ndarray]]
 
 
 def kinked() -> Model:
@@ -31,17 +35,29 @@ def kinked() -> Model:
     return Model(name="kinked", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, forces={q: force}, initial={q: 1.0})
 
 
-def times_and_errors(system: System) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+def held() -> Model:
+    """A pendulum driven by a torque that is held between samples."""
+    q, u = dynamicsymbols("q u")
+    return Model(name="held", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, potential_energy=-9.81 * sympy.cos(q),
+                 forces={q: u}, inputs={u: 0.0}, initial={q: 1.0})  # fmt: skip
+
+
+def inputs_of(system: System) -> dict[str, Signal]:
+    times = np.arange(0.0, SPAN + 0.1, 0.1)
+    return {name: Signal(times, np.sin(3.0 * times), "hold") for name in system.inputs}
+
+
+def times_and_errors(system: System) -> Both:
     """Seconds and relative errors of each method at each tolerance; NaN where a run fails."""
-    at = np.linspace(0.0, SPAN, 11)
-    exact = system.simulate((0.0, SPAN), rtol=1e-13, atol=1e-13, t_eval=at, method="dop853").x
+    at, inputs = np.linspace(0.0, SPAN, 11), inputs_of(system)
+    exact = system.simulate((0.0, SPAN), rtol=1e-13, atol=1e-13, t_eval=at, method="dop853", inputs=inputs).x
     size = max(1.0, np.abs(exact).max())
     calls = {f"{method} {tolerance}": partial(system.simulate, (0.0, SPAN), rtol=tolerance, atol=tolerance, t_eval=at,
-                                              method=method)
+                                              method=method, inputs=inputs)
              for method in METHODS for tolerance in TOLERANCES}  # fmt: skip
     runs = {name: call() for name, call in calls.items()}
     errors = {name: np.abs(run.x - exact).max() / size if run.success else np.nan for name, run in runs.items()}
-    seconds = interleaved(calls, ROUNDS)
+    seconds = interleaved(calls, ROUNDS, thread_time)
     names = {method: [f"{method} {tolerance}" for tolerance in TOLERANCES] for method in METHODS}
     return {method: (np.array([np.median(seconds[name]) for name in names[method]]),
                      np.array([errors[name] for name in names[method]])) for method in METHODS}  # fmt: skip
@@ -55,20 +71,39 @@ def seconds_at(target: float, seconds: np.ndarray, errors: np.ndarray) -> float:
     return float(np.exp(np.interp(np.log(target), x, y, left=np.nan))) if known.any() else np.nan
 
 
+def chosen(system: System) -> list[str]:
+    """Return what "auto" takes at each tolerance."""
+    return [system.simulate((0.0, SPAN), rtol=tolerance, atol=tolerance, method="auto", inputs=inputs_of(system)).method
+            for tolerance in TOLERANCES]  # fmt: skip
+
+
+def lost(system: System, both: Both) -> dict[str, np.ndarray]:
+    """Return, at each tolerance, the time of each method over that of the better one; `auto` among them."""
+    better = np.where(np.isfinite(both["dop853"][1]), np.minimum(both["dop853"][0], both["ra15"][0]), np.nan)
+    times = {method: both[method][0] / better for method in METHODS}
+    return {**times, "auto": np.array([times[method][k] for k, method in enumerate(chosen(system))])}
+
+
 def main() -> None:
     heads = [f"{formulation} {target:.0e}" for formulation in FORMULATIONS for target in TARGETS]
-    print("time of ra15 over that of dop853 at equal error\n" + f"{'model':<20}" + "".join(f"{h:>18}" for h in heads))
-    found = []
-    for model in (*MODELS, kinked()):
+    print("time of ra15 over that of dop853 at equal error\n" + f"{'model':<18}" + "".join(f"{h:>18}" for h in heads))
+    found, losses = [], []
+    for model in (*MODELS, kinked(), held()):
         ratios = []
         for formulation in FORMULATIONS:
             system = build(model, formulation=formulation)
             both = times_and_errors(system)
+            losses.append(lost(system, both))
             at = [[seconds_at(target, *both[method]) for method in METHODS] for target in TARGETS]
             ratios += [nodes / stages for stages, nodes in at]
         found.append(ratios)
-        print(f"{system.name:<20}" + "".join(f"{ratio:>18.2f}" for ratio in ratios), flush=True)
-    print(f"{'median':<20}" + "".join(f"{ratio:>18.2f}" for ratio in np.nanmedian(found, axis=0)))
+        print(f"{system.name:<18}" + "".join(f"{ratio:>18.2f}" for ratio in ratios), flush=True)
+    print(f"{'median':<18}" + "".join(f"{ratio:>18.2f}" for ratio in np.nanmedian(found, axis=0)))
+    print("\ntime over that of the better method at equal tolerance, geometric mean over all of these: rtol")
+    print(f"{'':<18}" + "".join(f"{tolerance:>8.0e}" for tolerance in TOLERANCES))
+    for method in (*METHODS, "auto"):
+        means = np.exp(np.nanmean([np.log(loss[method]) for loss in losses], axis=0))
+        print(f"{method:<18}" + "".join(f"{mean:>8.2f}" for mean in means))
 
 
 if __name__ == "__main__":

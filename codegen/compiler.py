@@ -56,8 +56,16 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
         "", f"State ({made.formulation})", *layout,
         "", "Blocks of the mass matrix", *blocks,
         "", "Operations of the model-specific straight-line part", *(f"  {line}" for line in made.costs),
+        "", "Lanes: states side by side in one vector, for steps by nodes", *(f"  {line}" for line in _lanes(made)),
         "", "Left out", *(f"  {line}" for line in made.left_out or ("nothing",)),
     ])  # fmt: skip
+
+
+def _lanes(made: Program) -> tuple[str, ...]:
+    if not made.on_lanes:
+        return ('none: what close_eigenvalues="extrapolate" remembers of a run belongs to one state',)
+    rest = f"lane by lane: {', '.join(made.lane_by_lane)}" if made.lane_by_lane else "nothing goes lane by lane"
+    return ("the whole right-hand side", rest)
 
 
 def _kind(turning: bool, fixed: bool) -> str:

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:3f421802aff43de636b84a0eec0097849a6de370878020050e06c10c15e33b12 */
+/* body sha256:b858aebf9397ccf885155b2ba2c960b916a42c700c5dec9047ae64c58d840fd7 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1157,6 +1157,7 @@ const em_model chain_5_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &chain_5_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:96216c022e3b98dcf855cebc0021ad88a4fb193e08fc625444aefc78cb013745 */
+/* body sha256:0b263a388ed29c08574ce506b0a8300b503fe2774f8eaeb4aa9fded2cb7f1d27 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -704,6 +704,7 @@ const em_model chaplygin_sleigh_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &chaplygin_sleigh_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:e82dc0f9cb9e7eeeee40f95874f68df8d41378e6ad66a6393743df274d14fda6 */
+/* body sha256:543cc18297555b1cdad4726d9ff37ab0aadb2060e4b5cd48f7c21a509bcd0f03 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -653,6 +653,7 @@ const em_model double_pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &double_pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:71c5dc5e8e7b6bdc472b0451a7f1de25842d0cc94f3efdcdc92ef073e8be09ac */
+/* body sha256:522f446c714796836384bfe72234f121f477366cabf9312f57273571eb129bff */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -589,6 +589,7 @@ const em_model driven_pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &driven_pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:74f8e52f2f76611dc1dbd0542f569ea4eb8dc12d5a974435a446e5ef2697c37b */
+/* body sha256:22ac883d9d0e9f751e1c78f89212c52963ce6762c3a76074f099cf756d8ed60e */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -928,6 +928,7 @@ const em_model dual_link_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &dual_link_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:9b25771c386c49015f9df8e3bd5287ded7332ecd4bb6528bdbe5c6af2629dc7f */
+/* body sha256:c02daf78a63fc26d4a2a3096e1c4cbefa4c20c2729985d998189f55f4f843945 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -511,6 +511,7 @@ const em_model elastic_pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &elastic_pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:85bfbdd4aafc29bc12cdd51675cc7c676ba6f1a3688c52d14a59b04bb90a86cc */
+/* body sha256:0fd66792fe4ddb4783bf6cfe4c00643f0631c888ab923c8a95943ef38398eb99 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -926,6 +926,7 @@ const em_model four_bar_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &four_bar_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:3cb2f68a05cb5c3d2eaa36dca40ee7003a07e0fab5c4aee4692dd367a24ab85c */
+/* body sha256:f34ff393631aad687713466ccc3c4b24ebde0dafbd911a72c6a22d5344683344 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -666,6 +666,7 @@ const em_model heavy_top_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &heavy_top_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:8cf3212b697a923846a75b9aa6cb1b36926401a3143a7b49039373406933bb12 */
+/* body sha256:91df6e728ce0b00e666045b12fed06273ef7358a12d7cb8fc8d20ab2929337f9 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -425,6 +425,7 @@ const em_model pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &pendulum_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:6a4c4982cfda94d71065b64731f7afcca91e05586b2ed8272c5c2a64ad0c99a0 */
+/* body sha256:7aade4840139823d65a05ab484d947b5df978c84b03d0b78e2a5dd4c065ac723 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -498,6 +498,7 @@ const em_model polar_particle_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &polar_particle_lanes,
 };
 
 #endif

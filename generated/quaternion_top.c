@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:92a461cb17dee309e28d3742f14e99c8ef4c38f680c1c73400fd972e69d8c55b */
+/* body sha256:a576931b09cf59c49545699ebf56bd28f7528f3ab5c94551a548891f49d9da49 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1072,6 +1072,7 @@ const em_model quaternion_top_model = {
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
+    .lanes = &quaternion_top_lanes,
 };
 
 #endif

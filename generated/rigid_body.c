@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:dff4a419cb03021e7b0a2cc3dfc2209f1b140d084d61ee459282d6cc6c53b94f */
+/* body sha256:a4977580e9c71dad3fe65cd17f66125b478ddf54a96c5221aad7fc712393f0ff */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -781,6 +781,7 @@ const em_model rigid_body_model = {
     .quasi = quasi,
     .initial_y = initial_y,
     .event = model_events,
+    .lanes = &rigid_body_lanes,
 };
 
 #endif

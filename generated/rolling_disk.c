@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:ea2f06ae519de482db890cb0ca10d705443fa7d630f9cfca319a0d9f5e1db030 */
+/* body sha256:9eb13aa8c59a787777bcd1649d7e1187ee230b02c1c6f4fdb8b305ff7851d55c */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -953,6 +953,7 @@ const em_model rolling_disk_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &rolling_disk_lanes,
 };
 
 #endif

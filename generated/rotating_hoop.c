@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:21b84e6aa843c84bd6cbf90a5dffda4f0125ae74fc468c6499710170bd26efe9 */
+/* body sha256:01a64011bfc56dccad57575967467ef7bb1b5206711b7d4ac09381e9e6257b18 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -433,6 +433,7 @@ const em_model rotating_hoop_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &rotating_hoop_lanes,
 };
 
 #endif

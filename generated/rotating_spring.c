@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:cd5f3258de9bc95cd4be88b932dba0fec5a2ce559b611438710641493a746290 */
+/* body sha256:4f7b2758eea7d34bb0d7e559db77b94504af31ca42898710c25824cc30bfa180 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -480,6 +480,7 @@ const em_model rotating_spring_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &rotating_spring_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:596a01a415f66cb8df021f66b187d2467c9f60f5495fc43eeba231bf11e19399 */
+/* body sha256:726c219fe4a109f1dad5651cc42d5eec0b2e12dac87745c790649d26a91bbfcc */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -874,6 +874,7 @@ const em_model slider_crank_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &slider_crank_lanes,
 };
 
 #endif

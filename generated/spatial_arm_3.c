@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:a023a95052e55bf03a30a8591cdf5cd58fbc3d4cb7d550d0626b547259b11e38 */
+/* body sha256:5097c7ce40a0faa819187a2a7bb8797e461d12a9742c549719e5354d023cb1f0 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1124,6 +1124,7 @@ const em_model spatial_arm_3_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &spatial_arm_3_lanes,
 };
 
 #endif

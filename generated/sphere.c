@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:8ef494ee452f56b8b55eb571b8384e616813b667ed3052f82272455dc7dc3c4b */
+/* body sha256:2db8563950fb4ce59c34eb2b6c70fae95530d673376f489f45751e9aa8da5baf */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1140,6 +1140,7 @@ const em_model sphere_model = {
     .quasi = quasi,
     .initial_y = initial_y,
     .event = model_events,
+    .lanes = &sphere_lanes,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:9d171657fedc79a8ee35dc2a915320066c5dbde5576cf2ce991f572a3ca8d50c */
+/* body sha256:b179d859592f3f5b7a2a660f79f6f98c16beb8d1ef0dd7dbeaa1bf043fe0a3c9 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -567,6 +567,7 @@ const em_model veering_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .lanes = &veering_lanes,
 };
 
 #endif

@@ -37,10 +37,12 @@ def one_tree(seed: int) -> tree_checks.Counts:
 
 
 def one_mechanism(seed: int) -> mechanism_checks.Counts:
-    """All formulations with the flags that users get."""
+    """All formulations with the flags that users get; now and then runs by nodes."""
     counts = mechanism_checks.Counts()
     with _noted(f"mechanism {seed}", counts.wrong):
         mechanism_checks.check(seed, counts, FORMULATIONS, *OPTIMISED, *toolchain().flags)
+        if seed % mechanism_checks.RUN_EVERY == 0:
+            mechanism_checks.check_run(seed, counts, *OPTIMISED, *toolchain().flags)
     return counts
 
 

@@ -47,9 +47,9 @@ def system_for(
     return loaded(compiler.generate(model, Choices(formulation, **options), savings=savings), "-O0")
 
 
-def loaded(sources: Sources, *flags: str) -> System:
-    """Compile and load sources; warnings are errors, of which pytest shows the text."""
-    return system_in(ctypes.CDLL(str(_library(sources, flags))), sources.name)
+def loaded(sources: Sources, *flags: str, lanes: bool = False) -> System:
+    """Compile and load sources, with lanes too where asked for; warnings are errors, of which pytest shows the text."""
+    return system_in(ctypes.CDLL(str(_library(sources, flags, lanes))), sources.name)
 
 
 def system_in(library: ctypes.CDLL, model: str) -> System:
@@ -61,21 +61,23 @@ def system_in(library: ctypes.CDLL, model: str) -> System:
     return System(new(ctypes.addressof(ctypes.c_int.in_dll(library, f"{model}_model")), name, None))
 
 
-def _library(sources: Sources, flags: tuple[str, ...]) -> Path:
+def _library(sources: Sources, flags: tuple[str, ...], lanes: bool) -> Path:
     texts = [file.text for file in sources.files] + [path.read_text() for path in sorted(INCLUDE.glob("*.h"))]
-    name = key(*FLAGS, *flags, *toolchain().command, *texts)
-    folder = entry("tests", name, lambda folder: compile_into(folder, sources, flags))
+    name = key(*FLAGS, *flags, *toolchain().command, str(lanes), *texts)
+    folder = entry("tests", name, lambda folder: compile_into(folder, sources, flags, lanes))
     return folder / f"{sources.name}.so"
 
 
-def compile_into(folder: Path, sources: Sources, flags: tuple[str, ...]) -> None:
+def compile_into(folder: Path, sources: Sources, flags: tuple[str, ...], lanes: bool = False) -> None:
     """Write NAME.c, NAME.h and compile NAME.so in a folder."""
     for file in sources.files:
         (folder / file.name).write_text(file.text)
-    target = ("-o", f"{sources.name}.so")
-    command = [*toolchain().command, *FLAGS, *flags, f"-I{INCLUDE}", f"{sources.name}.c", "-lm", *target]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
+    cc = [*toolchain().command, *FLAGS, *flags, f"-I{INCLUDE}"]
+    commands = [[*cc, "-DEM_ON_LANES", "-c", f"{sources.name}.c", "-o", "lanes.o"]] if lanes else []
+    commands += [[*cc, f"{sources.name}.c", *["lanes.o"] * lanes, "-lm", "-o", f"{sources.name}.so"]]
+    for command in commands:
+        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr
 
 
 def states(system: System, count: int, seed: int = 1) -> Iterator[tuple[np.ndarray, np.ndarray, float]]:

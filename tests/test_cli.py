@@ -21,7 +21,7 @@ MODELS = ROOT / "models"
 def test_explain_names_states_and_what_was_left_out(capsys):
     assert main(["explain", str(MODELS / "dual_link.py")]) == 0
     text = capsys.readouterr().out
-    for word in ("20 states", "theta1", "theta4", "additions"):
+    for word in ("20 states", "theta1", "theta4", "additions", "nothing goes lane by lane", "This machine"):
         assert word in text
 
 

@@ -2,19 +2,25 @@
 
 import ctypes as ct
 import math
+import re
 import subprocess
 
 import mpmath
 import numpy as np
 import pytest
+import sympy
 from eigenmotion.codegen import compiler
+from eigenmotion.codegen.c.printer import IN_VECTORS
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
+from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import build, simulate
+from eigenmotion import Model, build, simulate
 from eigenmotion.building.extension import compile_and_link
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, toolchain
 
 from .generation import NAMES, STRICT, model_of, states, system_in, system_of
+
+angle = dynamicsymbols("angle")
 
 SHIM = """
 #include "{name}.c"
@@ -193,3 +199,36 @@ def test_a_run_is_the_same_on_lanes_and_without(formulation):
     assert all(run.success for run in runs)
     np.testing.assert_allclose(runs[0].x[:, -1], runs[1].x[:, -1], atol=1e-9)
     assert abs(runs[0].nfev - runs[1].nfev) <= 0.05 * runs[1].nfev
+
+
+def test_auto_takes_steps_by_nodes_where_they_pay():
+    """At tight tolerances and on lanes; the solution says which method ran."""
+    lanes, numbers = build(model_of("dual_link")), system_of("dual_link", "eigenfactor")
+    wide = lanes.compiled.lanes >= 4
+    assert lanes.compiled.lanes == toolchain().lanes
+    assert numbers.compiled.lanes == 0
+    for system, rtol, expected in ((lanes, 1e-10, "ra15"), (lanes, 1e-3, "dop853"), (numbers, 1e-10, "dop853")):
+        found = simulate(system, (0.0, 1.0), method="Auto", rtol=rtol)
+        assert found.method == (expected if wide else "dop853")
+        same = simulate(system, (0.0, 1.0), method=found.method, rtol=rtol)
+        np.testing.assert_array_equal(found.y, same.y)
+    assert simulate(lanes, (0.0, 1.0), method="Radau").method == "Radau"
+
+
+# --- what is said of them ---------------------------------------------------------------------------------------------
+
+
+def test_what_goes_lane_by_lane_is_what_the_header_says():
+    header = (INCLUDE / "em_lane_functions.h").read_text()
+    by_lane = set(re.findall(r"^EM_BY_(?:TWO_)?LANES?\((\w+)\)", header, re.MULTILINE))
+    assert {"tan", "exp", "atan2"} < by_lane
+    assert not by_lane & IN_VECTORS
+
+
+def test_explain_names_what_goes_lane_by_lane():
+    x = angle
+    curve = Model(name="curve", coordinates=[x], kinetic_energy=(1 + sympy.exp(2 * x)) * x.diff() ** 2 / 2,
+                  potential_energy=sympy.sin(x) + sympy.tanh(x))  # fmt: skip
+    assert "lane by lane: exp, tanh" in compiler.explain(curve, Choices("lagrange")).replace("cosh, ", "")
+    assert "nothing goes lane by lane" in compiler.explain(model_of("dual_link"))
+    assert "none: " in compiler.explain(model_of("dual_link"), Choices(close_eigenvalues="extrapolate"))

@@ -122,7 +122,7 @@ def test_kinks_and_jumps_anywhere_in_a_step(build: Build, second_order: int, rto
         assert run.status == FINISHED
         x, v = end(10.0 - start)
         worst = max(worst, abs(run.y[0, -1] - 1.0 - x) / (1.0 + x), abs(run.y[1, -1] - v) / (1.0 + v))
-    assert worst < 30 * rtol
+    assert worst < 8 * rtol
 
 
 def peak_response(t: float, centre: float) -> tuple[float, float]:
@@ -143,14 +143,18 @@ def test_a_peak_as_narrow_as_a_thousandth_of_a_step(build: Build, second_order: 
         assert np.abs(run.y[:, -1] - peak_response(5.0, centre)).max() < 100 * rtol
 
 
-def test_a_stiff_damper_ends_right_or_by_name(build: Build) -> None:
-    """Its rate lets no iteration converge but in short steps: they are taken, or the run says they are too many."""
-    compiled = build(Mechanism(rhs="dy[0] = y[1]; dy[1] = -1e5 * y[1];"))
-    run = simulate(compiled, [0.0, 1.0], (0.0, 1.0), "ra15", rtol=1e-6, atol=1e-9, max_steps=3_000_000)
+@pytest.mark.parametrize("rtol", [1e-3, 1e-9])
+@pytest.mark.parametrize("method", ["dopri5", "dop853", "ra15"])
+def test_a_stiff_damper_ends_right_and_is_noticed(build: Build, method: str, rtol: float) -> None:
+    """Its rate lets no iteration converge, and no explicit method be stable, but in short steps."""
+    damper = build(Mechanism(rhs="dy[0] = y[1]; dy[1] = -1e5 * (y[1] - cos(t));"))
+    run = simulate(damper, [0.0, 1.0], (0.0, 0.2), method, rtol=rtol, atol=rtol)
     assert run.status == FINISHED
-    assert run.y[0, -1] == pytest.approx(1e-5, rel=1e-6)
-    few = simulate(compiled, [0.0, 1.0], (0.0, 1.0), "ra15", rtol=1e-6, atol=1e-9, max_steps=1000)
-    assert few.status == NUMBERS["EM_TOO_MANY_STEPS"]
+    assert run.y[0, -1] == pytest.approx(math.sin(0.2), abs=10 * rtol + 2e-6)
+    assert run.run.n_stiff > 0.8 * run.run.n_steps
+    pendulum = build(PENDULUM)
+    smooth = simulate(pendulum, [2.0, 0.0], (0.0, 100.0), method, rtol=rtol, atol=rtol)
+    assert smooth.run.n_stiff == 0
 
 
 @KINDS

@@ -112,7 +112,9 @@ def test_curves_slope_as_the_orders_say(found):
     assert len(orders) == len(FORMULATIONS) * len(METHODS)
     for label, order in orders.items():
         method = label.split()[1]
-        least = METHODS[method] - (4.0 if COMPILED[method].iterates else 0.5)  # what it iterates is of order 12 or more
+        least = METHODS[method] - (
+            5.0 if COMPILED[method].iterates else 0.5
+        )  # what it iterates is of order 12, and scatters
         assert least < order < METHODS[method] + 1.5, label
 
 

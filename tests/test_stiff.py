@@ -84,6 +84,22 @@ def test_heavily_damped_link(method):
     assert abs(sol.x[0, -1] - truth.x[0, -1]) < 1e-6
 
 
+@pytest.mark.parametrize("method", ["dopri5", "dop853", "ra15"])
+def test_a_run_that_stability_holds_back_says_so(method):
+    """At the end of the time or of the steps alike, and not where steps are as long as the error lets them be."""
+    system = system_for(damped_link(), formulation="cholesky")
+    whole = system.simulate((0.0, 0.02), rtol=1e-5, method=method)
+    assert whole.success
+    assert 2 * whole.n_stiff > whole.nsteps
+    short = system.simulate((0.0, 0.02), rtol=1e-5, method=method, max_steps=whole.nsteps // 2)
+    for found in (whole, short):
+        assert "The scene is stiff" in found.message
+        assert "Radau" in found.message
+    easy = system_for(BY_NAME["dual_link"].model()).simulate((0.0, 100.0), method=method)
+    assert 20 * easy.n_stiff < easy.nsteps
+    assert easy.message == "The end of t_span was reached."
+
+
 def test_backward_and_inputs_leave_no_trace():
     system = system_for(BY_NAME["double_pendulum"].model())
     there = system.simulate((0.0, 1.0), method="Radau", rtol=1e-9, atol=1e-9)

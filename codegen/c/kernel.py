@@ -66,6 +66,7 @@ class Kernel:
 
     head : its first line; declared, call : how its caller declares what it assigns (if it must), and calls it
     statements : in the order in which they are needed, so that a compiler keeps few values at a time
+    called : names of functions that it and those written with it call
     """
 
     head: str
@@ -73,6 +74,7 @@ class Kernel:
     call: str
     statements: tuple[str, ...]
     cost: Cost
+    called: frozenset[str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -225,6 +227,7 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
         declared=_folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=(*scope.statements, *scope.shares), cost=cost,
+        called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
     )  # fmt: skip
 
 

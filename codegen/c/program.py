@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from ..graph.operations import Cost
 from .kernel import Kernel
+from .printer import IN_VECTORS
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +97,11 @@ class Stages:
     def cost(self) -> Cost:
         """Operations of both."""
         return sum((kernel.cost for kernel in (self.masses, self.motion) if kernel), Cost())
+
+    @property
+    def called(self) -> frozenset[str]:
+        """Names of the functions that they call."""
+        return frozenset().union(*(kernel.called for kernel in (self.masses, self.motion) if kernel))
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,6 +198,12 @@ class Program:
     conserves_energy: bool
     costs: tuple[str, ...]
     kernels: Kernels
+
+    @property
+    def lane_by_lane(self) -> tuple[str, ...]:
+        """Functions of its right-hand sides that vectors do not have."""
+        kernels = self.kernels
+        return tuple(sorted((kernels.published.called | kernels.triangular.called) - IN_VECTORS))
 
     @property
     def turning(self) -> tuple[BlockView, ...]:

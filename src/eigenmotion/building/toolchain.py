@@ -52,6 +52,13 @@ class Toolchain:
         flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *LINK, *UNITS, *UNITS.values(), *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
+    @cached_property
+    def lanes(self) -> int:
+        """Numbers in a vector of the processor, as em_real.h has them; 1: it has no vectors."""
+        header = str(INCLUDE / "em_real.h")
+        macros = self._run(*self.optimised, *self.flags, "-dM", "-E", "-x", "c", header)
+        return next(int(line.split()[2]) for line in macros.splitlines() if line.startswith("#define EM_LANES "))
+
     @property
     def described(self) -> dict[str, str]:
         """Say which compiler it is, and the flags it is given."""

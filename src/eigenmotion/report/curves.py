@@ -33,7 +33,7 @@ _LOOKS: dict[str, tuple[str, str, Any]] = {
 }
 _HOLLOW = "inverse"  # often on top of "lagrange", which must show through
 _ERROR = "largest error, max $|x - x_{ref}| / (1 + |x_{ref}|)$"
-_BEST = "dop853"
+_BEST, _NODES = "dop853", "ra15"
 _FIXED = {name for name, method in methods.METHODS.items() if method.order}
 
 
@@ -44,7 +44,9 @@ def pictures(found: Findings) -> tuple[Picture, ...]:
 
 def _against_peers(found: Findings) -> Picture:
     """Everyone on the left; on the right those that our curves can be told from only at a larger scale."""
-    chosen = [c for c in found.curves if c.points and (c.family != OURS or c.is_implicit or c.method == _BEST)]
+    chosen = [
+        c for c in found.curves if c.points and (c.family != OURS or c.is_implicit or c.method in (_BEST, _NODES))
+    ]
     near = _near(chosen)
     shown = {f"{found.name}, {found.ask.t_end:g} s of motion": chosen}
     if _decades(near) < 0.6 * _decades(chosen):
@@ -58,8 +60,8 @@ def _against_peers(found: Findings) -> Picture:
     _legend(figure, panels[0])
     return _picture(
         figure, found, "time", "error against run time",
-        f"Our formulations with {_BEST}, our implicit methods, and what else there is. Bars: quartiles of the repeats. "
-        "Lower left is better.",
+        f"Our formulations with {_BEST} and with {_NODES} (dotted), our implicit methods, and what else there is. Bars"
+        ": quartiles of the repeats. Lower left is better.",
     )  # fmt: skip
 
 
@@ -131,8 +133,11 @@ def _draw(axes: Any, curve: Curve, x: Sequence[float], y: Iterable[float], sprea
     name = curve.group
     colour, marker, style = _LOOKS.get(curve.method if curve.is_implicit else name, ("#666666", "x", "--"))
     heights = [max(e, 1e-17) for e in y]
+    label = name
+    if spread and curve.family == OURS and curve.method == _NODES:
+        label, style = f"{name} {_NODES}", ":"
     look = {"markersize": 7, "markerfacecolor": "none"} if name == _HOLLOW else {"markersize": 4.5}
-    axes.plot(x, heights, linestyle=style, color=colour, marker=marker, linewidth=1.3, label=name, **look)
+    axes.plot(x, heights, linestyle=style, color=colour, marker=marker, linewidth=1.3, label=label, **look)
     if spread:
         low, high = ([1e3 * (getattr(p, side) or 0) for p in curve.points] for side in ("seconds_low", "seconds_high"))
         axes.hlines(heights, low, high, color=colour, linewidth=1, alpha=0.5)

@@ -78,7 +78,9 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (SciPy's stiff methods)
     nsteps, nrejected : steps accepted; rejected (None: implicit methods do not say)
     n_bounded : steps accepted that did not run the published equations
+    n_stiff : about how many stability kept short, and not their error; where most were, `message` says so
     error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
+    method : the name of the one that ran
     stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; what to do
 
     Computed when asked for, and found by `in` and `keys()`:

@@ -24,7 +24,7 @@ def summary(system: "System", solution: Solution, seconds: float) -> str:
         ("model", f"{system.name}, {system.formulation}, {system.n_state} states"),
         ("ended", f"{solution.stop} at t = {solution.t[-1]:.10g}"),
         *_invariants(system, solution),
-        ("cost", solution.cost),
+        ("cost", f"{solution.cost}, by {solution.method}"),
         ("time", f"{_duration(seconds - checking)} for the run"),
         *_estimate(solution),
     ]

@@ -58,6 +58,8 @@ METHODS = _table(
     Method("CVODE", order=None, implicit=True, solver="eigenmotion.running.sundials:Cvode",
            needs="sksundae", extra="stiff"),
 )  # fmt: skip
+AUTO = "auto"
+"""The name by which users leave the choice to choosing.py."""
 COMPILED = _table(*(method for method in METHODS.values() if method.is_compiled))
 IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
 

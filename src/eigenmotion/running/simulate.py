@@ -14,15 +14,16 @@ from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
 from ..runtime import CompiledModel, EvaluationError, Run, plain
+from .choosing import automatic
 from .error_estimate import with_error_estimate
-from .methods import METHODS, Method
+from .methods import AUTO, METHODS, Method
 from .start import start_state
 from .stiff import simulate_stiff
 
 if TYPE_CHECKING:
     from ..system.system import System
 
-_METHODS = {name.lower(): name for name in METHODS}
+_METHODS = {name.lower(): name for name in (*METHODS, AUTO)}
 _STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
@@ -64,7 +65,8 @@ def simulate(
         Mapping name -> number, (times, values) (linear interpolation), or Signal.
     method
         "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
-        often the quickest where motions are smooth and tolerances tight. "Radau", "BDF", "LSODA" (SciPy), "CVODE"
+        often the quickest where motions are smooth and tolerances tight; "auto": one of the last two, by tolerance,
+        formulation and processor, which `Solution.method` names. "Radau", "BDF", "LSODA" (SciPy), "CVODE"
         (SUNDIALS): implicit, for stiff scenes, on the motion (x, v); what they integrate is not projected, so that
         drift adds up, but every row and event is ("project"). Upper or lower case.
     rtol, atol
@@ -99,7 +101,7 @@ def simulate(
     """
     if positional or misspelt or not _is_system(system):
         raise _refused(system, positional, misspelt)
-    chosen = METHODS[choice(method, _METHODS, "method")]
+    named = choice(method, _METHODS, "method")
     compiled = system.compiled
     task = None if inputs is not None else plain.task(
         Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
@@ -110,6 +112,7 @@ def simulate(
             system, t_span, x0, v0, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
+    chosen = automatic(task) if named == AUTO else METHODS[named]
     if estimate_error is False:
         return _run(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
@@ -162,6 +165,7 @@ def _checker(given: Any) -> CompiledModel:
 
 def _run(task: Task, method: Method) -> Solution:
     found = simulate_stiff(task, method) if method.number is None else _simulate_compiled(task, method.number)
+    found["method"] = method.name
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in
         found["sol"] = DenseOutput(found.t, partial(_standing, row))

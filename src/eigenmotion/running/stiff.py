@@ -210,8 +210,8 @@ def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -
         "t": t, "y": rows.T, "sol": sol, "t_events": t_events, "y_events": y_events,
         "nfev": progress.nfev, "njev": progress.njev, "nlu": progress.nlu,
         "status": {StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), "message": message,
-        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": unknown, "n_bounded": 0, "stop": stop,
-        "error_estimate": None, "error_cost": None,
+        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": unknown, "n_bounded": 0, "n_stiff": 0,
+        "stop": stop, "error_estimate": None, "error_cost": None,
     }  # fmt: skip
     return Solution(Trajectory(task, t, rows), fields)
 

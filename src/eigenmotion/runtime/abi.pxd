@@ -28,7 +28,7 @@ cdef extern from "eigenmotion.h" nogil:
         const double *values
 
     ctypedef enum em_method:
-        pass
+        EM_RA15
 
     ctypedef struct em_rows:
         size_t count
@@ -71,8 +71,12 @@ cdef extern from "eigenmotion.h" nogil:
         long n_steps
         long n_rejected
         long n_bounded
+        long n_stiff
         double t_reached
         const em_model *model
+
+    ctypedef struct em_lanes:
+        int width
 
     ctypedef struct em_model:
         int abi
@@ -135,3 +139,4 @@ cdef extern from "eigenmotion.h" nogil:
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
+        const em_lanes *lanes

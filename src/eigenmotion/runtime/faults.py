@@ -113,6 +113,8 @@ _NEAR_SINGULAR = (
     "are not everywhere); where rounding is in the way, loosen rtol."
 )
 
+_MANY_STEPS = 1000  # below, nobody waits for them
+
 _CONTRADICTION = (
     "Constraint {row} contradicts those it depends on: no motion satisfies them all. Correct or remove one of them."
 )
@@ -121,6 +123,25 @@ _SINGULAR_START = (
     "Constraint {row} depends on others at the start, and no longer beside it: the start is a singular position, at "
     "which the accelerations are not determined by the state. Start beside it, on the branch that is meant."
 )
+
+
+def stiffness(held: int, steps: int, iterates: bool) -> str:
+    """Say that a scene is stiff, and what to do, where something else than their error kept most of many steps short.
+
+    Parameters
+    ----------
+    held
+        Steps that stability kept short, or the convergence of an iteration.
+    iterates
+        Whether the method finds its steps by iteration, which bears less than others.
+    """
+    if steps < _MANY_STEPS or 2 * held <= steps:
+        return ""
+    return (
+        f" The scene is stiff: about {held} of {steps} steps were kept short by "
+        f"{'an iteration that converges slowly' if iterates else 'stability'}, not by their error. Use "
+        f"{'dop853, or ' if iterates else ''}a stiff method (Radau, BDF, LSODA)."
+    )
 
 
 def explain(

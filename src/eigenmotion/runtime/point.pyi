@@ -24,6 +24,7 @@ class PointModel:
     n_inputs: int
     n_outputs: int
     n_events: int
+    lanes: int
     coordinates: tuple[str, ...]
     parameters: tuple[str, ...]
     inputs: tuple[str, ...]

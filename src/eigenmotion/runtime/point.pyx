@@ -62,6 +62,7 @@ cdef class PointModel:
         self.conserves_energy = c.conserves_energy
         self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"
         self.vector, self.square = (c.n,), (c.n, c.n)
+        self.lanes = c.lanes.width if c.lanes != NULL else 0
         self.read_names()
         self.read_defaults()
 

@@ -5,14 +5,14 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_TERMINAL_EVENT
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_TERMINAL_EVENT
 from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 
 import numpy as np
 
-from .faults import StopReason, explain
+from .faults import StopReason, explain, stiffness
 
 _REASONS = tuple(StopReason)
 _FINISHED = explain(StopReason.FINISHED, ())
@@ -132,7 +132,8 @@ cdef class Run:
             "t": t, "y": y.T, "sol": None, "t_events": t_events, "y_events": y_events,
             "nfev": self.run.n_rhs, "njev": 0, "nlu": 0, "status": status, "message": self.message(),
             "success": status >= 0, "nsteps": self.run.n_steps, "nrejected": self.run.n_rejected,
-            "n_bounded": self.run.n_bounded, "stop": self.stop, "error_estimate": None, "error_cost": None,
+            "n_bounded": self.run.n_bounded, "n_stiff": self.run.n_stiff, "stop": self.stop,
+            "error_estimate": None, "error_cost": None,
         }
 
     @property
@@ -146,11 +147,12 @@ cdef class Run:
 
     cdef message(self):
         """How the run ended, where, and what to do."""
+        stiff = stiffness(self.run.n_stiff, self.run.n_steps, self.run.method == EM_RA15)
         if self.stop is StopReason.FINISHED:
-            return _FINISHED
+            return _FINISHED + stiff
         fault = self.run.fault
         words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
-        return f"At t = {self.run.t_reached:.9g}: {words}"
+        return f"At t = {self.run.t_reached:.9g}: {words}{stiff}"
 
     @property
     def step_times(self):

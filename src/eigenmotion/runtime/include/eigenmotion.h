@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 5 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 6 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -107,6 +107,7 @@ typedef struct em_run {
     int kept;                    /* flags of the constraint rows kept at the last accepted step (em_rank.h) */
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not run the published equations */
+    long n_stiff;                /* that stability kept short, or the convergence of an iteration, and not their error */
     double t_reached;
     const struct em_model *model; /* the caller's, where the run is to be held against its energy, or NULL */
 } em_run;
@@ -179,6 +180,8 @@ typedef struct em_model {
      * where M is (em_factored_matrix of em_start.h knows). */
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
+
+    const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
 } em_model;
 
 #endif

@@ -25,7 +25,7 @@ EM_INLINE double em_sum_of(em_bundle a) {
 #elif EM_LANES == 2
     return a[0] + a[1];
 #else
-    return a[0];
+    return a;
 #endif
 }
 

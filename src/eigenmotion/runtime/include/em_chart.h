@@ -35,16 +35,17 @@ static int em_first_unresolved(const double *before, const double *after, double
     return -1;
 }
 
-/* The first coordinate whose pivot changes by more than it may from x to the middle or on to x_new, or -1. No passage
- * through 0 between two of three points is so small in all of them. */
-static int em_unresolved(const em_walk *w, double t, const double *x, double t_new, const double *x_new) {
-    double middle[N], pivots[3][N], diagonal[N];
+/* The first coordinate whose pivot changes by more than it may from x to the middle or on to x_new, or -1; pivots and
+ * diagonal (n) <- at x_new. No passage through 0 between two of three points is so small in all of them. */
+static int em_unresolved(const em_walk *w, double t, const double *x, double t_new, const double *x_new, double *pivots,
+                         double *diagonal) {
+    double middle[N], before[2][N];
     for (int k = 0; k < N; ++k) middle[k] = 0.5 * (x[k] + x_new[k]);
-    em_pivots(w, t, x, pivots[0], diagonal);
-    em_pivots(w, 0.5 * (t + t_new), middle, pivots[1], diagonal);
-    em_pivots(w, t_new, x_new, pivots[2], diagonal);
-    const int first = em_first_unresolved(pivots[0], pivots[1], EM_RESOLVED);
-    return first >= 0 ? first : em_first_unresolved(pivots[1], pivots[2], EM_RESOLVED);
+    em_pivots(w, t, x, before[0], diagonal);
+    em_pivots(w, 0.5 * (t + t_new), middle, before[1], diagonal);
+    em_pivots(w, t_new, x_new, pivots, diagonal);
+    const int first = em_first_unresolved(before[0], before[1], EM_RESOLVED);
+    return first >= 0 ? first : em_first_unresolved(before[1], pivots, EM_RESOLVED);
 }
 
 /* x (n) at the part s of the step under way, by the cubic through both ends. */
@@ -69,17 +70,16 @@ static int em_unresolved_within(const em_walk *w, int parts, double most) {
 }
 
 /* The first coordinate whose pivot rounding leaves with fewer digits than rtol asks for, or -1. */
-static int em_rounded(const em_walk *w, double t, const double *x) {
-    double pivots[N], diagonal[N];
-    em_pivots(w, t, x, pivots, diagonal);
+static int em_rounded(const em_walk *w, const double *pivots, const double *diagonal) {
     for (int k = 0; k < N; ++k)
         if (!(pivots[k] * w->rtol > EM_PASSAGE_ADDS * DBL_EPSILON * diagonal[k])) return k;
     return -1;
 }
 
 EM_COLD int em_look_at_chart(em_walk *w) {
-    int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new);
-    if (lost < 0) lost = em_rounded(w, w->t_new, w->y_new);
+    double pivots[N], diagonal[N];
+    int lost = em_unresolved(w, w->t, w->y, w->t_new, w->y_new, pivots, diagonal);
+    if (lost < 0) lost = em_rounded(w, pivots, diagonal);
     return lost < 0 ? 0 : em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, lost, -2, NAN);
 }
 
@@ -92,13 +92,13 @@ EM_COLD int em_look_across(em_walk *w) {
 /* Beside the first step from near a singularity no other is long. */
 static void em_begin_chart(em_walk *w) {
     const double rate = sqrt(em_weighted_squares(N, w->K[0], w->weight));
-    double ahead[N], behind[N];
+    double ahead[N], behind[N], pivots[N], diagonal[N];
     for (int k = 0; k < N; ++k) {
         const double away = rate > 0.0 ? EM_NEAR_START / rate * w->K[0][k] : 0.0;
         ahead[k] = w->y[k] + away;
         behind[k] = w->y[k] - away;
     }
-    w->starts_near = em_unresolved(w, w->t, behind, w->t, ahead) >= 0;
+    w->starts_near = em_unresolved(w, w->t, behind, w->t, ahead, pivots, diagonal) >= 0;
 }
 
 /* Whether the step under way sees the motion. 0, or -1 and w->reason. */

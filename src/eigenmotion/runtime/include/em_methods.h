@@ -10,22 +10,27 @@
 #include "em_nodes.h"
 #include "em_runge_kutta.h"
 
-#define EM_RUNGE_KUTTA(name, tableau)                                                                    \
+#define EM_RUNGE_KUTTA(name, tableau, judge)                                                             \
     static int em_##name##_step(em_walk *w) { return em_rk_step(&tableau, w); }                          \
     static int em_##name##_interpolate(em_walk *w) { return em_rk_interpolate(&tableau, w); }            \
     static int em_##name##_sketch(em_walk *w) { return em_rk_sketch(&tableau, w); }                      \
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
-                           em_##name##_step, NULL,                                                       \
+                           em_##name##_step, judge,                                                      \
                            em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate};                 \
     }
 
-EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU)
-EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU)
-EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU)
+/* Somewhat less than where stability ends on the negative real axis, since steps that it holds back go to and fro. rk34
+ * has no second state at the end of a step. */
+static int em_dopri5_judge(em_walk *w) { return em_rk_judge(&EM_DOPRI5_TABLEAU, 2.6, w); }
+static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, 4.0, w); }
+
+EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU, NULL)
+EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU, em_dopri5_judge)
+EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU, em_dop853_judge)
 
 static em_scheme em_ra15(void) {
-    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.0, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
+    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
                        em_nodes_sketch, em_nodes_evaluate};
 }
 

@@ -65,6 +65,24 @@ EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
     return 0;
 }
 
+#define EM_STIFF_EVERY 16 /* steps of which one is looked at */
+
+/* Whether stability keeps steps short (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2): at the end of
+ * the step the last stage's state and the step's own say how fast neighbours drive apart or together; `stable` is up to
+ * where the method bears that. */
+EM_INLINE int em_rk_judge(const em_tableau *rk, double stable, em_walk *w) {
+    if (w->run->n_steps % EM_STIFF_EVERY || w->mode_new != w->mode) return 0;
+    const int last = em_is_fsal(rk) ? rk->solution - 1 : rk->stages - 1;
+    double state[2 * N], rate[2 * N];
+    for (int k = 0; k < 2 * N; ++k) {
+        state[k] = w->y_new[k] - w->argument[k];
+        rate[k] = w->f_new[k] - w->K[last][k];
+    }
+    const double apart = em_weighted_squares(2 * N, state, w->weight), driven = em_weighted_squares(2 * N, rate, w->weight);
+    w->stiff = w->h * w->h * driven > stable * stable * apart;
+    return 0;
+}
+
 /* --- the interpolant: F holds y, F_0, F_1, ... of em_tableaux.h --- */
 
 /* F_3 + i = h sum_j d_ij K_j */

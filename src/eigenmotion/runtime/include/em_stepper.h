@@ -81,6 +81,7 @@ static void em_commit(em_walk *w) {
     ++run->n_steps;
     w->longest_step = em_max(w->longest_step, fabs(w->h));
     run->n_bounded += w->mode != 0;
+    run->n_stiff += w->stiff;
     w->t = w->t_new;
     w->mode = w->mode_new;
     w->last_error = em_max(log(w->size_norm), EM_LEAST_ERROR);

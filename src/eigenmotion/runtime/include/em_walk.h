@@ -38,7 +38,8 @@ typedef struct em_scheme {
     double growth;                  /* and no step is longer than so many times the one before */
     int terms;                      /* of its interpolant */
     int (*step)(em_walk *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
-    int (*judge)(em_walk *w);       /* error_norm, size_norm anew with f_new known, where a step alone does not tell; or NULL */
+    int (*judge)(em_walk *w);       /* with f_new known: whether the scene is stiff; error_norm, size_norm anew where a
+                                       step alone does not tell; or NULL */
     int (*interpolate)(em_walk *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
     int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
     void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
@@ -55,7 +56,11 @@ typedef struct em_found {
 } em_found;
 
 /* Numbers at EM_LANES nodes of a step (em_nodes.h) in one register. */
+#if EM_LANES > 1
 typedef double em_bundle __attribute__((vector_size(8 * EM_LANES), may_alias));
+#else
+typedef double em_bundle; /* a loop over the state may then become vectors after all */
+#endif
 
 /* What a step by nodes carries from one to the next. */
 typedef struct em_nodes {
@@ -70,6 +75,7 @@ typedef struct em_nodes {
     double t, t_new, h, before_h, before_t_new; /* of the step that `series` is of, and `before` */
     double aimed;                            /* the error after as many iterations as a step is made for */
     int mode, before_mode, converged, known, blind, on_lanes, prepared; /* converged: there is a series; known: a step before */
+    int slow;                                /* whether the iteration converges slowly, though it had little to do */
 } em_nodes;
 
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
@@ -108,6 +114,7 @@ struct em_walk {
     int retries;                               /* how many rejected ones the step under way follows */
     int near;                                  /* whether stages are settled: a singular position is near */
     int mode, mode_new, moved, has_interpolant, n_found;
+    int stiff;                                 /* whether something else than their error keeps steps short */
     int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
     size_t next_t_eval;
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
