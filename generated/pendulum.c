@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:8cf3212b697a923846a75b9aa6cb1b36926401a3143a7b49039373406933bb12 */
+/* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
+/* body sha256:5418edff91b188c13b77c36fe41855376d6bfb0083a4aa14169e4d725a08ec19 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -43,7 +43,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_PREPARED = 10,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
 
@@ -224,6 +224,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[7] = m*l*g;
     prepared[8] = z_0;
     prepared[9] = 0.5*z_0;
+    prepared[10] = (1.0/10.0)*l;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -268,6 +269,21 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_RARE /* no step calls it */
+static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double l = c[1];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    p[0] = p[6] = p[8] = l*sin_theta;
+    const double cos_theta = em_cos(theta);
+    p[1] = p[7] = p[9] = -l*cos_theta;
+    p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double c_3 = c[10];
+    p[10] = c_3;
 }
 
 #include "em_mechanics.h"
@@ -357,6 +373,12 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 2.0 };
 static const double initial_v[N] = { 0.0 };
 static const int carried[N] = { 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"ground", 2, 2},
+    {"line", 4, 4},
+    {"disk", 8, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 1},
     {"eta", 1, 1}
@@ -425,6 +447,10 @@ const em_model pendulum_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .n_shapes = 4,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
-/* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:6a4c4982cfda94d71065b64731f7afcca91e05586b2ed8272c5c2a64ad0c99a0 */
+/* input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9 */
+/* body sha256:a4b043c5d2e94d47836246cfeb3535097cb59e16d2d26416a373459434888030 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -326,6 +326,22 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_RARE /* no step calls it */
+static void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                 double *restrict p)
+{
+    const double r = x[0];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    p[0] = p[5] = r*cos_theta;
+    const double sin_theta = em_sin(theta);
+    p[1] = p[6] = r*sin_theta;
+    p[2] = p[3] = 0.0;
+    p[4] = (1.0/20.0);
+    p[7] = (1.0/40.0);
+}
+
 #include "em_mechanics.h"
 
 /* M of the blocks that vary */
@@ -428,6 +444,11 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.1, 0.0 };
 static const double initial_v[N] = { 0.0, 43.58898943540674 };
 static const int carried[N] = { 0, 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"disk", 2, 3},
+    {"disk", 5, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -498,6 +519,10 @@ const em_model polar_particle_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .n_shapes = 3,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

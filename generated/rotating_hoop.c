@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
-/* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:21b84e6aa843c84bd6cbf90a5dffda4f0125ae74fc468c6499710170bd26efe9 */
+/* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
+/* body sha256:275700140dfcce0fe8ad7ecf0987bb09163e06f16a9cfa8456761d7021103422 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -42,7 +42,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 16,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
 
@@ -233,6 +233,9 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[10] = z_0;
     prepared[11] = 0.5*z_0;
     prepared[12] = 0.5*z_1;
+    prepared[13] = (-1.25)*R;
+    prepared[14] = 1.25*R;
+    prepared[15] = (1.0/12.0)*R;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -277,6 +280,34 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_RARE /* no step calls it */
+static void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[3] = p[4] = p[6] = p[7] = p[8] = p[12] = 0.0;
+    const double c_5 = c[13];
+    p[2] = c_5;
+    const double c_6 = c[14];
+    p[5] = c_6;
+    const double R = c[1];
+    p[9] = R;
+    const double Omega = c[2];
+    const double z_0 = Omega*t;
+    const double sin_z_0 = em_sin(z_0);
+    p[10] = -sin_z_0;
+    const double cos_z_0 = em_cos(z_0);
+    p[11] = cos_z_0;
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_4 = R*sin_theta;
+    p[13] = p[17] = cos_z_0*z_4;
+    p[14] = p[18] = sin_z_0*z_4;
+    const double cos_theta = em_cos(theta);
+    p[15] = p[19] = -R*cos_theta;
+    const double c_7 = c[15];
+    p[16] = c_7;
 }
 
 #include "em_mechanics.h"
@@ -366,6 +397,12 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5 };
 static const double initial_v[N] = { 0.0 };
 static const int carried[N] = { 0 };
+static const em_shape shapes[] = {
+    {"line", 0, 6},
+    {"disk", 6, 7},
+    {"disk", 13, 4},
+    {"trace", 17, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 1},
     {"eta", 1, 1}
@@ -433,6 +470,10 @@ const em_model rotating_hoop_model = {
     .interpolate = em_interpolate,
     .release = em_release,
     .event = model_events,
+    .n_shapes = 4,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

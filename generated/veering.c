@@ -1,5 +1,5 @@
 /* eigenmotion generate veering.py */
-/* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
+/* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
 /* body sha256:9d171657fedc79a8ee35dc2a915320066c5dbde5576cf2ce991f572a3ca8d50c */
 /* veering: equations of motion, eigenfactor formulation.
  *

@@ -10,6 +10,7 @@ import sympy
 
 from . import checks
 from .canonical import canonical_text
+from .drawing import drawing_of
 from .mechanism import Event, Mechanism
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
 
@@ -49,6 +50,7 @@ class Model(Mechanism):
     parameters, inputs, initial : pairs symbol, default [float]; what is missing in initial is 0
     outputs, events : pairs name, expression or Event
     scales : (n) unit of each coordinate inside the eigenproblem [u_i]
+    drawing : what it looks like: shapes of `eigenmotion.draw`, in the plane or in space
 
     Raises
     ------
@@ -73,6 +75,7 @@ class Model(Mechanism):
         events: Pairs = (),
         initial: Pairs = (),
         scales: Pairs | Sequence[float] = (),
+        drawing: Iterable[Any] = (),
     ) -> None:
         given = dict(locals())
         del given["self"]
@@ -116,6 +119,7 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
         "outputs": _expressions(given["outputs"], "outputs"),
         "events": tuple((name, _event(entry, name)) for name, entry in pairs_of(given["events"], "events")),
         "scales": _scales(given["scales"], coordinates),
+        "drawing": drawing_of(given["drawing"]),
         **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
 

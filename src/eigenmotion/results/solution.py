@@ -10,6 +10,8 @@ from scipy.optimize import OptimizeResult
 from ..arguments.names import Vector, vector
 from ..codegen.model.normalise import ModelError
 from ..runtime import StopReason
+from .animation import FRAMES_A_SECOND, animation, frame_times
+from .drawing import Drawing, require_drawing
 from .trajectory import Trajectory
 
 __all__ = ["DenseOutput", "Solution", "StopReason"]
@@ -28,6 +30,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
     "factor_residual": lambda rows: rows.factor_residual,
     "outputs": lambda rows: rows.outputs,
     "quasi_velocities": lambda rows: rows.quasi_velocities,
+    "drawing": lambda rows: rows.drawing,
 }
 
 
@@ -91,6 +94,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     position_residual : (h, k), phi
     factor_residual : (k,), max|M - C^T S^2 C| / max|M|, M what is factored (docs/theory.md)
     outputs, quasi_velocities : name -> (k,)
+    drawing : a Drawing, its numbers (k, ...), None where the model has none
 
     Where a row has no such value (singular M, dependent constraint rows) it is NaN.
     """
@@ -137,6 +141,42 @@ class Solution(OptimizeResult):  # type: ignore[misc]
             return self[name]
         except KeyError:
             return default
+
+    def drawn(self, t: Vector) -> Drawing:
+        """Return what the mechanism looks like at t (k,): by `sol` where there is one, else between the rows.
+
+        Raises
+        ------
+        ModelError
+            The model has no drawing, or this is a copy from another process, which has its rows alone.
+        """
+        rows = self._rows
+        if rows is None:
+            raise ModelError(
+                "a copy of a Solution from another process has the drawing of its own rows only: `drawing`"
+            )
+        require_drawing(self["drawing"], rows.model.name)
+        x = rows.between(t) if self["sol"] is None else self["sol"](t)[: rows.model.n].T
+        return require_drawing(rows.drawn(t, np.ascontiguousarray(x)), rows.model.name)
+
+    def animate(self, *, speed: float = 1.0, fps: float = FRAMES_A_SECOND) -> Any:
+        """Return the run as a matplotlib animation; needs the extra `plot`.
+
+        Parameters
+        ----------
+        speed
+            Seconds of motion in a second.
+        fps
+            Frames a second.
+
+        Raises
+        ------
+        ModelError
+            The model has no drawing, there are no rows, or matplotlib is not there.
+        """
+        if not len(self["t"]):
+            raise ModelError("the run has no rows, so there is nothing to animate")
+        return animation(self.drawn(frame_times(self["t"][0], self["t"][-1], speed, fps)), fps)
 
     @property
     def cost(self) -> str:

@@ -24,6 +24,8 @@ class PointModel:
     n_inputs: int
     n_outputs: int
     n_events: int
+    dimension: int
+    n_drawn: int
     coordinates: tuple[str, ...]
     parameters: tuple[str, ...]
     inputs: tuple[str, ...]
@@ -33,6 +35,7 @@ class PointModel:
     layout: tuple[tuple[str, int, int], ...]
     block: tuple[int, ...]
     event_kinds: tuple[tuple[int, bool], ...]
+    shapes: tuple[tuple[str, int, int], ...]
     quasi_velocities: tuple[str, ...]
     carried: tuple[int, ...]
     parameter_defaults: Vector

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 5 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 6 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -44,6 +44,12 @@ typedef struct em_slice {
     const char *name;
     int start, length;
 } em_slice;
+
+/* A part of a drawing: p[first .. first + count) are its points, and what else it has (codegen/model/drawing.py). */
+typedef struct em_shape {
+    const char *kind;
+    int first, count;
+} em_shape;
 
 /* One run-time signal u_i(t). count = 0 with values[0]: constant. */
 typedef enum em_signal_kind { EM_CONSTANT = 0, EM_HOLD, EM_LINEAR, EM_CUBIC } em_signal_kind;
@@ -179,6 +185,10 @@ typedef struct em_model {
      * where M is (em_factored_matrix of em_start.h knows). */
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
+
+    int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
+    const em_shape *shapes;  /* (n_shapes) */
+    void (*draw)(double t, const double *x, const double *c, double *p); /* all numbers of the shapes */
 } em_model;
 
 #endif
