@@ -66,7 +66,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "arguments": ("codegen.model", "runtime"),
     "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
     "running": ("codegen.model", "runtime", "arguments", "results"),
-    "system": ("codegen.model", "runtime", "arguments", "running"),
+    "system": ("codegen.model", "runtime", "arguments", "running", "pages"),
     "building": (
         "codegen.model",
         "codegen.c",

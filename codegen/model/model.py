@@ -11,6 +11,7 @@ import sympy
 from . import checks
 from .canonical import canonical_text
 from .drawing import drawing_of
+from .equations import Equations, equations_of
 from .mechanism import Event, Mechanism
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
 
@@ -96,6 +97,16 @@ class Model(Mechanism):
             return checks.solve_rates(self, self.initial_x, self.initial_y)
         known = dict(self.initial)
         return tuple(known.get(v, 0.0) for v in self.rates)
+
+    def equations(self) -> Equations:
+        """Return M, bias, A, b, gamma as SymPy matrices in the user's symbols: M xddot + A^T lambda = bias (11).
+
+        Simplified only where that is quick. What is compiled is derived on its own, and proved against the energies.
+        """
+        return equations_of(self)
+
+    def _repr_latex_(self) -> str:
+        return self.equations()._repr_latex_()
 
     def canonical(self) -> str:
         """Return a text of everything that defines the model: equal texts, equal generated files."""

@@ -36,10 +36,7 @@ def animation(drawing: Drawing, fps: float = FRAMES_A_SECOND) -> Any:
     require_matplotlib()
     from matplotlib.animation import FuncAnimation  # noqa: PLC0415, an optional package
 
-    low, high = drawing.box
-    wide, tall = (high - low)[[0, -1]] if drawing.dimension == len("xy") else (1.0, 1.0)
-    figure = blank(*_inches(wide / tall))
-    sketch = Sketch(figure, 111, drawing, drawing.name.replace("_", " "))
+    figure, sketch = _sketched(drawing)
     clock = sketch.axes.text2D if drawing.dimension == len("xyz") else sketch.axes.text
     words = clock(0.02, 0.98, "", transform=sketch.axes.transAxes, va="top", family="monospace")
 
@@ -51,6 +48,20 @@ def animation(drawing: Drawing, fps: float = FRAMES_A_SECOND) -> Any:
     figure.draw_without_rendering()
     figure.set_layout_engine("none")  # once is enough
     return FuncAnimation(figure, show, frames=len(drawing.t), interval=1e3 / fps, blit=False)
+
+
+def still(drawing: Drawing) -> Any:
+    """Return a figure of the mechanism in the last row."""
+    figure, sketch = _sketched(drawing)
+    sketch.show(len(drawing.t) - 1)
+    return figure
+
+
+def _sketched(drawing: Drawing) -> tuple[Any, Sketch]:
+    low, high = drawing.box
+    wide, tall = (high - low)[[0, -1]] if drawing.dimension == len("xy") else (1.0, 1.0)
+    figure = blank(*_inches(wide / tall))
+    return figure, Sketch(figure, 111, drawing, drawing.name.replace("_", " "))
 
 
 def _inches(ratio: float) -> tuple[float, float]:

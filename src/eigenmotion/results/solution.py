@@ -9,8 +9,10 @@ from scipy.optimize import OptimizeResult
 
 from ..arguments.names import Vector, vector
 from ..codegen.model.normalise import ModelError
+from ..pages.figures import has_matplotlib
+from ..pages.notebook import image, table
 from ..runtime import StopReason
-from .animation import FRAMES_A_SECOND, animation, frame_times
+from .animation import FRAMES_A_SECOND, animation, frame_times, still
 from .drawing import Drawing, require_drawing
 from .trajectory import Trajectory
 
@@ -194,6 +196,15 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         return f"<Solution{model}: {self['stop']}, {span} in {len(t)} rows, {self.cost}>\n{self['message']}"
 
     __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        t = self["t"]
+        rows = {"ended": f"{self['stop']}: {self['message']}", "rows": str(len(t)), "cost": self.cost}
+        if len(t):
+            rows |= {"time": f"{t[0]:g} ... {t[-1]:g} s"}
+        drawing = self["drawing"] if self._rows is not None else None
+        picture = image(still(drawing), "the mechanism at the end") if drawing and has_matplotlib() else ""
+        return table(self._rows.model.name if self._rows is not None else "Solution", rows) + picture
 
     def __reduce__(self) -> tuple[Callable[[dict[str, Any]], "Solution"], tuple[dict[str, Any]]]:
         """Give copies in other processes every field; `sol` where they can make the model, which it needs."""
