@@ -85,7 +85,7 @@ class Browser:
             self.errors.append(details.get("exception", {}).get("description", details["text"]))
         elif method == "Runtime.consoleAPICalled" and given["type"] in ("error", "warning", "assert"):
             self.errors.append(str([one.get("value", one.get("description")) for one in given["args"]]))
-        elif method == "Log.entryAdded" and given["entry"]["level"] in ("error", "warning"):
+        elif method == "Log.entryAdded" and given["entry"]["level"] == "error":
             self.errors.append(given["entry"]["text"])
         elif method == "Network.requestWillBeSent":
             self.requests.append(given["request"]["url"])

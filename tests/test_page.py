@@ -16,6 +16,7 @@ from eigenmotion.building.request import order
 from eigenmotion.live import wasm
 from eigenmotion.live.faces import around
 from eigenmotion.live.page import Run, page, summary
+from eigenmotion.live.three import three
 
 from .browser import Browser, chromium
 
@@ -33,11 +34,12 @@ def pages(tmp_path_factory):
         pytest.skip(str(error))
     folder = tmp_path_factory.mktemp("pages")
 
-    def written(name):
-        file = folder / f"{name}.html"
+    def written(name, space=None):
+        file = folder / f"{name}{'_three' if space else ''}.html"
         if not file.exists():
             source = (MODELS / f"{name}.py").read_text(encoding="utf-8")
-            file.write_text(page(order(MODELS / f"{name}.py"), source, Run(T_END, RTOL, ATOL)), encoding="utf-8")
+            text = page(order(MODELS / f"{name}.py"), source, Run(T_END, RTOL, ATOL), space)
+            file.write_text(text, encoding="utf-8")
         return file
 
     return written
@@ -52,14 +54,20 @@ def browser():
 
 
 @pytest.fixture
+def own_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path))
+    return tmp_path
+
+
+@pytest.fixture
 def opened(pages, browser):
     """Open the page of a model; at the end nothing was asked of a network, and nothing complained."""
     browser.errors.clear()
     browser.requests.clear()
 
-    def go(name, **look):
+    def go(name, space=None, **look):
         browser.look(**{"width": 1000, "height": 800} | look)
-        browser.open(pages(name))
+        browser.open(pages(name, space))
         return browser
 
     yield go
@@ -225,3 +233,42 @@ def test_it_fits_on_a_phone_and_follows_dark(opened):
     browser = opened("dual_link", width=390, height=800, scheme="dark")
     assert browser.ask("document.documentElement.scrollWidth") == 390
     assert browser.ask("getComputedStyle(document.body).backgroundColor") == "rgb(18, 24, 31)"
+
+
+def picture_after(browser, action):
+    """What the stage shows when everything of an action has been drawn."""
+    browser.ask(action)
+    return browser.ask("""new Promise((done) => requestAnimationFrame(() => {
+        eigenmotion.stage.draw(); done(document.querySelector("#stage").toDataURL()); }))""")
+
+
+@pytest.mark.parametrize("by", ["canvas", "three.js"])
+def test_space_moves_and_turns(opened, by):
+    """By three.js, and by the plain canvas that serves where that is not to be had."""
+    try:
+        library = three() if by == "three.js" else None
+    except BuildError as error:
+        pytest.skip(f"three.js is not to be had: {str(error).splitlines()[0]}")
+    browser = opened("heavy_top", library)
+    assert browser.ask("eigenmotion.stage.constructor.name") == ("SpaceStage" if library else "Stage")
+    first = picture_after(browser, "eigenmotion.player.pause(); eigenmotion.player.seek(0.5)")
+    assert first == picture_after(browser, "0")
+    later = picture_after(browser, "eigenmotion.player.seek(0.6)")
+    assert later != first
+    assert picture_after(browser, "eigenmotion.stage.dragged(40, 10, false)") != later
+    assert picture_after(browser, "eigenmotion.stage.reset()") == later
+
+
+def test_three_js_is_what_its_hash_says(monkeypatch, own_cache):
+    monkeypatch.setattr("eigenmotion.live.three._SHA512", "no hash")
+    monkeypatch.setattr("eigenmotion.live.three.run", lambda _, folder: (folder / "three.tgz").write_bytes(b"else"))
+    monkeypatch.setattr("eigenmotion.live.three.shutil.which", lambda name: name)
+    with pytest.raises(BuildError, match="its hash is another one"):
+        three()
+    assert not list((own_cache / "three").glob("*/*.txt"))
+
+
+def test_without_npm_three_js_is_missed_by_name(monkeypatch, own_cache):
+    monkeypatch.setattr("eigenmotion.live.three.shutil.which", lambda _: None)
+    with pytest.raises(BuildError, match=r"npm, which brings three\.js, is not on the PATH"):
+        three()

@@ -6,9 +6,11 @@ from typing import Any
 
 import click
 
-from eigenmotion.codegen.model import ModelError
+from eigenmotion.building.errors import BuildError
+from eigenmotion.codegen.model import Model, ModelError
 from eigenmotion.files import write
 from eigenmotion.live.page import Run, page
+from eigenmotion.live.three import Three, three
 
 from .options import Finite, Shape, check_writable, ending, model, shaping
 from .progress import clock
@@ -34,11 +36,22 @@ def command(model: Path, output: Path | None, t_end: float, rtol: float, atol: f
     _check(target, t_end, rtol, atol)
     with clock():
         _log.info("compiling %s to WebAssembly", order.model.name)
-        text = page(order, model.read_text(encoding="utf-8"), Run(t_end, rtol, atol))
+        text = page(order, model.read_text(encoding="utf-8"), Run(t_end, rtol, atol), _three(order.model))
     write(target, text.encode())
     click.echo(f"wrote {target} ({len(text.encode()) / 1e3:.0f} kB); open it in a browser")
     if not order.model.drawing:
         click.echo(f"{order.model.name} has no drawing, so the page shows its curves alone: Model(drawing=[...])")
+
+
+def _three(model: Model) -> Three | None:
+    """Return three.js for a drawing in space; where it cannot be had, say so: the page draws space by itself."""
+    if not model.drawing or model.drawing[0].dimension < len("xyz"):
+        return None
+    try:
+        return three()
+    except BuildError as error:
+        click.echo(f"three.js is not to be had, so the page shows space on a plain canvas: {error}", err=True)
+        return None
 
 
 def _check(target: Path, t_end: float, rtol: float, atol: float) -> None:

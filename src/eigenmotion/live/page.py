@@ -18,9 +18,13 @@ from ..codegen.model.normalise import name_of
 from ..runtime.faults import StopReason, explain
 from .faces import faces
 from .mathml import formulas, label
+from .three import Three
 from .wasm import module
 
-SCRIPTS = ("vectors", "theme", "gestures", "motion", "engine", "shapes", "stage", "plots", "controls", "player", "main")
+SCRIPTS = (
+    "vectors", "theme", "gestures", "motion", "engine", "shapes", "stage", "space", "plots", "controls",
+    "player", "main",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,13 +36,15 @@ class Run:
     atol: float = 1e-9
 
 
-def page(wanted: Order, source: str, run: Run) -> str:
+def page(wanted: Order, source: str, run: Run, space: Three | None = None) -> str:
     """Return the page of an order as HTML.
 
     Parameters
     ----------
     source
         The text of the model's file, for readers to download.
+    space
+        three.js, for drawings in space; without it a plain canvas shows them.
 
     Raises
     ------
@@ -49,11 +55,18 @@ def page(wanted: Order, source: str, run: Run) -> str:
     return _environment().get_template("page.html.jinja").render(
         title=model.name.replace("_", " "), summary=summary(source), space=made.dimension == len("xyz"),
         inputs=bool(model.inputs), formulas=list(formulas(model.equations())), left_out=made.left_out,
-        download=f"{model.name}.py", source=_base64(source.encode()), origin=wanted.origin, licence="",
-        formulation=made.formulation, rtol=f"{run.rtol:g}", atol=f"{run.atol:g}",
-        about=_json(about(model, run, made.conserves_energy)), wasm=_base64(gzip.compress(module(wanted), 9, mtime=0)),
-        parts=(), scripts=[f"{name}.js" for name in SCRIPTS],
+        download=f"{model.name}.py", source=_base64(source.encode()), origin=wanted.origin,
+        licence=space.licence if space else "", formulation=made.formulation, rtol=f"{run.rtol:g}",
+        atol=f"{run.atol:g}",
+        about=_json(about(model, run, made.conserves_energy)), wasm=_packed(module(wanted)),
+        parts=_parts(space), scripts=[f"{name}.js" for name in SCRIPTS],
     )  # fmt: skip
+
+
+def _parts(space: Three | None) -> dict[str, str]:
+    """Packed texts by the names of their elements."""
+    texts = {"three-core": space.core, "three-module": space.module} if space else {}
+    return {name: _packed(text.encode()) for name, text in texts.items()}
 
 
 def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
@@ -93,6 +106,10 @@ def summary(source: str) -> str:
 def _json(content: Mapping[str, Any]) -> str:
     """Return JSON that may stand in a script element."""
     return json.dumps(content, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+
+
+def _packed(content: bytes) -> str:
+    return _base64(gzip.compress(content, 9, mtime=0))
 
 
 def _base64(content: bytes) -> str:

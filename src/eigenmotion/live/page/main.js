@@ -4,11 +4,10 @@ const element = (id) => document.getElementById(id);
 const about = JSON.parse(element("about").textContent);
 
 class Page {
-  constructor(engine) {
-    this.engine = engine;
+  constructor(engine, stage) {
+    Object.assign(this, { engine, stage });
     this.plots = plotsOf(about).map((plot) => new Plot(element("plots"), plot, (t) => { this.player.pause(); this.player.seek(t); }));
-    this.stage = about.dimension ? new Stage(element("stage"), about) : null;
-    if (!this.stage) element("stage").hidden = true;
+    if (!stage) element("stage").hidden = true;
     const parts = Object.fromEntries(["play", "scrub", "speed", "clock"].map((id) => [id, element(id)]));
     this.player = new Player(parts, (t) => this.show(t));
     this.due = false;
@@ -128,7 +127,8 @@ class Page {
 }
 
 try {
-  window.eigenmotion = new Page(await Engine.open(element("wasm").textContent, about));
+  const engine = await Engine.open(element("wasm").textContent, about);
+  window.eigenmotion = new Page(engine, about.dimension ? await stageOf(about) : null);
 } catch (error) {
   element("word").textContent = `This page needs a browser with WebAssembly and module scripts: ${error.message}`;
   element("word").className = "failure";

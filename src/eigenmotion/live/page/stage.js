@@ -3,8 +3,8 @@
 const TURN_A_PIXEL = 0.008;
 
 class Stage {
-  constructor(canvas, about) {
-    Object.assign(this, { canvas, about, brush: canvas.getContext("2d") });
+  constructor(canvas, about, brush) {
+    Object.assign(this, { canvas, about, brush });
     this.view = { zoom: 1, pan: [0, 0], yaw: -0.9, pitch: 0.45 };
     this.touched = false;
     gestures(canvas, {
