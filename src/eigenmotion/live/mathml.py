@@ -10,7 +10,7 @@ from sympy.printing.mathml import MathMLPresentationPrinter
 from ..codegen.model.equations import Equations
 from ..codegen.model.normalise import name_of
 
-_DOTS = {1: "˙", 2: "¨"}
+_DOTS = {1: "·", 2: "··"}  # seen in any font, as accents over letters are not
 _TALL = 4000
 """Longest text of a matrix that a page shows; longer ones nobody reads."""
 
@@ -34,7 +34,6 @@ class _Printer(MathMLPresentationPrinter):  # type: ignore[misc]
     def _dotted(self, rate: sympy.Derivative) -> Any:
         name, dotted, mark = self._print(rate.expr), self.dom.createElement("mover"), self.dom.createElement("mo")
         mark.appendChild(self.dom.createTextNode(_DOTS[int(rate.derivative_count)]))
-        dotted.setAttribute("accent", "true")
         letter = name.firstChild if name.tagName == "msub" else name
         if letter is not name:
             name.replaceChild(dotted, letter)
@@ -78,7 +77,7 @@ def _matrix(part: sympy.MatrixBase) -> str:
 
 
 def _form(constrained: bool) -> Iterator[str]:
-    dot, dots = (f"<mover accent='true'><mi>x</mi><mo>{_DOTS[k]}</mo></mover>" for k in (1, 2))
+    dot, dots = (f"<mover><mi>x</mi><mo>{_DOTS[k]}</mo></mover>" for k in (1, 2))
     push = "<mo>+</mo><msup><mi>A</mi><mi>T</mi></msup><mi>λ</mi>" if constrained else ""
     yield f"<math><mrow><mi>M</mi>{dots}{push}<mo>=</mo><mi>h</mi></mrow></math>"
     if constrained:
