@@ -9,12 +9,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from sympy import Symbol
+from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.building.errors import BuildError, CompilerNotFoundError
 from eigenmotion.building.request import order
 from eigenmotion.live import wasm
 from eigenmotion.live.faces import around
+from eigenmotion.live.mathml import label
 from eigenmotion.live.page import Run, page, summary
 from eigenmotion.live.three import three
 
@@ -125,6 +128,16 @@ def test_faces_of_a_box():
     for face in found:
         ring = corners[[*face, face[0]]]
         assert all(np.count_nonzero(a != b) == 1 for a, b in pairwise(ring))  # edges, no diagonals
+
+
+def test_any_name_is_a_text_on_the_page():
+    angle = dynamicsymbols("a<b>")
+    for symbol in (Symbol("<script>"), Symbol("k_<i>"), angle, angle.diff()):
+        assert not re.search("<(?:script|i|b)>", label(symbol))
+        assert "&lt;" in label(symbol)
+    assert label(dynamicsymbols("theta1").diff()) == (
+        "<math><msub><mover><mi>&#952;</mi><mo>&#183;</mo></mover><mi>1</mi></msub></math>"
+    )
 
 
 def test_the_summary_is_the_first_line_of_the_docstring():

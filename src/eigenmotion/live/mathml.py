@@ -1,6 +1,7 @@
 """Names and equations in MathML, which browsers set without help."""
 
 from collections.abc import Iterator, Mapping
+from html import escape
 from typing import Any
 
 import sympy
@@ -29,7 +30,9 @@ class _Printer(MathMLPresentationPrinter):  # type: ignore[misc]
 
     def _print_Symbol(self, symbol: sympy.Symbol, style: str = "plain") -> Any:
         rate = self.rates.get(symbol)
-        return super()._print_Symbol(symbol, style) if rate is None else self._dotted(rate)
+        if rate is not None:
+            return self._dotted(rate)
+        return super()._print_Symbol(sympy.Symbol(escape(symbol.name)), style)  # SymPy writes names as they are
 
     def _dotted(self, rate: sympy.Derivative) -> Any:
         name, dotted, mark = self._print(rate.expr), self.dom.createElement("mover"), self.dom.createElement("mo")
