@@ -12,6 +12,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import draw
+from eigenmotion.cli import main
 from eigenmotion.results.drawing import Drawing
 from eigenmotion.results.outlines import nodes, outlines
 
@@ -137,3 +138,37 @@ def test_a_model_without_a_drawing_says_how_to_give_it_one():
     assert run.drawing is None
     with pytest.raises(em.ModelError, match=r"veering has no drawing.*Model\(drawing="):
         run.animate()
+
+
+def refused(capsys, *command):
+    """What the command line says of a mistake, before anything runs."""
+    assert main([*command]) == 2
+    found = capsys.readouterr()
+    assert "finished" not in found.out
+    return found.err
+
+
+def test_the_command_line_refuses_pictures_before_the_run(tmp_path, capsys, monkeypatch):
+    pytest.importorskip("matplotlib")
+    monkeypatch.setattr("eigenmotion.results.animation.shutil.which", lambda _: None)
+    folder = Path(__file__).parents[1] / "models"
+    pendulum, veering = str(folder / "pendulum.py"), str(folder / "veering.py")
+    assert "known endings are .mp4, .gif, .html" in refused(
+        capsys, "run", pendulum, "--animate", str(tmp_path / "a.avi")
+    )
+    assert "veering has no drawing" in refused(capsys, "run", veering, "--animate", str(tmp_path / "a.gif"))
+    assert ".mp4 need ffmpeg" in refused(capsys, "run", pendulum, "--animate", str(tmp_path / "a.mp4"))
+    assert "there is no folder" in refused(capsys, "page", pendulum, "-o", str(tmp_path / "no" / "a.html"))
+    assert "--t-end is -1; a page needs a positive number" in refused(
+        capsys, "page", pendulum, "-o", str(tmp_path / "a.html"), "--t-end", "-1"
+    )
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_command_line_prints_equations(capsys):
+    pendulum = str(Path(__file__).parents[1] / "models" / "pendulum.py")
+    assert main(["explain", pendulum, "--latex"]) == 0
+    assert r"M &= \left[\begin{matrix}l^{2} m\end{matrix}\right]" in capsys.readouterr().out
+    assert main(["explain", pendulum, "--sympy"]) == 0
+    assert "M = Matrix(1, 1, [l**2*m])" in capsys.readouterr().out
+    assert "choose one" in refused(capsys, "explain", pendulum, "--sympy", "--latex")

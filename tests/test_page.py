@@ -216,6 +216,16 @@ def test_failures_are_shown_by_name(opened):
     assert "Give it inertia" in words
 
 
+def test_a_loop_that_cannot_close_says_so_and_comes_back(opened):
+    browser = opened("four_bar")
+    before = last_row(browser)
+    set_slider(browser, "d", 2.9)
+    assert "position not reached" in browser.ask("document.querySelector('#word.failure').textContent")
+    set_slider(browser, "d", 1.0)
+    assert browser.ask("document.querySelector('#word.failure')") is None
+    assert last_row(browser) == pytest.approx(before, abs=1e-7)
+
+
 def test_keys_and_scrubbing_hold_the_motion(opened):
     browser = opened("dual_link")
     press = "document.body.dispatchEvent(new KeyboardEvent('keydown', {{ key: '{}', bubbles: true }}))"

@@ -41,16 +41,17 @@ class Engine {
   get x() { return this.numbers(this.calls.x(), this.about.n); }
   get v() { return this.numbers(this.calls.v(), this.about.n); }
 
-  // Put the start back on the constraints. Returns a status; dependent rows get multipliers of least norm.
+  // Put the start back on the constraints. Returns a status; dependent rows get multipliers of least norm. A start that
+  // cannot be put there stays what it was.
   settle() {
-    this.leastNorm = 0;
-    const start = [Array.from(this.x), Array.from(this.v)];
-    const status = this.calls.settle(0);
-    if (status !== STATUS_DEPENDENT_ROWS) return status;
-    this.x.set(start[0]);
-    this.v.set(start[1]);
-    this.leastNorm = 1;
-    return this.calls.settle(1);
+    const x = Array.from(this.x), v = Array.from(this.v);
+    for (this.leastNorm = 0; ; this.leastNorm = 1) {
+      const status = this.calls.settle(this.leastNorm);
+      if (status === 0) return 0;
+      this.x.set(x);
+      this.v.set(v);
+      if (this.leastNorm || status !== STATUS_DEPENDENT_ROWS) return status;
+    }
   }
 
   run(tEnd) {
