@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
-/* body sha256:033943d9f0d1ddb3f4e7071d80a45a61d90a3581a6f19a76cbb83d3b0ae16a95 */
+/* body sha256:c951cbc7c39fe584ae75438368229f68b80c22a73c8840ee959a6196295a25ef */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -302,6 +302,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -365,6 +366,31 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    p[0] = x_;
+    const double y = x[1];
+    p[1] = y;
+    const double a_ = c[2];
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = a_*cos_theta;
+    p[2] = p[5] = x_ + z_1;
+    const double sin_theta = em_sin(theta);
+    const double z_3 = a_*sin_theta;
+    p[3] = p[6] = y + z_3;
+    const double c_2 = c[5];
+    p[4] = c_2;
+    const double c_3 = c[6];
+    p[7] = c_3;
+    p[8] = 0.5*(2.0*x_ - z_1);
+    p[9] = 0.5*(2.0*y - z_3);
+    p[10] = 0.5*(2.0*x_ + z_1);
+    p[11] = 0.5*(2.0*y + z_3);
 }
 
 #endif
@@ -453,32 +479,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double x_ = x[0];
-    p[0] = x_;
-    const double y = x[1];
-    p[1] = y;
-    const double a_ = c[2];
-    const double theta = x[2];
-    const double cos_theta = em_cos(theta);
-    const double z_1 = a_*cos_theta;
-    p[2] = p[5] = x_ + z_1;
-    const double sin_theta = em_sin(theta);
-    const double z_3 = a_*sin_theta;
-    p[3] = p[6] = y + z_3;
-    const double c_2 = c[5];
-    p[4] = c_2;
-    const double c_3 = c[6];
-    p[7] = c_3;
-    p[8] = 0.5*(2.0*x_ - z_1);
-    p[9] = 0.5*(2.0*y - z_3);
-    p[10] = 0.5*(2.0*x_ + z_1);
-    p[11] = 0.5*(2.0*y + z_3);
 }
 
 #include "em_mechanics.h"

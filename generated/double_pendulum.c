@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
-/* body sha256:d3aa6d6527df3c6e39b2eb74881df5849fe7ff0234bef453bf109f560ae8fa72 */
+/* body sha256:f542bf075c7aa4e9177469ee730a19753fdac10803aa85738434941f0cdd9e08 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -256,6 +256,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -334,6 +335,30 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double l2 = c[3];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    const double l1 = c[2];
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double z_2 = l1*sin_theta1;
+    p[0] = p[10] = p[15] = l2*sin_theta2 + z_2;
+    const double cos_theta1 = em_cos(theta1);
+    const double z_4 = l1*cos_theta1;
+    const double cos_theta2 = em_cos(theta2);
+    p[1] = p[11] = p[16] = -(z_4 + l2*cos_theta2);
+    p[2] = p[3] = p[4] = p[5] = 0.0;
+    p[6] = p[8] = p[12] = z_2;
+    p[7] = p[9] = p[13] = -z_4;
+    const double c_6 = c[11];
+    p[14] = c_6;
+    const double c_7 = c[12];
+    p[17] = c_7;
 }
 
 #endif
@@ -425,31 +450,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double l2 = c[3];
-    const double theta2 = x[1];
-    const double sin_theta2 = em_sin(theta2);
-    const double l1 = c[2];
-    const double theta1 = x[0];
-    const double sin_theta1 = em_sin(theta1);
-    const double z_2 = l1*sin_theta1;
-    p[0] = p[10] = p[15] = l2*sin_theta2 + z_2;
-    const double cos_theta1 = em_cos(theta1);
-    const double z_4 = l1*cos_theta1;
-    const double cos_theta2 = em_cos(theta2);
-    p[1] = p[11] = p[16] = -(z_4 + l2*cos_theta2);
-    p[2] = p[3] = p[4] = p[5] = 0.0;
-    p[6] = p[8] = p[12] = z_2;
-    p[7] = p[9] = p[13] = -z_4;
-    const double c_6 = c[11];
-    p[14] = c_6;
-    const double c_7 = c[12];
-    p[17] = c_7;
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:f03e70c1bada2a6ab9bc3811e7865c0ae1b77524d6c1f3ea721379785f3676f2 */
-/* body sha256:8a6b2be07d7b1ae460a5c1262b2b17a2d511fc5e61398e78fe8a65a9724287b2 */
+/* body sha256:542d6426b1c50ba38fa9c4ed5d513da91b899ea95214c42b43b383495e37d7ca */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -214,6 +214,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -270,6 +271,29 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    p[0] = p[8] = p[13] = x_;
+    const double y = x[1];
+    p[1] = p[9] = p[14] = y;
+    const double c_7 = c[20];
+    p[2] = p[4] = c_7;
+    const double c_8 = c[21];
+    p[3] = c_8;
+    const double a_ = c[3];
+    p[5] = a_;
+    p[6] = p[10] = 0.0;
+    const double w = c[4];
+    const double cos_0 = em_cos(t*w);
+    p[7] = p[11] = a_*cos_0;
+    const double c_9 = c[22];
+    p[12] = c_9;
+    const double c_10 = c[23];
+    p[15] = c_10;
 }
 
 #endif
@@ -385,30 +409,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double x_ = x[0];
-    p[0] = p[8] = p[13] = x_;
-    const double y = x[1];
-    p[1] = p[9] = p[14] = y;
-    const double c_7 = c[20];
-    p[2] = p[4] = c_7;
-    const double c_8 = c[21];
-    p[3] = c_8;
-    const double a_ = c[3];
-    p[5] = a_;
-    p[6] = p[10] = 0.0;
-    const double w = c[4];
-    const double cos_0 = em_cos(t*w);
-    p[7] = p[11] = a_*cos_0;
-    const double c_9 = c[22];
-    p[12] = c_9;
-    const double c_10 = c[23];
-    p[15] = c_10;
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
-/* body sha256:f42b168d88466a7abc52aaf3d1ef3d581ae67f58487bcbd3b0f9c05d659414e7 */
+/* body sha256:a40e1dacb9400c97dde63c177805890eb66fea9f0fbeb44c2c2457601162fcd2 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -410,6 +410,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -540,6 +541,37 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double z_2 = z_0*cos_theta1;
+    const double l2 = c[4];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    p[0] = p[8] = p[16] = p[25] = z_2 + l2*cos_theta2;
+    const double sin_theta2 = em_sin(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double z_6 = z_0*sin_theta1;
+    p[1] = p[9] = p[17] = p[26] = l2*sin_theta2 + z_6;
+    p[2] = p[3] = p[4] = p[6] = p[10] = p[11] = 0.0;
+    p[5] = p[7] = 4.0;
+    p[12] = p[14] = p[18] = p[22] = z_2;
+    p[13] = p[15] = p[19] = p[23] = z_6;
+    const double l3 = c[5];
+    const double theta4 = x[3];
+    const double cos_theta4 = em_cos(theta4);
+    p[20] = p[28] = z_2 + l3*cos_theta4;
+    const double sin_theta4 = em_sin(theta4);
+    p[21] = p[29] = z_6 + l3*sin_theta4;
+    const double c_6 = c[19];
+    p[24] = p[27] = p[30] = c_6;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -656,38 +688,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double theta3 = x[2];
-    const double l1 = c[3];
-    const double z_0 = theta3 + l1;
-    const double theta1 = x[0];
-    const double cos_theta1 = em_cos(theta1);
-    const double z_2 = z_0*cos_theta1;
-    const double l2 = c[4];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    p[0] = p[8] = p[16] = p[25] = z_2 + l2*cos_theta2;
-    const double sin_theta2 = em_sin(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double z_6 = z_0*sin_theta1;
-    p[1] = p[9] = p[17] = p[26] = l2*sin_theta2 + z_6;
-    p[2] = p[3] = p[4] = p[6] = p[10] = p[11] = 0.0;
-    p[5] = p[7] = 4.0;
-    p[12] = p[14] = p[18] = p[22] = z_2;
-    p[13] = p[15] = p[19] = p[23] = z_6;
-    const double l3 = c[5];
-    const double theta4 = x[3];
-    const double cos_theta4 = em_cos(theta4);
-    p[20] = p[28] = z_2 + l3*cos_theta4;
-    const double sin_theta4 = em_sin(theta4);
-    p[21] = p[29] = z_6 + l3*sin_theta4;
-    const double c_6 = c[19];
-    p[24] = p[27] = p[30] = c_6;
 }
 
 #include "em_mechanics.h"

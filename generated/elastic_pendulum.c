@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
-/* body sha256:6bd927e20b88e4e467331b4292c5ef8165901904f49625675b59282b536e5645 */
+/* body sha256:40c54ddae9819cf8bb3291104731b718b6be540057e17fd514378aacbea73776 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -198,6 +198,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -258,6 +259,20 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double r = x[1];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    p[0] = p[6] = p[8] = r*sin_theta;
+    const double cos_theta = em_cos(theta);
+    p[1] = p[7] = p[9] = -r*cos_theta;
+    p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double c_3 = c[11];
+    p[10] = c_3;
 }
 
 #endif
@@ -339,21 +354,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double r = x[1];
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    p[0] = p[6] = p[8] = r*sin_theta;
-    const double cos_theta = em_cos(theta);
-    p[1] = p[7] = p[9] = -r*cos_theta;
-    p[2] = p[3] = p[4] = p[5] = 0.0;
-    const double c_3 = c[11];
-    p[10] = c_3;
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
-/* body sha256:0a4008822972ca8ba50b68640eee9e081ea6c581b58d410a93a916f3113cb787 */
+/* body sha256:a3d25669a6baf8bbed46b9c1fad79a36d559dbfcf4aa1f4d5c7483df0fda2143 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -393,6 +393,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -490,6 +491,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double b = c[1];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double z_1 = b*cos_q2;
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double c_14 = c[24];
+    p[0] = p[18] = 0.5*(z_1 + cos_q1*c_14);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = b*sin_q2;
+    const double sin_q1 = em_sin(q1);
+    p[1] = p[19] = 0.5*(z_4 + sin_q1*c_14);
+    p[2] = p[3] = p[5] = p[6] = p[7] = p[15] = 0.0;
+    const double d = c[3];
+    p[4] = p[14] = d;
+    const double a_ = c[0];
+    const double z_6 = a_*cos_q1;
+    p[8] = p[10] = z_6;
+    const double z_7 = a_*sin_q1;
+    p[9] = p[11] = z_7;
+    p[12] = z_6 + z_1;
+    p[13] = z_7 + z_4;
+    const double c_ = c[2];
+    const double q3 = x[2];
+    const double cos_q3 = em_cos(q3);
+    p[16] = c_*cos_q3 + d;
+    const double sin_q3 = em_sin(q3);
+    p[17] = c_*sin_q3;
+    const double c_18 = c[28];
+    p[20] = c_18;
 }
 
 #endif
@@ -649,42 +685,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double b = c[1];
-    const double q2 = x[1];
-    const double cos_q2 = em_cos(q2);
-    const double z_1 = b*cos_q2;
-    const double q1 = x[0];
-    const double cos_q1 = em_cos(q1);
-    const double c_14 = c[24];
-    p[0] = p[18] = 0.5*(z_1 + cos_q1*c_14);
-    const double sin_q2 = em_sin(q2);
-    const double z_4 = b*sin_q2;
-    const double sin_q1 = em_sin(q1);
-    p[1] = p[19] = 0.5*(z_4 + sin_q1*c_14);
-    p[2] = p[3] = p[5] = p[6] = p[7] = p[15] = 0.0;
-    const double d = c[3];
-    p[4] = p[14] = d;
-    const double a_ = c[0];
-    const double z_6 = a_*cos_q1;
-    p[8] = p[10] = z_6;
-    const double z_7 = a_*sin_q1;
-    p[9] = p[11] = z_7;
-    p[12] = z_6 + z_1;
-    p[13] = z_7 + z_4;
-    const double c_ = c[2];
-    const double q3 = x[2];
-    const double cos_q3 = em_cos(q3);
-    p[16] = c_*cos_q3 + d;
-    const double sin_q3 = em_sin(q3);
-    p[17] = c_*sin_q3;
-    const double c_18 = c[28];
-    p[20] = c_18;
 }
 
 #include "em_mechanics.h"

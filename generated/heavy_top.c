@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
-/* body sha256:9fdd64aac980580167af9b812803847d9452985bec31c9e24ffa123c86b5e9e1 */
+/* body sha256:165a390fc6a641e802c8d2c66adf730a412cb5c8551bb83b4af7b77496ec04e1 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -284,6 +284,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -351,6 +352,35 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[0];
+    const double sin_phi = em_sin(phi);
+    const double z_2 = sin_theta*sin_phi;
+    const double c_3 = c[12];
+    p[6] = p[17] = z_2*c_3;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = sin_theta*cos_phi;
+    p[7] = p[18] = -z_4*c_3;
+    const double cos_theta = em_cos(theta);
+    p[8] = p[19] = cos_theta*c_3;
+    const double l = c[1];
+    p[9] = l*z_2;
+    p[10] = -l*z_4;
+    p[11] = cos_theta*l;
+    const double c_4 = c[13];
+    p[12] = c_4;
+    p[13] = z_2;
+    p[14] = -z_4;
+    p[15] = cos_theta;
+    const double psi = x[2];
+    p[16] = psi;
 }
 
 #endif
@@ -441,36 +471,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double phi = x[0];
-    const double sin_phi = em_sin(phi);
-    const double z_2 = sin_theta*sin_phi;
-    const double c_3 = c[12];
-    p[6] = p[17] = z_2*c_3;
-    const double cos_phi = em_cos(phi);
-    const double z_4 = sin_theta*cos_phi;
-    p[7] = p[18] = -z_4*c_3;
-    const double cos_theta = em_cos(theta);
-    p[8] = p[19] = cos_theta*c_3;
-    const double l = c[1];
-    p[9] = l*z_2;
-    p[10] = -l*z_4;
-    p[11] = cos_theta*l;
-    const double c_4 = c[13];
-    p[12] = c_4;
-    p[13] = z_2;
-    p[14] = -z_4;
-    p[15] = cos_theta;
-    const double psi = x[2];
-    p[16] = psi;
 }
 
 #include "em_mechanics.h"

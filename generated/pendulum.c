@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
-/* body sha256:5418edff91b188c13b77c36fe41855376d6bfb0083a4aa14169e4d725a08ec19 */
+/* body sha256:538888bcad649fc32cfac64b6cb39d26e8405dce78317a5e2a77d1e6dd69ab77 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -148,6 +148,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -192,6 +193,20 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double l = c[1];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    p[0] = p[6] = p[8] = l*sin_theta;
+    const double cos_theta = em_cos(theta);
+    p[1] = p[7] = p[9] = -l*cos_theta;
+    p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double c_3 = c[10];
+    p[10] = c_3;
 }
 
 #endif
@@ -269,21 +284,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double l = c[1];
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    p[0] = p[6] = p[8] = l*sin_theta;
-    const double cos_theta = em_cos(theta);
-    p[1] = p[7] = p[9] = -l*cos_theta;
-    p[2] = p[3] = p[4] = p[5] = 0.0;
-    const double c_3 = c[10];
-    p[10] = c_3;
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9 */
-/* body sha256:a4b043c5d2e94d47836246cfeb3535097cb59e16d2d26416a373459434888030 */
+/* body sha256:75b305ffcf63d11d3ee088b7ab698210b69dde4a87b0f9ce53f041642cbfc426 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -197,6 +197,8 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                   double *restrict p);
 
 #else
 
@@ -247,6 +249,21 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                   double *restrict p)
+{
+    const double r = x[0];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    p[0] = p[5] = r*cos_theta;
+    const double sin_theta = em_sin(theta);
+    p[1] = p[6] = r*sin_theta;
+    p[2] = p[3] = 0.0;
+    p[4] = (1.0/20.0);
+    p[7] = (1.0/40.0);
 }
 
 #endif
@@ -324,22 +341,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                 double *restrict p)
-{
-    const double r = x[0];
-    const double theta = x[1];
-    const double cos_theta = em_cos(theta);
-    p[0] = p[5] = r*cos_theta;
-    const double sin_theta = em_sin(theta);
-    p[1] = p[6] = r*sin_theta;
-    p[2] = p[3] = 0.0;
-    p[4] = (1.0/20.0);
-    p[7] = (1.0/40.0);
 }
 
 #include "em_mechanics.h"

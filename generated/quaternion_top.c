@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
-/* body sha256:e3bac40d89d0a2ffc5c38fd4ef9b4db93165dc315bc0b93ac8d84dc4a9adb4ac */
+/* body sha256:c7493356bf5cabe0c91da52cbf72640336715c45b14f7cd55494f45eb3881eb1 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -406,6 +406,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -610,6 +611,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double q_2 = x[2];
+    const double q_0 = x[0];
+    const double z_0 = q_2*q_0;
+    const double q_1 = x[1];
+    const double q_3 = x[3];
+    const double z_1 = q_1*q_3;
+    const double z_2 = z_0 + z_1;
+    const double c_16 = c[21];
+    p[6] = p[22] = z_2*c_16;
+    const double z_3 = q_1*q_0 - q_2*q_3;
+    p[7] = p[23] = -z_3*c_16;
+    const double z_4 = q_1*q_1 - q_3*q_3;
+    const double z_5 = q_2*q_2 - q_0*q_0;
+    const double z_6 = z_4 + z_5;
+    const double c_17 = c[22];
+    p[8] = p[24] = -z_6*c_17;
+    const double c_18 = c[23];
+    p[9] = p[16] = z_2*c_18;
+    p[10] = p[17] = -z_3*c_18;
+    const double l = c[1];
+    p[11] = p[18] = -l*z_6;
+    const double c_19 = c[24];
+    p[12] = c_19;
+    p[13] = 2.0*z_2;
+    p[14] = (-2.0)*z_3;
+    p[15] = -z_6;
+    p[19] = (1.0/5.0)*(l*(10.0*z_2 + 3.0*(z_4 - z_5)));
+    p[20] = ((-2.0/5.0))*(l*(5.0*z_3 - 3.0*(q_3*q_0 + q_1*q_2)));
+    p[21] = ((-1.0/5.0))*(l*(5.0*z_6 + 6.0*(z_0 - z_1)));
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -781,42 +817,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
-    const double q_2 = x[2];
-    const double q_0 = x[0];
-    const double z_0 = q_2*q_0;
-    const double q_1 = x[1];
-    const double q_3 = x[3];
-    const double z_1 = q_1*q_3;
-    const double z_2 = z_0 + z_1;
-    const double c_16 = c[21];
-    p[6] = p[22] = z_2*c_16;
-    const double z_3 = q_1*q_0 - q_2*q_3;
-    p[7] = p[23] = -z_3*c_16;
-    const double z_4 = q_1*q_1 - q_3*q_3;
-    const double z_5 = q_2*q_2 - q_0*q_0;
-    const double z_6 = z_4 + z_5;
-    const double c_17 = c[22];
-    p[8] = p[24] = -z_6*c_17;
-    const double c_18 = c[23];
-    p[9] = p[16] = z_2*c_18;
-    p[10] = p[17] = -z_3*c_18;
-    const double l = c[1];
-    p[11] = p[18] = -l*z_6;
-    const double c_19 = c[24];
-    p[12] = c_19;
-    p[13] = 2.0*z_2;
-    p[14] = (-2.0)*z_3;
-    p[15] = -z_6;
-    p[19] = (1.0/5.0)*(l*(10.0*z_2 + 3.0*(z_4 - z_5)));
-    p[20] = ((-2.0/5.0))*(l*(5.0*z_3 - 3.0*(q_3*q_0 + q_1*q_2)));
-    p[21] = ((-1.0/5.0))*(l*(5.0*z_6 + 6.0*(z_0 - z_1)));
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
-/* body sha256:e0518b5fad506f076d99c421f46b49c93fd591ca43b526616072183604876af0 */
+/* body sha256:7ab4ee2b93f2525e0b15d3f94fc1a50ee3123a84c921ece0c678b721505e330c */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -407,6 +407,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -536,6 +537,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    p[0] = x_;
+    const double y = x[1];
+    p[1] = y;
+    p[2] = p[5] = p[8] = p[11] = p[14] = 0.0;
+    const double c_12 = c[15];
+    p[3] = p[12] = c_12;
+    const double c_13 = c[16];
+    p[4] = p[7] = c_13;
+    const double c_14 = c[17];
+    p[6] = p[9] = c_14;
+    const double c_15 = c[18];
+    p[10] = p[13] = c_15;
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double r = c[1];
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double z_2 = r*sin_theta;
+    p[15] = x_ - sin_phi*z_2;
+    const double cos_phi = em_cos(phi);
+    p[16] = y + cos_phi*z_2;
+    const double cos_theta = em_cos(theta);
+    p[17] = r*cos_theta;
+    p[18] = r;
+    p[19] = -cos_theta*sin_phi;
+    p[20] = cos_phi*cos_theta;
+    p[21] = -sin_theta;
+    const double psi = x[4];
+    p[22] = psi;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -662,42 +698,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double x_ = x[0];
-    p[0] = x_;
-    const double y = x[1];
-    p[1] = y;
-    p[2] = p[5] = p[8] = p[11] = p[14] = 0.0;
-    const double c_12 = c[15];
-    p[3] = p[12] = c_12;
-    const double c_13 = c[16];
-    p[4] = p[7] = c_13;
-    const double c_14 = c[17];
-    p[6] = p[9] = c_14;
-    const double c_15 = c[18];
-    p[10] = p[13] = c_15;
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double r = c[1];
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double z_2 = r*sin_theta;
-    p[15] = x_ - sin_phi*z_2;
-    const double cos_phi = em_cos(phi);
-    p[16] = y + cos_phi*z_2;
-    const double cos_theta = em_cos(theta);
-    p[17] = r*cos_theta;
-    p[18] = r;
-    p[19] = -cos_theta*sin_phi;
-    p[20] = cos_phi*cos_theta;
-    p[21] = -sin_theta;
-    const double psi = x[4];
-    p[22] = psi;
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
-/* body sha256:275700140dfcce0fe8ad7ecf0987bb09163e06f16a9cfa8456761d7021103422 */
+/* body sha256:2dd5c3604e615092283c5782a512689ef94e574742e08d8eb61f131f86733f73 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -149,6 +149,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -197,6 +198,33 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[3] = p[4] = p[6] = p[7] = p[8] = p[12] = 0.0;
+    const double c_5 = c[13];
+    p[2] = c_5;
+    const double c_6 = c[14];
+    p[5] = c_6;
+    const double R = c[1];
+    p[9] = R;
+    const double Omega = c[2];
+    const double z_0 = Omega*t;
+    const double sin_z_0 = em_sin(z_0);
+    p[10] = -sin_z_0;
+    const double cos_z_0 = em_cos(z_0);
+    p[11] = cos_z_0;
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_4 = R*sin_theta;
+    p[13] = p[17] = cos_z_0*z_4;
+    p[14] = p[18] = sin_z_0*z_4;
+    const double cos_theta = em_cos(theta);
+    p[15] = p[19] = -R*cos_theta;
+    const double c_7 = c[15];
+    p[16] = c_7;
 }
 
 #endif
@@ -280,34 +308,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    p[0] = p[1] = p[3] = p[4] = p[6] = p[7] = p[8] = p[12] = 0.0;
-    const double c_5 = c[13];
-    p[2] = c_5;
-    const double c_6 = c[14];
-    p[5] = c_6;
-    const double R = c[1];
-    p[9] = R;
-    const double Omega = c[2];
-    const double z_0 = Omega*t;
-    const double sin_z_0 = em_sin(z_0);
-    p[10] = -sin_z_0;
-    const double cos_z_0 = em_cos(z_0);
-    p[11] = cos_z_0;
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    const double z_4 = R*sin_theta;
-    p[13] = p[17] = cos_z_0*z_4;
-    p[14] = p[18] = sin_z_0*z_4;
-    const double cos_theta = em_cos(theta);
-    p[15] = p[19] = -R*cos_theta;
-    const double c_7 = c[15];
-    p[16] = c_7;
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
-/* body sha256:df5a6f08bfcb39589963282216decc2f6d753f6d9279d7e434013d1691715b95 */
+/* body sha256:058a07b523aef709c9495aa85e0eecdb4709ac6d1eb0d45cf7fae0b3dbb0f7e9 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -178,6 +178,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -236,6 +237,29 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double Omega = c[3];
+    const double z_0 = Omega*t;
+    const double sin_z_0 = em_sin(z_0);
+    const double cos_z_0 = em_cos(z_0);
+    const double z_3 = sin_z_0 - cos_z_0;
+    p[0] = p[3] = (-1.5)*z_3;
+    const double z_4 = sin_z_0 + cos_z_0;
+    p[1] = p[6] = 1.5*z_4;
+    p[2] = p[5] = (-1.5)*z_4;
+    p[4] = p[7] = 1.5*z_3;
+    p[8] = (-1.5)*cos_z_0;
+    p[9] = p[12] = (-1.5)*sin_z_0;
+    const double x_ = x[0];
+    const double y = x[1];
+    p[10] = p[14] = p[16] = p[19] = x_*cos_z_0 - y*sin_z_0;
+    p[11] = p[15] = p[17] = p[20] = x_*sin_z_0 + y*cos_z_0;
+    p[13] = 1.5*cos_z_0;
+    p[18] = (1.0/10.0);
 }
 
 #endif
@@ -321,30 +345,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double Omega = c[3];
-    const double z_0 = Omega*t;
-    const double sin_z_0 = em_sin(z_0);
-    const double cos_z_0 = em_cos(z_0);
-    const double z_3 = sin_z_0 - cos_z_0;
-    p[0] = p[3] = (-1.5)*z_3;
-    const double z_4 = sin_z_0 + cos_z_0;
-    p[1] = p[6] = 1.5*z_4;
-    p[2] = p[5] = (-1.5)*z_4;
-    p[4] = p[7] = 1.5*z_3;
-    p[8] = (-1.5)*cos_z_0;
-    p[9] = p[12] = (-1.5)*sin_z_0;
-    const double x_ = x[0];
-    const double y = x[1];
-    p[10] = p[14] = p[16] = p[19] = x_*cos_z_0 - y*sin_z_0;
-    p[11] = p[15] = p[17] = p[20] = x_*sin_z_0 + y*cos_z_0;
-    p[13] = 1.5*cos_z_0;
-    p[18] = (1.0/10.0);
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
-/* body sha256:99409e1b17ef9a38879e7b94e2e2264a518e83a619dd9bf78d13d1e5f7397245 */
+/* body sha256:b929498fdcea27585d6a6f842c1dc15f2de85c18b5db71b9548870fd79c1fd64 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -375,6 +375,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -462,6 +463,42 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[14] = p[15] = 0.0;
+    const double c_13 = c[23];
+    p[2] = c_13;
+    const double c_14 = c[24];
+    p[3] = p[5] = p[7] = p[9] = c_14;
+    const double c_15 = c[25];
+    p[4] = c_15;
+    const double r = c[0];
+    const double x_ = x[2];
+    p[6] = p[12] = ((-1.0/3.0))*(r - 3.0*x_);
+    p[8] = p[10] = (1.0/3.0)*(r + 3.0*x_);
+    const double c_16 = c[26];
+    p[11] = p[13] = c_16;
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = r*cos_theta;
+    p[16] = p[18] = z_1;
+    const double sin_theta = em_sin(theta);
+    const double z_3 = r*sin_theta;
+    p[17] = p[19] = z_3;
+    const double l = c[1];
+    const double phi = x[1];
+    const double cos_phi = em_cos(phi);
+    const double z_5 = l*cos_phi;
+    p[20] = z_1 + z_5;
+    const double sin_phi = em_sin(phi);
+    const double z_7 = l*sin_phi;
+    p[21] = z_3 - z_7;
+    const double c_10 = c[20];
+    p[22] = 0.5*(z_5 + cos_theta*c_10);
+    p[23] = 0.5*(sin_theta*c_10 - z_7);
 }
 
 #endif
@@ -604,43 +641,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    p[0] = p[1] = p[14] = p[15] = 0.0;
-    const double c_13 = c[23];
-    p[2] = c_13;
-    const double c_14 = c[24];
-    p[3] = p[5] = p[7] = p[9] = c_14;
-    const double c_15 = c[25];
-    p[4] = c_15;
-    const double r = c[0];
-    const double x_ = x[2];
-    p[6] = p[12] = ((-1.0/3.0))*(r - 3.0*x_);
-    p[8] = p[10] = (1.0/3.0)*(r + 3.0*x_);
-    const double c_16 = c[26];
-    p[11] = p[13] = c_16;
-    const double theta = x[0];
-    const double cos_theta = em_cos(theta);
-    const double z_1 = r*cos_theta;
-    p[16] = p[18] = z_1;
-    const double sin_theta = em_sin(theta);
-    const double z_3 = r*sin_theta;
-    p[17] = p[19] = z_3;
-    const double l = c[1];
-    const double phi = x[1];
-    const double cos_phi = em_cos(phi);
-    const double z_5 = l*cos_phi;
-    p[20] = z_1 + z_5;
-    const double sin_phi = em_sin(phi);
-    const double z_7 = l*sin_phi;
-    p[21] = z_3 - z_7;
-    const double c_10 = c[20];
-    p[22] = 0.5*(z_5 + cos_theta*c_10);
-    p[23] = 0.5*(sin_theta*c_10 - z_7);
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
-/* body sha256:0b174b50a41778b40420a16229e25460bd3ff3d189958c103ff9083fd96efa2c */
+/* body sha256:9114f8c04e15cf2ebeba6c9e5e00e973cd162340d7c1bfc4dce246303bfc76a3 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -430,6 +430,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -643,6 +644,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = p[8] = p[9] = p[10] = p[11] = p[15] = p[21] = 0.0;
+    const double l_1 = c[3];
+    const double q_1 = x[0];
+    const double cos_q_1 = em_cos(q_1);
+    const double z_1 = l_1*cos_q_1;
+    p[6] = p[13] = p[19] = z_1;
+    const double sin_q_1 = em_sin(q_1);
+    const double z_3 = l_1*sin_q_1;
+    p[7] = p[14] = p[20] = z_3;
+    const double rho = c[6];
+    p[12] = p[22] = p[32] = rho;
+    const double l_2 = c[4];
+    const double q_2 = x[1];
+    const double cos_q_2 = em_cos(q_2);
+    const double z_5 = l_2*cos_q_2;
+    const double z_6 = z_1 + cos_q_1*z_5;
+    p[16] = p[23] = p[29] = z_6;
+    const double z_7 = z_3 + sin_q_1*z_5;
+    p[17] = p[24] = p[30] = z_7;
+    const double sin_q_2 = em_sin(q_2);
+    const double z_9 = l_2*sin_q_2;
+    p[18] = p[25] = p[31] = -z_9;
+    const double l_3 = c[5];
+    const double q_3 = x[2];
+    const double sin_q_3 = em_sin(q_3);
+    const double cos_q_3 = em_cos(q_3);
+    const double z_12 = cos_q_2*cos_q_3;
+    p[26] = p[33] = z_6 - l_3*(sin_q_3*sin_q_1 - cos_q_1*z_12);
+    p[27] = p[34] = z_7 + l_3*(sin_q_3*cos_q_1 + sin_q_1*z_12);
+    p[28] = p[35] = -(z_9 + l_3*cos_q_3*sin_q_2);
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -811,42 +847,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = p[8] = p[9] = p[10] = p[11] = p[15] = p[21] = 0.0;
-    const double l_1 = c[3];
-    const double q_1 = x[0];
-    const double cos_q_1 = em_cos(q_1);
-    const double z_1 = l_1*cos_q_1;
-    p[6] = p[13] = p[19] = z_1;
-    const double sin_q_1 = em_sin(q_1);
-    const double z_3 = l_1*sin_q_1;
-    p[7] = p[14] = p[20] = z_3;
-    const double rho = c[6];
-    p[12] = p[22] = p[32] = rho;
-    const double l_2 = c[4];
-    const double q_2 = x[1];
-    const double cos_q_2 = em_cos(q_2);
-    const double z_5 = l_2*cos_q_2;
-    const double z_6 = z_1 + cos_q_1*z_5;
-    p[16] = p[23] = p[29] = z_6;
-    const double z_7 = z_3 + sin_q_1*z_5;
-    p[17] = p[24] = p[30] = z_7;
-    const double sin_q_2 = em_sin(q_2);
-    const double z_9 = l_2*sin_q_2;
-    p[18] = p[25] = p[31] = -z_9;
-    const double l_3 = c[5];
-    const double q_3 = x[2];
-    const double sin_q_3 = em_sin(q_3);
-    const double cos_q_3 = em_cos(q_3);
-    const double z_12 = cos_q_2*cos_q_3;
-    p[26] = p[33] = z_6 - l_3*(sin_q_3*sin_q_1 - cos_q_1*z_12);
-    p[27] = p[34] = z_7 + l_3*(sin_q_3*cos_q_1 + sin_q_1*z_12);
-    p[28] = p[35] = -(z_9 + l_3*cos_q_3*sin_q_2);
 }
 
 #include "em_mechanics.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
-/* body sha256:14f4735e4d0683e0276def6afc66f3f2aa06214d693775a822085f022e0bc16b */
+/* body sha256:cef1106728b3fd8d316cea94afd847ae63565fad0c4ef1b1174146ceef859161 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -505,6 +505,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
                     EM_UNUSED const double *restrict c, double *restrict y);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -683,6 +684,68 @@ EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *
     y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_0);
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    const double c_8 = c[20];
+    const double z_0 = x_*c_8;
+    p[0] = z_0;
+    const double y = x[1];
+    p[1] = p[16] = p[20] = p[27] = p[34] = y;
+    const double c_9 = c[21];
+    const double z_1 = x_*c_9;
+    p[2] = -z_1;
+    const double c_10 = c[22];
+    p[3] = p[12] = c_10;
+    const double c_11 = c[23];
+    p[4] = p[7] = c_11;
+    const double c_12 = c[24];
+    p[5] = p[14] = c_12;
+    const double c_13 = c[25];
+    p[6] = p[9] = c_13;
+    const double c_14 = c[26];
+    p[8] = p[11] = c_14;
+    const double c_15 = c[27];
+    p[10] = p[13] = c_15;
+    const double c_16 = c[28];
+    p[15] = p[19] = p[26] = p[33] = z_0 + c_16;
+    const double c_17 = c[29];
+    p[17] = p[21] = p[28] = p[35] = -(z_1 - c_17);
+    const double R = c[1];
+    p[18] = p[22] = p[29] = p[36] = R;
+    const double p_2 = x[3];
+    const double z_2 = p_2*p_2;
+    const double p_3 = x[4];
+    const double z_3 = p_3*p_3;
+    const double p_1 = x[2];
+    const double z_4 = p_1*p_1;
+    const double z_5 = z_4 + z_2;
+    const double z_6 = 1.0/(1.0 + z_3 + z_5);
+    const double z_7 = 1.0 - 2.0*(z_2 + z_3)*z_6;
+    const double c_18 = c[30];
+    const double z_8 = p_1*p_3;
+    const double z_9 = (p_2 - z_8)*z_6;
+    p[23] = c_8*z_7 - c_18*z_9;
+    const double z_10 = p_1*p_2;
+    p[24] = 2.0*((p_3 + z_10)*z_6);
+    const double c_19 = c[31];
+    p[25] = -(c_9*z_7 + c_19*z_9);
+    const double z_11 = p_3 - z_10;
+    const double z_12 = c_8*z_6;
+    const double z_13 = p_2*p_3;
+    const double z_14 = p_1 + z_13;
+    const double z_15 = c_9*z_6;
+    p[30] = (-2.0)*(z_11*z_12 - z_14*z_15);
+    p[31] = 1.0 - 2.0*(z_4 + z_3)*z_6;
+    p[32] = 2.0*(z_14*z_12 + z_11*z_15);
+    const double z_16 = 1.0 - 2.0*z_5*z_6;
+    const double z_17 = (p_2 + z_8)*z_6;
+    p[37] = c_9*z_16 + c_19*z_17;
+    p[38] = (-2.0)*((p_1 - z_13)*z_6);
+    p[39] = c_8*z_16 - c_18*z_17;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -828,89 +891,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
-EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                    EM_UNUSED const double *restrict c, double *restrict y)
-{
-    const double x_dot = v[0];
-    y[0] = x_dot;
-    const double y_dot = v[1];
-    y[1] = y_dot;
-    const double p_1_dot = v[2];
-    const double p_3_dot = v[4];
-    const double p_2 = x[3];
-    const double p_2_dot = v[3];
-    const double p_3 = x[4];
-    const double p_1 = x[2];
-    const double z_0 = 1.0/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
-    y[2] = 2.0*((p_1_dot + p_3_dot*p_2 - p_2_dot*p_3)*z_0);
-    y[3] = 2.0*((p_2_dot + p_1_dot*p_3 - p_3_dot*p_1)*z_0);
-    y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_0);
-}
-
-/* p: what the drawing is made of, shape by shape */
-EM_RARE /* no step calls it */
-static void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
-{
-    const double x_ = x[0];
-    const double c_8 = c[20];
-    const double z_0 = x_*c_8;
-    p[0] = z_0;
-    const double y = x[1];
-    p[1] = p[16] = p[20] = p[27] = p[34] = y;
-    const double c_9 = c[21];
-    const double z_1 = x_*c_9;
-    p[2] = -z_1;
-    const double c_10 = c[22];
-    p[3] = p[12] = c_10;
-    const double c_11 = c[23];
-    p[4] = p[7] = c_11;
-    const double c_12 = c[24];
-    p[5] = p[14] = c_12;
-    const double c_13 = c[25];
-    p[6] = p[9] = c_13;
-    const double c_14 = c[26];
-    p[8] = p[11] = c_14;
-    const double c_15 = c[27];
-    p[10] = p[13] = c_15;
-    const double c_16 = c[28];
-    p[15] = p[19] = p[26] = p[33] = z_0 + c_16;
-    const double c_17 = c[29];
-    p[17] = p[21] = p[28] = p[35] = -(z_1 - c_17);
-    const double R = c[1];
-    p[18] = p[22] = p[29] = p[36] = R;
-    const double p_2 = x[3];
-    const double z_2 = p_2*p_2;
-    const double p_3 = x[4];
-    const double z_3 = p_3*p_3;
-    const double p_1 = x[2];
-    const double z_4 = p_1*p_1;
-    const double z_5 = z_4 + z_2;
-    const double z_6 = 1.0/(1.0 + z_3 + z_5);
-    const double z_7 = 1.0 - 2.0*(z_2 + z_3)*z_6;
-    const double c_18 = c[30];
-    const double z_8 = p_1*p_3;
-    const double z_9 = (p_2 - z_8)*z_6;
-    p[23] = c_8*z_7 - c_18*z_9;
-    const double z_10 = p_1*p_2;
-    p[24] = 2.0*((p_3 + z_10)*z_6);
-    const double c_19 = c[31];
-    p[25] = -(c_9*z_7 + c_19*z_9);
-    const double z_11 = p_3 - z_10;
-    const double z_12 = c_8*z_6;
-    const double z_13 = p_2*p_3;
-    const double z_14 = p_1 + z_13;
-    const double z_15 = c_9*z_6;
-    p[30] = (-2.0)*(z_11*z_12 - z_14*z_15);
-    p[31] = 1.0 - 2.0*(z_4 + z_3)*z_6;
-    p[32] = 2.0*(z_14*z_12 + z_11*z_15);
-    const double z_16 = 1.0 - 2.0*z_5*z_6;
-    const double z_17 = (p_2 + z_8)*z_6;
-    p[37] = c_9*z_16 + c_19*z_17;
-    p[38] = (-2.0)*((p_1 - z_13)*z_6);
-    p[39] = c_8*z_16 - c_18*z_17;
 }
 
 #include "em_mechanics.h"

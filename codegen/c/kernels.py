@@ -242,8 +242,8 @@ class _Writing:
         numbers = (self.terms.node(number) for shape in self.mechanics.drawing for number in shape.numbers)
         for k, number in enumerate(numbers):
             places.setdefault(number, []).append(f"[{k}]")
-        array = Array("p", "")
-        return self.one("draw", [Entry(array, tuple(at), node) for node, at in places.items()], "t", "x", "c", "p")
+        entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
+        return self.one("draw", entries, "t", "x", "c", "p", aside=True)
 
     def prepared(self) -> Kernel:
         """M of the fixed blocks, then the constants that the other kernels asked for."""
