@@ -15,6 +15,7 @@ demo: $(READY)
 	$(BIN)/eigenmotion build models/dual_link.py -o build/demo
 	$(BIN)/python -m eigenmotion.paper build/demo 2 3
 	$(BIN)/eigenmotion run models/dual_link.py --t-end 10 --rtol 1e-9 --plot build/demo/dual_link.png
+	$(BIN)/eigenmotion page models/dual_link.py -o build/demo/dual_link.html
 
 # PYTEST_ARGS="-k name" runs a part
 test: $(READY)
@@ -64,5 +65,5 @@ $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.py
           $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_lane_functions em_linear em_products em_real em_start em_trigonometry)
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	rm -f src/eigenmotion/runtime/*.so # of modules that are no more
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page]'
 	touch $@

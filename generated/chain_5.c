@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
-/* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:b858aebf9397ccf885155b2ba2c960b916a42c700c5dec9047ae64c58d840fd7 */
+/* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
+/* body sha256:d9764768f1c6124fc66c7e82b51e74b6e970c5bd75dace6eb967a779dc93c829 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -45,7 +45,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 11,
-    N_PREPARED = 37,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 42,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* theta_1, theta_2, theta_3, theta_4, theta_5 */
 };
 
@@ -439,6 +439,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -682,6 +683,60 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[2] = p[3] = 0.0;
+    const double l_1 = c[5];
+    const double theta_1 = x[0];
+    const double sin_theta_1 = em_sin(theta_1);
+    const double z_1 = l_1*sin_theta_1;
+    p[4] = p[6] = p[9] = z_1;
+    const double cos_theta_1 = em_cos(theta_1);
+    const double z_3 = l_1*cos_theta_1;
+    p[5] = p[7] = p[10] = -z_3;
+    const double c_26 = c[37];
+    p[8] = c_26;
+    const double l_2 = c[6];
+    const double theta_2 = x[1];
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_5 = l_2*sin_theta_2 + z_1;
+    p[11] = p[13] = p[16] = z_5;
+    const double cos_theta_2 = em_cos(theta_2);
+    const double z_7 = z_3 + l_2*cos_theta_2;
+    p[12] = p[14] = p[17] = -z_7;
+    const double c_27 = c[38];
+    p[15] = c_27;
+    const double l_3 = c[7];
+    const double theta_3 = x[2];
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_9 = l_3*sin_theta_3 + z_5;
+    p[18] = p[20] = p[23] = z_9;
+    const double cos_theta_3 = em_cos(theta_3);
+    const double z_11 = z_7 + l_3*cos_theta_3;
+    p[19] = p[21] = p[24] = -z_11;
+    const double c_28 = c[39];
+    p[22] = c_28;
+    const double l_4 = c[8];
+    const double theta_4 = x[3];
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_13 = l_4*sin_theta_4 + z_9;
+    p[25] = p[27] = p[30] = z_13;
+    const double cos_theta_4 = em_cos(theta_4);
+    const double z_15 = z_11 + l_4*cos_theta_4;
+    p[26] = p[28] = p[31] = -z_15;
+    const double c_29 = c[40];
+    p[29] = c_29;
+    const double l_5 = c[9];
+    const double theta_5 = x[4];
+    const double sin_theta_5 = em_sin(theta_5);
+    p[32] = p[34] = p[37] = l_5*sin_theta_5 + z_13;
+    const double cos_theta_5 = em_cos(theta_5);
+    p[33] = p[35] = p[38] = -(z_15 + l_5*cos_theta_5);
+    const double c_30 = c[41];
+    p[36] = c_30;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -755,6 +810,11 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[34] = z_10;
     prepared[35] = z_11;
     prepared[36] = z_7;
+    prepared[37] = (1.0/12.0)*l_1;
+    prepared[38] = (1.0/12.0)*l_2;
+    prepared[39] = (1.0/12.0)*l_3;
+    prepared[40] = (1.0/12.0)*l_4;
+    prepared[41] = (1.0/12.0)*l_5;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1089,6 +1149,20 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.7853981633974483, 0.7853981633974483, 0.7853981633974483, 0.7853981633974483, 0.7853981633974483 };
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 1, 1, 1 };
+static const em_shape shapes[] = {
+    {"ground", 0, 2},
+    {"line", 2, 4},
+    {"disk", 6, 3},
+    {"line", 9, 4},
+    {"disk", 13, 3},
+    {"line", 16, 4},
+    {"disk", 20, 3},
+    {"line", 23, 4},
+    {"disk", 27, 3},
+    {"line", 30, 4},
+    {"disk", 34, 3},
+    {"trace", 37, 2}
+};
 static const em_slice layout[] = {
     {"x", 0, 5},
     {"eta", 5, 5},
@@ -1158,6 +1232,10 @@ const em_model chain_5_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &chain_5_lanes,
+    .n_shapes = 12,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

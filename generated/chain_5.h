@@ -1,5 +1,5 @@
 /* eigenmotion generate chain.py */
-/* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
+/* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
 /* body sha256:86e4968f6409227f7cb63a5f3044c20e4fa021082d0f99972460d16e7814e57c */
 /* chain_5: 5 coordinates, 0 constraint rows, 40 states.
  * Link chain_5.c with a program of your own, or import the Python module built from chain_5.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate chain.py
-# input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06
+# input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d
 # body sha256:c649ed9140abf8b5eaac5e4ae5bd19cd83ebb7d9342b1472aebc5173f3d0214b
 # cython: language_level=3
 """chain_5, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
-/* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:0b263a388ed29c08574ce506b0a8300b503fe2774f8eaeb4aa9fded2cb7f1d27 */
+/* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
+/* body sha256:1d9988741354f3acd5b1bf52eac24c24534afcffc0cfffcd2c57a6103d32ba8f */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -48,7 +48,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_PREPARED = 5,     /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 7,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* x, y, theta */
 };
 
@@ -302,6 +302,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -367,6 +368,31 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    p[0] = x_;
+    const double y = x[1];
+    p[1] = y;
+    const double a_ = c[2];
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = a_*cos_theta;
+    p[2] = p[5] = x_ + z_1;
+    const double sin_theta = em_sin(theta);
+    const double z_3 = a_*sin_theta;
+    p[3] = p[6] = y + z_3;
+    const double c_2 = c[5];
+    p[4] = c_2;
+    const double c_3 = c[6];
+    p[7] = c_3;
+    p[8] = 0.5*(2.0*x_ - z_1);
+    p[9] = 0.5*(2.0*y - z_3);
+    p[10] = 0.5*(2.0*x_ + z_1);
+    p[11] = 0.5*(2.0*y + z_3);
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -393,6 +419,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[3] = m*a_;
     const double J = parameters[1];
     prepared[4] = J + m*(a_*a_);
+    prepared[5] = (4.0/5.0)*a_;
+    prepared[6] = (1.0/12.0)*a_;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -633,6 +661,12 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 0.0 };
 static const double initial_v[N] = { -1.0, 0.0, 0.8 };
 static const int carried[N] = { 1, 1, 1 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"disk", 2, 3},
+    {"disk", 5, 3},
+    {"line", 8, 4}
+};
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -705,6 +739,10 @@ const em_model chaplygin_sleigh_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &chaplygin_sleigh_lanes,
+    .n_shapes = 4,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

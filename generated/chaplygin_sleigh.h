@@ -1,5 +1,5 @@
 /* eigenmotion generate chaplygin_sleigh.py */
-/* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
+/* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
 /* body sha256:e9372dd3e4062b92827d6ea6ab5bbe01018324d58bf9f128f79df059e9ba77a6 */
 /* chaplygin_sleigh: 3 coordinates, 1 constraint rows, 18 states.
  * Link chaplygin_sleigh.c with a program of your own, or import the Python module built from chaplygin_sleigh.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate chaplygin_sleigh.py
-# input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e
+# input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0
 # body sha256:b2f12360cf882c8e88caf74568b7e0e3f78ddfcaa968002766db55dd8a39d8bd
 # cython: language_level=3
 """chaplygin_sleigh, compiled: `system` is its System (eigenfactor)."""

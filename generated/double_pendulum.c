@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
-/* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:543cc18297555b1cdad4726d9ff37ab0aadb2060e4b5cd48f7c21a509bcd0f03 */
+/* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
+/* body sha256:6208c815d7138aedd74d4cbea2d4382442a6a84e1ab39be1622427c2d4441cf7 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -45,7 +45,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* theta1, theta2 */
 };
 
@@ -256,6 +256,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -336,6 +337,30 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double l2 = c[3];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    const double l1 = c[2];
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double z_2 = l1*sin_theta1;
+    p[0] = p[10] = p[15] = l2*sin_theta2 + z_2;
+    const double cos_theta1 = em_cos(theta1);
+    const double z_4 = l1*cos_theta1;
+    const double cos_theta2 = em_cos(theta2);
+    p[1] = p[11] = p[16] = -(z_4 + l2*cos_theta2);
+    p[2] = p[3] = p[4] = p[5] = 0.0;
+    p[6] = p[8] = p[12] = z_2;
+    p[7] = p[9] = p[13] = -z_4;
+    const double c_6 = c[11];
+    p[14] = c_6;
+    const double c_7 = c[12];
+    p[17] = c_7;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -371,6 +396,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[8] = m1*z_2 + m2*z_2;
     prepared[9] = m2*(l2*l2);
     prepared[10] = z_1;
+    prepared[11] = (1.0/12.0)*l1;
+    prepared[12] = (1.0/12.0)*l2;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -585,6 +612,14 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 1.5707963267948966, 1.0471975511965979 };
 static const double initial_v[N] = { 0.0, 0.0 };
 static const int carried[N] = { 1, 1 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"ground", 2, 2},
+    {"line", 4, 4},
+    {"line", 8, 4},
+    {"disk", 12, 3},
+    {"disk", 15, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2},
@@ -654,6 +689,10 @@ const em_model double_pendulum_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &double_pendulum_lanes,
+    .n_shapes = 6,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

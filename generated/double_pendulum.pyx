@@ -1,5 +1,5 @@
 # eigenmotion generate double_pendulum.py
-# input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1
+# input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06
 # body sha256:4752a0763ff093c19259e39e58b2b58a12726b9151983c84666453b3c8e27c47
 # cython: language_level=3
 """double_pendulum, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
-/* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:522f446c714796836384bfe72234f121f477366cabf9312f57273571eb129bff */
+/* input sha256:f03e70c1bada2a6ab9bc3811e7865c0ae1b77524d6c1f3ea721379785f3676f2 */
+/* body sha256:83f709e054e7159ef0eb4cda4bf813e2e07db0dc4c1006b78772a2afc01fcadc */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -46,7 +46,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 24,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
 };
@@ -214,6 +214,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -272,6 +273,29 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    p[0] = p[8] = p[13] = x_;
+    const double y = x[1];
+    p[1] = p[9] = p[14] = y;
+    const double c_7 = c[20];
+    p[2] = p[4] = c_7;
+    const double c_8 = c[21];
+    p[3] = c_8;
+    const double a_ = c[3];
+    p[5] = a_;
+    p[6] = p[10] = 0.0;
+    const double w = c[4];
+    const double cos_0 = em_cos(t*w);
+    p[7] = p[11] = a_*cos_0;
+    const double c_9 = c[22];
+    p[12] = c_9;
+    const double c_10 = c[23];
+    p[15] = c_10;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -311,6 +335,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[17] = l*l;
     prepared[18] = fabs(a_);
     prepared[19] = z_0;
+    prepared[20] = ((-1.0/20.0))*l;
+    prepared[21] = -a_;
+    prepared[22] = (1.0/20.0)*l;
+    prepared[23] = (1.0/12.0)*l;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -520,6 +548,13 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.7173560908995228, -0.4467067093471654 };
 static const double initial_v[N] = { 0.0, 0.0 };
 static const int carried[N] = { 0, 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"ground", 2, 4},
+    {"line", 6, 4},
+    {"disk", 10, 3},
+    {"disk", 13, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -590,6 +625,10 @@ const em_model driven_pendulum_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
+    .n_shapes = 5,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

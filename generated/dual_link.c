@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:22ac883d9d0e9f751e1c78f89212c52963ce6762c3a76074f099cf756d8ed60e */
+/* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
+/* body sha256:974b0915e24030a7e4246a40e6763d445c7277a2efe3f2e4bd2d0f9f3d4b8ebf */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -50,7 +50,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 9,
-    N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* theta1, theta2, theta3 */
     N2 = 1,             /* theta4 */
 };
@@ -410,6 +410,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -540,6 +541,37 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double z_2 = z_0*cos_theta1;
+    const double l2 = c[4];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    p[0] = p[8] = p[16] = p[25] = z_2 + l2*cos_theta2;
+    const double sin_theta2 = em_sin(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double z_6 = z_0*sin_theta1;
+    p[1] = p[9] = p[17] = p[26] = l2*sin_theta2 + z_6;
+    p[2] = p[3] = p[4] = p[6] = p[10] = p[11] = 0.0;
+    p[5] = p[7] = 4.0;
+    p[12] = p[14] = p[18] = p[22] = z_2;
+    p[13] = p[15] = p[19] = p[23] = z_6;
+    const double l3 = c[5];
+    const double theta4 = x[3];
+    const double cos_theta4 = em_cos(theta4);
+    p[20] = p[28] = z_2 + l3*cos_theta4;
+    const double sin_theta4 = em_sin(theta4);
+    p[21] = p[29] = z_6 + l3*sin_theta4;
+    const double c_6 = c[19];
+    p[24] = p[27] = p[30] = c_6;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -577,6 +609,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[16] = z_0;
     prepared[17] = m2*(l2*l2);
     prepared[18] = m3*(l3*l3);
+    const double l1 = parameters[3];
+    prepared[19] = (1.0/10.0)*l1;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -856,6 +890,18 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5235987755982989, 1.0471975511965979, 0.0, 2.356194490192345 };
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 1, 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"ground", 2, 2},
+    {"ground", 4, 2},
+    {"spring", 6, 4},
+    {"spring", 10, 4},
+    {"line", 14, 4},
+    {"line", 18, 4},
+    {"disk", 22, 3},
+    {"disk", 25, 3},
+    {"disk", 28, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 4},
     {"eta", 4, 4},
@@ -929,6 +975,10 @@ const em_model dual_link_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &dual_link_lanes,
+    .n_shapes = 10,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

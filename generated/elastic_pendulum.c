@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
-/* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:c02daf78a63fc26d4a2a3096e1c4cbefa4c20c2729985d998189f55f4f843945 */
+/* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
+/* body sha256:163adeb557e045c4fd6dfbe05869db28364d0ff1a8d3bca52f76c8c4e3b132b0 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -47,7 +47,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 12,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
     N2 = 1,             /* r */
 };
@@ -198,6 +198,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -260,6 +261,20 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double r = x[1];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    p[0] = p[6] = p[8] = r*sin_theta;
+    const double cos_theta = em_cos(theta);
+    p[1] = p[7] = p[9] = -r*cos_theta;
+    p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double c_3 = c[11];
+    p[10] = c_3;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -290,6 +305,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double z_0 = m*g;
     prepared[9] = z_0;
     prepared[10] = 2.0*z_0;
+    const double L = parameters[3];
+    prepared[11] = (1.0/10.0)*L;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -441,6 +458,12 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5235987755982989, 1.2 };
 static const double initial_v[N] = { 0.0, 0.0 };
 static const int carried[N] = { 0, 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"ground", 2, 2},
+    {"spring", 4, 4},
+    {"disk", 8, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -512,6 +535,10 @@ const em_model elastic_pendulum_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &elastic_pendulum_lanes,
+    .n_shapes = 4,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

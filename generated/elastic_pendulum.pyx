@@ -1,5 +1,5 @@
 # eigenmotion generate elastic_pendulum.py
-# input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69
+# input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a
 # body sha256:26054fef6e909f486d914bf9047a2240e743e0dfd511565c6d96bf41382c1bb5
 # cython: language_level=3
 """elastic_pendulum, compiled: `system` is its System (eigenfactor)."""

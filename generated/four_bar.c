@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
-/* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:0fd66792fe4ddb4783bf6cfe4c00643f0631c888ab923c8a95943ef38398eb99 */
+/* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
+/* body sha256:bcf225e62252bdfd42dd6bcd28a8a135067ed199c444b7867b70b3e89524dddb */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -49,7 +49,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
-    N_PREPARED = 28,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 29,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* q1, q2 */
     N2 = 1,             /* q3 */
 };
@@ -393,6 +393,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -492,6 +493,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double b = c[1];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double z_1 = b*cos_q2;
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double c_14 = c[24];
+    p[0] = p[18] = 0.5*(z_1 + cos_q1*c_14);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = b*sin_q2;
+    const double sin_q1 = em_sin(q1);
+    p[1] = p[19] = 0.5*(z_4 + sin_q1*c_14);
+    p[2] = p[3] = p[5] = p[6] = p[7] = p[15] = 0.0;
+    const double d = c[3];
+    p[4] = p[14] = d;
+    const double a_ = c[0];
+    const double z_6 = a_*cos_q1;
+    p[8] = p[10] = z_6;
+    const double z_7 = a_*sin_q1;
+    p[9] = p[11] = z_7;
+    p[12] = z_6 + z_1;
+    p[13] = z_7 + z_4;
+    const double c_ = c[2];
+    const double q3 = x[2];
+    const double cos_q3 = em_cos(q3);
+    p[16] = c_*cos_q3 + d;
+    const double sin_q3 = em_sin(q3);
+    p[17] = c_*sin_q3;
+    const double c_18 = c[28];
+    p[20] = c_18;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -549,6 +585,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[25] = z_5;
     prepared[26] = z_0;
     prepared[27] = 0.5*z_4;
+    prepared[28] = (1.0/20.0)*a_;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -855,6 +892,15 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 1.5707963267948966, 0.4069607577066713, 1.6730644304861704 };
 static const double initial_v[N] = { 4.0, -0.1712309218771849, 1.9253387515666516 };
 static const int carried[N] = { 1, 1, 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"ground", 2, 2},
+    {"ground", 4, 2},
+    {"line", 6, 4},
+    {"line", 10, 4},
+    {"line", 14, 4},
+    {"disk", 18, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -927,6 +973,10 @@ const em_model four_bar_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &four_bar_lanes,
+    .n_shapes = 7,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

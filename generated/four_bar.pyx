@@ -1,5 +1,5 @@
 # eigenmotion generate four_bar.py
-# input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4
+# input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e
 # body sha256:b9878d8f96c30fe541bf67f8249ed731817346ee39ab32598ba10afb7a28baf3
 # cython: language_level=3
 """four_bar, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
-/* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:f34ff393631aad687713466ccc3c4b24ebde0dafbd911a72c6a22d5344683344 */
+/* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
+/* body sha256:40862d2c1ace2e86781f72a033618f031c2189bffe3bd505b41fbfc3b6495a12 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -49,7 +49,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_PREPARED = 12,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 14,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* phi, psi */
     N2 = 1,             /* theta */
 };
@@ -284,6 +284,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -353,6 +354,35 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[0];
+    const double sin_phi = em_sin(phi);
+    const double z_2 = sin_theta*sin_phi;
+    const double c_3 = c[12];
+    p[6] = p[17] = z_2*c_3;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = sin_theta*cos_phi;
+    p[7] = p[18] = -z_4*c_3;
+    const double cos_theta = em_cos(theta);
+    p[8] = p[19] = cos_theta*c_3;
+    const double l = c[1];
+    p[9] = l*z_2;
+    p[10] = -l*z_4;
+    p[11] = cos_theta*l;
+    const double c_4 = c[13];
+    p[12] = c_4;
+    p[13] = z_2;
+    p[14] = -z_4;
+    p[15] = cos_theta;
+    const double psi = x[2];
+    p[16] = psi;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -386,6 +416,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double l = parameters[1];
     const double m = parameters[0];
     prepared[11] = g*l*m;
+    prepared[12] = 1.25*l;
+    prepared[13] = (3.0/5.0)*l;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -595,6 +627,12 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.6, 0.0 };
 static const double initial_v[N] = { 0.0, 0.0, 40.0 };
 static const int carried[N] = { 1, 0, 1 };
+static const em_shape shapes[] = {
+    {"ground", 0, 3},
+    {"line", 3, 6},
+    {"disk", 9, 8},
+    {"trace", 17, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -667,6 +705,10 @@ const em_model heavy_top_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &heavy_top_lanes,
+    .n_shapes = 4,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:91df6e728ce0b00e666045b12fed06273ef7358a12d7cb8fc8d20ab2929337f9 */
+/* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
+/* body sha256:d98222563de433daf857237e20a0afcd200ad79c9ea4533c657c154f93a1e606 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -43,7 +43,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_PREPARED = 10,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
 
@@ -148,6 +148,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -194,6 +195,20 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double l = c[1];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    p[0] = p[6] = p[8] = l*sin_theta;
+    const double cos_theta = em_cos(theta);
+    p[1] = p[7] = p[9] = -l*cos_theta;
+    p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double c_3 = c[10];
+    p[10] = c_3;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -224,6 +239,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[7] = m*l*g;
     prepared[8] = z_0;
     prepared[9] = 0.5*z_0;
+    prepared[10] = (1.0/10.0)*l;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -357,6 +373,12 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 2.0 };
 static const double initial_v[N] = { 0.0 };
 static const int carried[N] = { 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"ground", 2, 2},
+    {"line", 4, 4},
+    {"disk", 8, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 1},
     {"eta", 1, 1}
@@ -426,6 +448,10 @@ const em_model pendulum_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &pendulum_lanes,
+    .n_shapes = 4,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

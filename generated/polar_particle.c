@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
-/* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:7aade4840139823d65a05ab484d947b5df978c84b03d0b78e2a5dd4c065ac723 */
+/* input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9 */
+/* body sha256:932cc50365e4afaba0242c0e2774cd451bd88a3cd02fe20205ba3c47c2667d3b */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -197,6 +197,8 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                   double *restrict p);
 
 #else
 
@@ -247,6 +249,21 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
+                   double *restrict p)
+{
+    const double r = x[0];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    p[0] = p[5] = r*cos_theta;
+    const double sin_theta = em_sin(theta);
+    p[1] = p[6] = r*sin_theta;
+    p[2] = p[3] = 0.0;
+    p[4] = (1.0/20.0);
+    p[7] = (1.0/40.0);
 }
 
 #endif
@@ -428,6 +445,11 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.1, 0.0 };
 static const double initial_v[N] = { 0.0, 43.58898943540674 };
 static const int carried[N] = { 0, 0 };
+static const em_shape shapes[] = {
+    {"trace", 0, 2},
+    {"disk", 2, 3},
+    {"disk", 5, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -499,6 +521,10 @@ const em_model polar_particle_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &polar_particle_lanes,
+    .n_shapes = 3,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

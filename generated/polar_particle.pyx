@@ -1,5 +1,5 @@
 # eigenmotion generate polar_particle.py
-# input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd
+# input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9
 # body sha256:1ffd528941677918bda82f9db62249b8698defcc0d76634f3e7906e1533800b6
 # cython: language_level=3
 """polar_particle, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
-/* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:a576931b09cf59c49545699ebf56bd28f7528f3ab5c94551a548891f49d9da49 */
+/* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
+/* body sha256:231f55694323657007dbf07ec7af120727c7e760cfc451b2709285026ae62ce0 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -47,7 +47,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_PREPARED = 21,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 25,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 4,             /* q_0, q_1, q_2, q_3 */
 };
 
@@ -406,6 +406,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -610,6 +611,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
+    const double q_2 = x[2];
+    const double q_0 = x[0];
+    const double z_0 = q_2*q_0;
+    const double q_1 = x[1];
+    const double q_3 = x[3];
+    const double z_1 = q_1*q_3;
+    const double z_2 = z_0 + z_1;
+    const double c_16 = c[21];
+    p[6] = p[22] = z_2*c_16;
+    const double z_3 = q_1*q_0 - q_2*q_3;
+    p[7] = p[23] = -z_3*c_16;
+    const double z_4 = q_1*q_1 - q_3*q_3;
+    const double z_5 = q_2*q_2 - q_0*q_0;
+    const double z_6 = z_4 + z_5;
+    const double c_17 = c[22];
+    p[8] = p[24] = -z_6*c_17;
+    const double c_18 = c[23];
+    p[9] = p[16] = z_2*c_18;
+    p[10] = p[17] = -z_3*c_18;
+    const double l = c[1];
+    p[11] = p[18] = -l*z_6;
+    const double c_19 = c[24];
+    p[12] = c_19;
+    p[13] = 2.0*z_2;
+    p[14] = (-2.0)*z_3;
+    p[15] = -z_6;
+    p[19] = (1.0/5.0)*(l*(10.0*z_2 + 3.0*(z_4 - z_5)));
+    p[20] = ((-2.0/5.0))*(l*(5.0*z_3 - 3.0*(q_3*q_0 + q_1*q_2)));
+    p[21] = ((-1.0/5.0))*(l*(5.0*z_6 + 6.0*(z_0 - z_1)));
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -659,6 +695,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[18] = 4.0*z_3;
     prepared[19] = 8.0*z_0;
     prepared[20] = 4.0*z_2;
+    prepared[21] = 2.5*l;
+    prepared[22] = 1.25*l;
+    prepared[23] = 2.0*l;
+    prepared[24] = (3.0/5.0)*l;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1000,6 +1040,13 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.955336489125606, 0.29552020666133955, 0.0, 0.0 };
 static const double initial_v[N] = { 0.0, 0.0, -1.4776010333066978, 4.77668244562803 };
 static const int carried[N] = { 1, 1, 1, 1 };
+static const em_shape shapes[] = {
+    {"ground", 0, 3},
+    {"line", 3, 6},
+    {"disk", 9, 7},
+    {"line", 16, 6},
+    {"trace", 22, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 4},
     {"eta", 4, 4},
@@ -1073,6 +1120,10 @@ const em_model quaternion_top_model = {
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
     .lanes = &quaternion_top_lanes,
+    .n_shapes = 5,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
-/* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:a4977580e9c71dad3fe65cd17f66125b478ddf54a96c5221aad7fc712393f0ff */
+/* input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282 */
+/* body sha256:1403ef6b3d6aae0c3c3a9462e2d7e86cf2b27ce51703df2df7c7503e14f6c170 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -47,7 +47,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_PREPARED = 5,     /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 9,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* psi, theta, phi */
 };
 
@@ -308,6 +308,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
                     EM_UNUSED const double *restrict c, double *restrict y);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -436,6 +437,84 @@ EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *
     y[2] = phi_dot + psi_dot*cos_theta;
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double psi = x[0];
+    const double cos_psi = em_cos(psi);
+    const double sin_psi = em_sin(psi);
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double sin_phi = em_sin(phi);
+    const double z_5 = cos_theta*sin_phi;
+    const double z_6 = cos_phi*cos_psi - sin_psi*z_5;
+    const double c_2 = c[5];
+    const double z_7 = z_6*c_2;
+    const double sin_theta = em_sin(theta);
+    const double c_3 = c[6];
+    const double z_9 = sin_theta*c_3;
+    const double z_10 = sin_psi*z_9;
+    const double z_11 = cos_theta*cos_phi;
+    const double c_4 = c[7];
+    const double z_12 = (sin_phi*cos_psi + sin_psi*z_11)*c_4;
+    const double z_13 = z_10 - z_12;
+    const double z_14 = -z_7 - z_13;
+    p[0] = (1.0/20.0)*z_14;
+    const double z_15 = cos_phi*sin_psi + cos_psi*z_5;
+    const double z_16 = z_15*c_2;
+    const double z_17 = cos_psi*z_9;
+    const double z_18 = (sin_phi*sin_psi - cos_psi*z_11)*c_4;
+    const double z_19 = z_17 + z_18;
+    const double z_20 = z_19 - z_16;
+    p[1] = (1.0/20.0)*z_20;
+    const double z_21 = sin_phi*sin_theta;
+    const double z_22 = c_2*z_21;
+    const double z_23 = cos_theta*c_3;
+    const double z_24 = c_4*(sin_theta*cos_phi);
+    const double z_25 = z_23 + z_24;
+    const double z_26 = z_22 + z_25;
+    p[2] = ((-1.0/20.0))*z_26;
+    const double z_27 = z_10 + z_12;
+    const double z_28 = z_27 - z_7;
+    p[3] = (1.0/20.0)*z_28;
+    const double z_29 = z_17 - z_18;
+    const double z_30 = -z_16 - z_29;
+    p[4] = (1.0/20.0)*z_30;
+    const double z_31 = z_23 - z_24;
+    const double z_32 = z_31 - z_22;
+    p[5] = (1.0/20.0)*z_32;
+    const double z_33 = z_7 + z_27;
+    p[6] = ((-1.0/20.0))*z_33;
+    const double z_34 = z_16 - z_29;
+    p[7] = ((-1.0/20.0))*z_34;
+    const double z_35 = z_22 + z_31;
+    p[8] = ((-1.0/20.0))*z_35;
+    const double z_36 = z_7 - z_13;
+    p[9] = ((-1.0/20.0))*z_36;
+    const double z_37 = z_16 + z_19;
+    p[10] = ((-1.0/20.0))*z_37;
+    const double z_38 = z_25 - z_22;
+    p[11] = (1.0/20.0)*z_38;
+    p[12] = (1.0/20.0)*z_36;
+    p[13] = (1.0/20.0)*z_37;
+    p[14] = ((-1.0/20.0))*z_38;
+    p[15] = (1.0/20.0)*z_33;
+    p[16] = (1.0/20.0)*z_34;
+    p[17] = (1.0/20.0)*z_35;
+    p[18] = ((-1.0/20.0))*z_28;
+    p[19] = ((-1.0/20.0))*z_30;
+    p[20] = ((-1.0/20.0))*z_32;
+    p[21] = ((-1.0/20.0))*z_14;
+    p[22] = ((-1.0/20.0))*z_20;
+    p[23] = (1.0/20.0)*z_26;
+    const double c_5 = c[8];
+    p[24] = z_6*c_5;
+    p[25] = z_15*c_5;
+    p[26] = c_5*z_21;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -462,6 +541,12 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_0 = J1 - J2;
     prepared[3] = z_0;
     prepared[4] = 2.0*z_0;
+    const double J3 = parameters[2];
+    const double z_1 = sqrt(J3 - z_0);
+    prepared[5] = 10.0*z_1;
+    prepared[6] = sqrt(J3);
+    prepared[7] = 10.0*(sqrt(J3 + z_0));
+    prepared[8] = 0.5*z_1;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -707,6 +792,10 @@ static const double initial_v[N] = { 1.971111170334329, 0.15611102464058085, -0.
 static const int carried[N] = { 1, 1, 1 };
 static const char *const quasi_velocity_names[] = { "omega_1", "omega_2", "omega_3", NULL };
 static const double initial_y[N] = { 1.8369553312101887, 0.15841602051320158, 0.24157183631778242 };
+static const em_shape shapes[] = {
+    {"body", 0, 24},
+    {"trace", 24, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -782,6 +871,10 @@ const em_model rigid_body_model = {
     .initial_y = initial_y,
     .event = model_events,
     .lanes = &rigid_body_lanes,
+    .n_shapes = 2,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:9eb13aa8c59a787777bcd1649d7e1187ee230b02c1c6f4fdb8b305ff7851d55c */
+/* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
+/* body sha256:63f4e7d4423c3891a849d401262e0804612ac74ab57cf94abadc64f4949072df */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -46,7 +46,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* x, y, phi, theta, psi */
 };
 
@@ -407,6 +407,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -536,6 +537,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    p[0] = x_;
+    const double y = x[1];
+    p[1] = y;
+    p[2] = p[5] = p[8] = p[11] = p[14] = 0.0;
+    const double c_12 = c[15];
+    p[3] = p[12] = c_12;
+    const double c_13 = c[16];
+    p[4] = p[7] = c_13;
+    const double c_14 = c[17];
+    p[6] = p[9] = c_14;
+    const double c_15 = c[18];
+    p[10] = p[13] = c_15;
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double r = c[1];
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double z_2 = r*sin_theta;
+    p[15] = x_ - sin_phi*z_2;
+    const double cos_phi = em_cos(phi);
+    p[16] = y + cos_phi*z_2;
+    const double cos_theta = em_cos(theta);
+    p[17] = r*cos_theta;
+    p[18] = r;
+    p[19] = -cos_theta*sin_phi;
+    p[20] = cos_phi*cos_theta;
+    p[21] = -sin_theta;
+    const double psi = x[4];
+    p[22] = psi;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -575,6 +611,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[12] = 5.0*z_1;
     prepared[13] = 2.0*z_1;
     prepared[14] = z_2;
+    prepared[15] = (-4.0)*r;
+    prepared[16] = (-2.0)*r;
+    prepared[17] = 6.0*r;
+    prepared[18] = 8.0*r;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -884,6 +924,11 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 0.0, 0.3, 0.0 };
 static const double initial_v[N] = { 2.146192491889161, 0.0, 1.0, 0.0, 4.292384983778322 };
 static const int carried[N] = { 1, 1, 1, 1, 1 };
+static const em_shape shapes[] = {
+    {"trace", 0, 3},
+    {"ground", 3, 12},
+    {"disk", 15, 8}
+};
 static const em_slice layout[] = {
     {"x", 0, 5},
     {"eta", 5, 5},
@@ -954,6 +999,10 @@ const em_model rolling_disk_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
+    .n_shapes = 3,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
-/* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:01a64011bfc56dccad57575967467ef7bb1b5206711b7d4ac09381e9e6257b18 */
+/* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
+/* body sha256:87f2a3babab547efa0d94f9f2280d1bb78d25d2591e4084c65afb288d2cf0ffe */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -42,7 +42,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 16,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
 
@@ -149,6 +149,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -199,6 +200,33 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[3] = p[4] = p[6] = p[7] = p[8] = p[12] = 0.0;
+    const double c_5 = c[13];
+    p[2] = c_5;
+    const double c_6 = c[14];
+    p[5] = c_6;
+    const double R = c[1];
+    p[9] = R;
+    const double Omega = c[2];
+    const double z_0 = Omega*t;
+    const double sin_z_0 = em_sin(z_0);
+    p[10] = -sin_z_0;
+    const double cos_z_0 = em_cos(z_0);
+    p[11] = cos_z_0;
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_4 = R*sin_theta;
+    p[13] = p[17] = cos_z_0*z_4;
+    p[14] = p[18] = sin_z_0*z_4;
+    const double cos_theta = em_cos(theta);
+    p[15] = p[19] = -R*cos_theta;
+    const double c_7 = c[15];
+    p[16] = c_7;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -233,6 +261,9 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[10] = z_0;
     prepared[11] = 0.5*z_0;
     prepared[12] = 0.5*z_1;
+    prepared[13] = (-1.25)*R;
+    prepared[14] = 1.25*R;
+    prepared[15] = (1.0/12.0)*R;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -366,6 +397,12 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5 };
 static const double initial_v[N] = { 0.0 };
 static const int carried[N] = { 0 };
+static const em_shape shapes[] = {
+    {"line", 0, 6},
+    {"disk", 6, 7},
+    {"disk", 13, 4},
+    {"trace", 17, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 1},
     {"eta", 1, 1}
@@ -434,6 +471,10 @@ const em_model rotating_hoop_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &rotating_hoop_lanes,
+    .n_shapes = 4,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

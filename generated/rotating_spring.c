@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
-/* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:4f7b2758eea7d34bb0d7e559db77b94504af31ca42898710c25824cc30bfa180 */
+/* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
+/* body sha256:a9e6720e29a76a1a9ba83417647a56bb3064abb9be96419788f8d9cc043c3eaf */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -178,6 +178,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -236,6 +237,29 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double Omega = c[3];
+    const double z_0 = Omega*t;
+    const double sin_z_0 = em_sin(z_0);
+    const double cos_z_0 = em_cos(z_0);
+    const double z_3 = sin_z_0 - cos_z_0;
+    p[0] = p[3] = (-1.5)*z_3;
+    const double z_4 = sin_z_0 + cos_z_0;
+    p[1] = p[6] = 1.5*z_4;
+    p[2] = p[5] = (-1.5)*z_4;
+    p[4] = p[7] = 1.5*z_3;
+    p[8] = (-1.5)*cos_z_0;
+    p[9] = p[12] = (-1.5)*sin_z_0;
+    const double x_ = x[0];
+    const double y = x[1];
+    p[10] = p[14] = p[16] = p[19] = x_*cos_z_0 - y*sin_z_0;
+    p[11] = p[15] = p[17] = p[20] = x_*sin_z_0 + y*cos_z_0;
+    p[13] = 1.5*cos_z_0;
+    p[18] = (1.0/10.0);
 }
 
 #endif
@@ -412,6 +436,13 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 1.0, 0.0 };
 static const double initial_v[N] = { 0.0, 0.5 };
 static const int carried[N] = { 0, 0 };
+static const em_shape shapes[] = {
+    {"body", 0, 8},
+    {"spring", 8, 4},
+    {"spring", 12, 4},
+    {"disk", 16, 3},
+    {"trace", 19, 2}
+};
 static const em_slice layout[] = {
     {"x", 0, 2},
     {"eta", 2, 2}
@@ -481,6 +512,10 @@ const em_model rotating_spring_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &rotating_spring_lanes,
+    .n_shapes = 5,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

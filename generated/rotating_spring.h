@@ -1,5 +1,5 @@
 /* eigenmotion generate rotating_spring.py */
-/* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
+/* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
 /* body sha256:da3786d577549a69854a3331dfb31ffb5c77d247f7236e68d21e6d4c7e7a51f9 */
 /* rotating_spring: 2 coordinates, 0 constraint rows, 4 states.
  * Link rotating_spring.c with a program of your own, or import the Python module built from rotating_spring.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate rotating_spring.py
-# input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118
+# input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed
 # body sha256:465acb7f3bf147e62b010abbde7dbcaeda7430290437557116c7285f2feda8cc
 # cython: language_level=3
 """rotating_spring, compiled: `system` is its System (eigenfactor)."""

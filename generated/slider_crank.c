@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
-/* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:726c219fe4a109f1dad5651cc42d5eec0b2e12dac87745c790649d26a91bbfcc */
+/* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
+/* body sha256:f9571c6bf10e6166ead80d909471c5909430e2f757b50ef355a2ab7faa7b87e8 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -49,7 +49,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
-    N_PREPARED = 23,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 27,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* theta, phi */
     N2 = 1,             /* x */
 };
@@ -375,6 +375,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -464,6 +465,42 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[14] = p[15] = 0.0;
+    const double c_13 = c[23];
+    p[2] = c_13;
+    const double c_14 = c[24];
+    p[3] = p[5] = p[7] = p[9] = c_14;
+    const double c_15 = c[25];
+    p[4] = c_15;
+    const double r = c[0];
+    const double x_ = x[2];
+    p[6] = p[12] = ((-1.0/3.0))*(r - 3.0*x_);
+    p[8] = p[10] = (1.0/3.0)*(r + 3.0*x_);
+    const double c_16 = c[26];
+    p[11] = p[13] = c_16;
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = r*cos_theta;
+    p[16] = p[18] = z_1;
+    const double sin_theta = em_sin(theta);
+    const double z_3 = r*sin_theta;
+    p[17] = p[19] = z_3;
+    const double l = c[1];
+    const double phi = x[1];
+    const double cos_phi = em_cos(phi);
+    const double z_5 = l*cos_phi;
+    p[20] = z_1 + z_5;
+    const double sin_phi = em_sin(phi);
+    const double z_7 = l*sin_phi;
+    p[21] = z_3 - z_7;
+    const double c_10 = c[20];
+    p[22] = 0.5*(z_5 + cos_theta*c_10);
+    p[23] = 0.5*(sin_theta*c_10 - z_7);
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -512,6 +549,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[20] = 2.0*r;
     prepared[21] = z_1;
     prepared[22] = 0.5*g;
+    prepared[23] = ((-1.0/3.0))*(4.0*r - 3.0*l);
+    prepared[24] = ((-1.0/3.0))*r;
+    prepared[25] = (1.0/3.0)*(4.0*r + 3.0*l);
+    prepared[26] = (1.0/3.0)*r;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -803,6 +844,14 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 1.0, 0.25520243816094146, 1.1297029035247306 };
 static const double initial_v[N] = { 5.0, 0.8375808500023736, -1.4736464720241642 };
 static const int carried[N] = { 1, 1, 0 };
+static const em_shape shapes[] = {
+    {"ground", 0, 2},
+    {"ground", 2, 4},
+    {"body", 6, 8},
+    {"line", 14, 4},
+    {"line", 18, 4},
+    {"trace", 22, 2}
+};
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -875,6 +924,10 @@ const em_model slider_crank_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &slider_crank_lanes,
+    .n_shapes = 6,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

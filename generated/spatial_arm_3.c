@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
-/* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:5097c7ce40a0faa819187a2a7bb8797e461d12a9742c549719e5354d023cb1f0 */
+/* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
+/* body sha256:222447cef2b42ef606fe2c879d1ee86ddaf02c771e7bbdd087ee7b21253297eb */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -430,6 +430,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -641,6 +642,41 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = p[8] = p[9] = p[10] = p[11] = p[15] = p[21] = 0.0;
+    const double l_1 = c[3];
+    const double q_1 = x[0];
+    const double cos_q_1 = em_cos(q_1);
+    const double z_1 = l_1*cos_q_1;
+    p[6] = p[13] = p[19] = z_1;
+    const double sin_q_1 = em_sin(q_1);
+    const double z_3 = l_1*sin_q_1;
+    p[7] = p[14] = p[20] = z_3;
+    const double rho = c[6];
+    p[12] = p[22] = p[32] = rho;
+    const double l_2 = c[4];
+    const double q_2 = x[1];
+    const double cos_q_2 = em_cos(q_2);
+    const double z_5 = l_2*cos_q_2;
+    const double z_6 = z_1 + cos_q_1*z_5;
+    p[16] = p[23] = p[29] = z_6;
+    const double z_7 = z_3 + sin_q_1*z_5;
+    p[17] = p[24] = p[30] = z_7;
+    const double sin_q_2 = em_sin(q_2);
+    const double z_9 = l_2*sin_q_2;
+    p[18] = p[25] = p[31] = -z_9;
+    const double l_3 = c[5];
+    const double q_3 = x[2];
+    const double sin_q_3 = em_sin(q_3);
+    const double cos_q_3 = em_cos(q_3);
+    const double z_12 = cos_q_2*cos_q_3;
+    p[26] = p[33] = z_6 - l_3*(sin_q_3*sin_q_1 - cos_q_1*z_12);
+    p[27] = p[34] = z_7 + l_3*(sin_q_3*cos_q_1 + sin_q_1*z_12);
+    p[28] = p[35] = -(z_9 + l_3*cos_q_3*sin_q_2);
 }
 
 #endif
@@ -1055,6 +1091,16 @@ static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.5, 0.7, 0.9 };
 static const double initial_v[N] = { 1.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 1 };
+static const em_shape shapes[] = {
+    {"ground", 0, 3},
+    {"line", 3, 6},
+    {"disk", 9, 4},
+    {"line", 13, 6},
+    {"disk", 19, 4},
+    {"line", 23, 6},
+    {"disk", 29, 4},
+    {"trace", 33, 3}
+};
 static const em_slice layout[] = {
     {"x", 0, 3},
     {"eta", 3, 3},
@@ -1125,6 +1171,10 @@ const em_model spatial_arm_3_model = {
     .release = em_release,
     .event = model_events,
     .lanes = &spatial_arm_3_lanes,
+    .n_shapes = 8,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
-/* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:2db8563950fb4ce59c34eb2b6c70fae95530d673376f489f45751e9aa8da5baf */
+/* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
+/* body sha256:ad2ddb672ad981c294e89b3a215bb5685c34f073f0dd466d376c85b2759acea5 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -51,7 +51,7 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
+    N_PREPARED = 32,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
     N3 = 3,             /* p_1, p_2, p_3 */
@@ -505,6 +505,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
                     EM_UNUSED const double *restrict c, double *restrict y);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #else
 
@@ -683,6 +684,68 @@ EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *
     y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_0);
 }
 
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double x_ = x[0];
+    const double c_8 = c[20];
+    const double z_0 = x_*c_8;
+    p[0] = z_0;
+    const double y = x[1];
+    p[1] = p[16] = p[20] = p[27] = p[34] = y;
+    const double c_9 = c[21];
+    const double z_1 = x_*c_9;
+    p[2] = -z_1;
+    const double c_10 = c[22];
+    p[3] = p[12] = c_10;
+    const double c_11 = c[23];
+    p[4] = p[7] = c_11;
+    const double c_12 = c[24];
+    p[5] = p[14] = c_12;
+    const double c_13 = c[25];
+    p[6] = p[9] = c_13;
+    const double c_14 = c[26];
+    p[8] = p[11] = c_14;
+    const double c_15 = c[27];
+    p[10] = p[13] = c_15;
+    const double c_16 = c[28];
+    p[15] = p[19] = p[26] = p[33] = z_0 + c_16;
+    const double c_17 = c[29];
+    p[17] = p[21] = p[28] = p[35] = -(z_1 - c_17);
+    const double R = c[1];
+    p[18] = p[22] = p[29] = p[36] = R;
+    const double p_2 = x[3];
+    const double z_2 = p_2*p_2;
+    const double p_3 = x[4];
+    const double z_3 = p_3*p_3;
+    const double p_1 = x[2];
+    const double z_4 = p_1*p_1;
+    const double z_5 = z_4 + z_2;
+    const double z_6 = 1.0/(1.0 + z_3 + z_5);
+    const double z_7 = 1.0 - 2.0*(z_2 + z_3)*z_6;
+    const double c_18 = c[30];
+    const double z_8 = p_1*p_3;
+    const double z_9 = (p_2 - z_8)*z_6;
+    p[23] = c_8*z_7 - c_18*z_9;
+    const double z_10 = p_1*p_2;
+    p[24] = 2.0*((p_3 + z_10)*z_6);
+    const double c_19 = c[31];
+    p[25] = -(c_9*z_7 + c_19*z_9);
+    const double z_11 = p_3 - z_10;
+    const double z_12 = c_8*z_6;
+    const double z_13 = p_2*p_3;
+    const double z_14 = p_1 + z_13;
+    const double z_15 = c_9*z_6;
+    p[30] = (-2.0)*(z_11*z_12 - z_14*z_15);
+    p[31] = 1.0 - 2.0*(z_4 + z_3)*z_6;
+    p[32] = 2.0*(z_14*z_12 + z_11*z_15);
+    const double z_16 = 1.0 - 2.0*z_5*z_6;
+    const double z_17 = (p_2 + z_8)*z_6;
+    p[37] = c_9*z_16 + c_19*z_17;
+    p[38] = (-2.0)*((p_1 - z_13)*z_6);
+    p[39] = c_8*z_16 - c_18*z_17;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -723,6 +786,21 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[17] = (32.0/5.0)*z_0;
     prepared[18] = 4.0*z_0;
     prepared[19] = 5.0*m;
+    const double cos_alpha = em_cos(alpha);
+    prepared[20] = cos_alpha;
+    prepared[21] = sin_alpha;
+    const double z_3 = R*cos_alpha;
+    prepared[22] = (-4.0)*z_3;
+    prepared[23] = (-4.0)*R;
+    const double z_4 = R*sin_alpha;
+    prepared[24] = 4.0*z_4;
+    prepared[25] = 24.0*z_3;
+    prepared[26] = (-24.0)*z_4;
+    prepared[27] = 12.0*R;
+    prepared[28] = z_4;
+    prepared[29] = z_3;
+    prepared[30] = 2.0*sin_alpha;
+    prepared[31] = 2.0*cos_alpha;
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1064,6 +1142,14 @@ static const double initial_v[N] = { 0.3, 0.5, -0.375, 0.48, 0.255 };
 static const int carried[N] = { 0, 0, 1, 1, 1 };
 static const char *const quasi_velocity_names[] = { "vx", "vy", "omega_x", "omega_y", "omega_z", NULL };
 static const double initial_y[N] = { 0.3, 0.5, -1.0, 0.6, 0.4 };
+static const em_shape shapes[] = {
+    {"trace", 0, 3},
+    {"ground", 3, 12},
+    {"disk", 15, 4},
+    {"disk", 19, 7},
+    {"disk", 26, 7},
+    {"disk", 33, 7}
+};
 static const em_slice layout[] = {
     {"x", 0, 5},
     {"eta", 5, 5},
@@ -1141,6 +1227,10 @@ const em_model sphere_model = {
     .initial_y = initial_y,
     .event = model_events,
     .lanes = &sphere_lanes,
+    .n_shapes = 6,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
 };
 
 #endif

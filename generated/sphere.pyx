@@ -1,5 +1,5 @@
 # eigenmotion generate sphere.py
-# input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918
+# input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38
 # body sha256:913666d32f7b1c8f0bedede469dd3df1439cba132305e6db137738240d71b597
 # cython: language_level=3
 """sphere, compiled: `system` is its System (eigenfactor)."""

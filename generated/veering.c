@@ -1,5 +1,5 @@
 /* eigenmotion generate veering.py */
-/* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
+/* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
 /* body sha256:b179d859592f3f5b7a2a660f79f6f98c16beb8d1ef0dd7dbeaa1bf043fe0a3c9 */
 /* veering: equations of motion, eigenfactor formulation.
  *

@@ -22,7 +22,7 @@ Oracles: Lagrange equations; high-precision integration; n = 2 against `double_p
 from sympy import Integer, Rational, cos, pi, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 
 def model(n: int = 5) -> Model:
@@ -32,8 +32,11 @@ def model(n: int = 5) -> Model:
     g = symbols("g", positive=True)
 
     x = y = T = V = Integer(0)
+    drawing: list[object] = [draw.Ground((0, 0))]
     for m, l, angle in zip(masses, lengths, theta, strict=True):
+        joint = x, y
         x, y = x + l * sin(angle), y - l * cos(angle)
+        drawing += [draw.Line(joint, (x, y)), draw.Disk((x, y), l / 12)]
         T += Rational(1, 2) * m * (x.diff(t) ** 2 + y.diff(t) ** 2)
         V += m * g * y
 
@@ -44,4 +47,5 @@ def model(n: int = 5) -> Model:
         potential_energy=V,
         parameters=dict.fromkeys(masses, 1.0) | dict.fromkeys(lengths, 1.0) | {g: 9.81},
         initial=dict.fromkeys(theta, pi / 4),
+        drawing=[*drawing, draw.Trace((x, y))],
     )

@@ -19,7 +19,7 @@ Oracles: Lagrange equations; high-precision integration.
 from sympy import Matrix, Rational, cos, pi, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 theta1, theta2 = dynamicsymbols("theta1 theta2")
 m1, m2, l1, l2, g = symbols("m1 m2 l1 l2 g", positive=True)
@@ -35,4 +35,12 @@ model = Model(
     potential_energy=g * (m1 * position1[1] + m2 * position2[1]),
     parameters={m1: 1.0, m2: 1.0, l1: 1.0, l2: 1.0, g: 9.81},
     initial={theta1: pi / 2, theta2: pi / 3},
+    drawing=[
+        draw.Trace(position2),
+        draw.Ground((0, 0)),
+        draw.Line((0, 0), position1),
+        draw.Line(position1, position2),
+        draw.Disk(position1, l1 / 12),
+        draw.Disk(position2, l2 / 12),
+    ],
 )

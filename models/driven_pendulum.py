@@ -19,7 +19,7 @@ Oracle: Mathieu's type of equation for the angle alone, by high-precision integr
 from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 x, y = dynamicsymbols("x y")
 m, l, g, a, w = symbols("m l g a w", positive=True)
@@ -36,4 +36,11 @@ model = Model(
     holonomic_constraints=[x**2 + (y - pivot) ** 2 - l**2],
     parameters=values,
     initial={x: values[l] * sin(swing), y: values[a] - values[l] * cos(swing)},
+    drawing=[
+        draw.Trace((x, y)),
+        draw.Ground((-l / 20, -a), (-l / 20, a)),
+        draw.Line((0, pivot), (x, y)),
+        draw.Disk((0, pivot), l / 20),
+        draw.Disk((x, y), l / 12),
+    ],
 )

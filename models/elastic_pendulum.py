@@ -14,13 +14,15 @@ Coordinates: theta [rad] from the downward vertical, r [m]: units differ.
 Oracles: Lagrange equations; high-precision integration.
 """
 
-from sympy import Rational, cos, pi, symbols
+from sympy import Rational, cos, pi, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model
+from eigenmotion import Model, draw
 
 theta, r = dynamicsymbols("theta r")
 m, k, g, L = symbols("m k g L", positive=True)
+
+position = r * sin(theta), -r * cos(theta)
 
 model = Model(
     name="elastic_pendulum",
@@ -29,4 +31,5 @@ model = Model(
     potential_energy=Rational(1, 2) * k * (r - L) ** 2 - m * g * r * cos(theta),
     parameters={m: 1.0, k: 100.0, g: 9.81, L: 1.0},
     initial={theta: pi / 6, r: 1.2},
+    drawing=[draw.Trace(position), draw.Ground((0, 0)), draw.Spring((0, 0), position), draw.Disk(position, L / 10)],
 )

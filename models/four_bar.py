@@ -23,7 +23,7 @@ from math import sin as s_
 from sympy import Expr, Matrix, Rational, cos, pi, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 q1, q2, q3 = dynamicsymbols("q1:4")
 a, b, c, d, density, g = symbols("a b c d density g", positive=True)
@@ -41,6 +41,7 @@ def kinetic_energy(length: Expr, angle: Expr, foot: Matrix) -> Expr:
 
 
 crank, coupler, rocker = bar(a, q1), bar(b, q2), bar(c, q3)
+middle = crank + coupler / 2
 start, ground = Matrix([0, 0]), Matrix([d, 0])
 loop = crank + coupler - rocker - ground
 moment = a * (crank / 2)[1] + b * (crank + coupler / 2)[1] + c * (rocker / 2)[1]
@@ -69,4 +70,13 @@ model = Model(
         q2.diff(): crank_rate * sizes[a] * s_(angle1 - angle3) / (sizes[b] * s_(angle3 - angle2)),
         q3.diff(): crank_rate * sizes[a] * s_(angle1 - angle2) / (sizes[c] * s_(angle3 - angle2)),
     },
+    drawing=[
+        draw.Trace(middle),
+        draw.Ground(start),
+        draw.Ground(ground),
+        draw.Line(start, crank),
+        draw.Line(crank, crank + coupler),
+        draw.Line(ground, ground + rocker),
+        draw.Disk(middle, a / 20),
+    ],
 )

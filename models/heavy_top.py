@@ -18,16 +18,18 @@ Oracle: u = cos theta obeys udot^2 = cubic(u), solved by Weierstrass' elliptic f
 steady precession in closed form.
 """
 
-from sympy import Rational, cos, sin, symbols
+from sympy import Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model
+from eigenmotion import Model, draw
 
 phi, theta, psi = dynamicsymbols("phi theta psi")
 m, l, g, J, J3 = symbols("m l g J J3", positive=True)
 
 across = theta.diff() ** 2 + (phi.diff() * sin(theta)) ** 2
 along = psi.diff() + phi.diff() * cos(theta)
+
+axis = Matrix([sin(theta) * sin(phi), -sin(theta) * cos(phi), cos(theta)])
 
 model = Model(
     name="heavy_top",
@@ -36,4 +38,10 @@ model = Model(
     potential_energy=m * g * l * cos(theta),
     parameters={m: 1.0, l: 0.2, g: 9.81, J: 0.05, J3: 0.02},
     initial={theta: 0.6, psi.diff(): 40.0},
+    drawing=[
+        draw.Ground((0, 0, 0)),
+        draw.Line((0, 0, 0), l * Rational(5, 4) * axis),
+        draw.Disk(l * axis, l * Rational(3, 5), angle=psi, axis=axis),
+        draw.Trace(l * Rational(5, 4) * axis),
+    ],
 )

@@ -14,13 +14,15 @@ Coordinate: theta [rad], from the downward vertical.
 Oracle: Jacobi's elliptic functions.
 """
 
-from sympy import Rational, cos, symbols
+from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model
+from eigenmotion import Model, draw
 
 theta = dynamicsymbols("theta")
 m, l, g = symbols("m l g", positive=True)
+
+position = l * sin(theta), -l * cos(theta)
 
 model = Model(
     name="pendulum",
@@ -29,4 +31,5 @@ model = Model(
     potential_energy=-m * g * l * cos(theta),
     parameters={m: 1.0, l: 1.0, g: 9.81},
     initial={theta: 2.0},
+    drawing=[draw.Trace(position), draw.Ground((0, 0)), draw.Line((0, 0), position), draw.Disk(position, l / 10)],
 )

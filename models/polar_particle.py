@@ -16,15 +16,17 @@ Coordinates: r [m], theta [rad]. It starts at the pericentre of an ellipse of ha
 Oracle: Kepler's equation.
 """
 
-from sympy import Rational, sqrt, symbols
+from sympy import Rational, cos, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model
+from eigenmotion import Model, draw
 
 r, theta = dynamicsymbols("r theta")
 m, mu = symbols("m mu", positive=True)
 eccentricity = Rational(9, 10)
 pericentre = 1 - eccentricity
+
+position = r * cos(theta), r * sin(theta)
 
 model = Model(
     name="polar_particle",
@@ -33,4 +35,5 @@ model = Model(
     potential_energy=-mu * m / r,
     parameters={m: 1.0, mu: 1.0},
     initial={r: pericentre, theta.diff(): sqrt((1 + eccentricity) / pericentre**3)},
+    drawing=[draw.Trace(position), draw.Disk((0, 0), Rational(1, 20)), draw.Disk(position, Rational(1, 40))],
 )

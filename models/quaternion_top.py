@@ -23,7 +23,7 @@ from math import cos, sin
 from sympy import Matrix, Rational, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 q = dynamicsymbols("q_0:4")
 m, l, g, J, J3 = symbols("m l g J J3", positive=True)
@@ -32,8 +32,14 @@ real, vector = q[0], Matrix(q[1:])
 omega = 2 * (real * vector.diff(t) - real.diff(t) * vector - vector.cross(vector.diff(t)))
 height = l * (q[0] ** 2 - q[1] ** 2 - q[2] ** 2 + q[3] ** 2)
 
+axis = Matrix([2 * (q[1] * q[3] + q[0] * q[2]), 2 * (q[2] * q[3] - q[0] * q[1]), height / l])
+across = Matrix(
+    [q[0] ** 2 + q[1] ** 2 - q[2] ** 2 - q[3] ** 2, 2 * (q[1] * q[2] + q[0] * q[3]), 2 * (q[1] * q[3] - q[0] * q[2])]
+)
+radius = l * Rational(3, 5)
+
 tilt, spin = 0.6, 10.0
-up, across = cos(tilt / 2), sin(tilt / 2)
+half_cos, half_sin = cos(tilt / 2), sin(tilt / 2)
 
 model = Model(
     name="quaternion_top",
@@ -42,5 +48,12 @@ model = Model(
     potential_energy=m * g * height,
     holonomic_constraints=[sum(entry**2 for entry in q) - 1],
     parameters={m: 1.0, l: 0.2, g: 9.81, J: 0.05, J3: 0.02},
-    initial={q[0]: up, q[1]: across, q[2].diff(): -spin * across / 2, q[3].diff(): spin * up / 2},
+    initial={q[0]: half_cos, q[1]: half_sin, q[2].diff(): -spin * half_sin / 2, q[3].diff(): spin * half_cos / 2},
+    drawing=[
+        draw.Ground((0, 0, 0)),
+        draw.Line((0, 0, 0), l * Rational(5, 4) * axis),
+        draw.Disk(l * axis, radius, axis=axis),
+        draw.Line(l * axis, l * axis + radius * across),
+        draw.Trace(l * Rational(5, 4) * axis),
+    ],
 )

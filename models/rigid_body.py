@@ -18,14 +18,23 @@ Quasi-velocities: omega_1, omega_2, omega_3 [rad/s], the angular velocity in bod
 Oracle: Euler's equations in Jacobi's elliptic functions, the angles from the fixed angular momentum.
 """
 
-from sympy import Rational, cos, sin, symbols
+from itertools import product
+
+from sympy import Matrix, Rational, cos, rot_ccw_axis1, rot_ccw_axis3, sin, sqrt, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model
+from eigenmotion import Model, draw
 
 psi, theta, phi = dynamicsymbols("psi theta phi")
 omega_1, omega_2, omega_3 = dynamicsymbols("omega_1:4")
 J1, J2, J3 = symbols("J1:4", positive=True)
+
+attitude = rot_ccw_axis3(psi) * rot_ccw_axis1(theta) * rot_ccw_axis3(phi)
+# half the sides of a plate with such moments, to some scale; its thickness is for the eye
+sides = sqrt(J2 + J3 - J1) / 2, sqrt(J1 + J3 - J2) / 2, sqrt(J3) / 20
+corners = [
+    attitude * Matrix([s * half for s, half in zip(signs, sides, strict=True)]) for signs in product((-1, 1), repeat=3)
+]
 
 J = {J1: 1.0, J2: 2.0, J3: 3.0}
 tilt, turn, momentum = 1.2, 1.4, 2.0
@@ -47,4 +56,5 @@ model = Model(
         omega_2: momentum * sin(tilt) * cos(turn) / J[J2],
         omega_3: momentum * cos(tilt) / J[J3],
     },
+    drawing=[draw.Body(corners), draw.Trace(attitude * Matrix([sides[0], 0, 0]))],
 )

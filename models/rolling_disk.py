@@ -21,7 +21,7 @@ rate w about the axle, J = m r^2 / 4 and J3 = 2 J.
 from sympy import Matrix, Rational, cos, sin, symbols, tan
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 x, y, phi, theta, psi = dynamicsymbols("x y phi theta psi")
 m, r, g = symbols("m r g", positive=True)
@@ -29,6 +29,7 @@ m, r, g = symbols("m r g", positive=True)
 left = Matrix([-sin(phi), cos(phi), 0])
 centre = Matrix([x, y, 0]) + r * (cos(theta) * Matrix([0, 0, 1]) + sin(theta) * left)
 velocity = centre.diff(t)
+axle = cos(theta) * left - sin(theta) * Matrix([0, 0, 1])
 
 J = m * r**2 / 4
 across = theta.diff() ** 2 + (phi.diff() * cos(theta)) ** 2
@@ -50,4 +51,9 @@ model = Model(
     ],
     parameters={m: mass, r: radius, g: gravity},
     initial={theta: lean, x.diff(): radius * roll, phi.diff(): turn, psi.diff(): roll},
+    drawing=[
+        draw.Trace((x, y, 0)),
+        draw.Ground((-4 * r, -2 * r, 0), (6 * r, -2 * r, 0), (6 * r, 8 * r, 0), (-4 * r, 8 * r, 0)),
+        draw.Disk(centre, r, angle=psi, axis=axle),
+    ],
 )

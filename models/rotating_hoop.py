@@ -16,13 +16,16 @@ Coordinate: theta [rad], from the lowest point.
 Oracle: u = cos theta obeys udot^2 = quartic(u), solved by Weierstrass' elliptic function.
 """
 
-from sympy import Rational, cos, sin, symbols
+from sympy import Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model
+from eigenmotion import Model, draw, t
 
 theta = dynamicsymbols("theta")
 m, R, Omega, g = symbols("m R Omega g", positive=True)
+
+across = Matrix([cos(Omega * t), sin(Omega * t), 0])
+bead = R * (sin(theta) * across - cos(theta) * Matrix([0, 0, 1]))
 
 model = Model(
     name="rotating_hoop",
@@ -31,4 +34,10 @@ model = Model(
     potential_energy=-m * g * R * cos(theta),
     parameters={m: 1.0, R: 0.5, Omega: 6.0, g: 9.81},
     initial={theta: 0.5},
+    drawing=[
+        draw.Line((0, 0, -R * Rational(5, 4)), (0, 0, R * Rational(5, 4))),
+        draw.Disk((0, 0, 0), R, axis=(-across[1], across[0], 0)),
+        draw.Disk(bead, R / 12),
+        draw.Trace(bead),
+    ],
 )

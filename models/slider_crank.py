@@ -24,7 +24,7 @@ from math import sin as s_
 from sympy import Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 theta, phi, x = dynamicsymbols("theta phi x")
 r, l, m_c, m_r, m_s, g = symbols("r l m_c m_r m_s g", positive=True)
@@ -32,6 +32,7 @@ r, l, m_c, m_r, m_s, g = symbols("r l m_c m_r m_s g", positive=True)
 pin = r * Matrix([cos(theta), sin(theta)])
 rod = l * Matrix([cos(phi), -sin(phi)])
 velocity = (pin + rod / 2).diff(t)
+half = r / 3
 
 crank_energy = Rational(1, 6) * m_c * r**2 * theta.diff() ** 2
 rod_energy = Rational(1, 2) * m_r * (velocity.dot(velocity) + l**2 / 12 * phi.diff() ** 2)
@@ -57,4 +58,12 @@ model = Model(
         phi.diff(): rod_rate,
         x.diff(): -crank_length * crank_rate * s_(crank_angle) - rod_length * rod_rate * s_(rod_angle),
     },
+    drawing=[
+        draw.Ground((0, 0)),
+        draw.Ground((l - r - half, -half), (l + r + half, -half)),
+        draw.Body([(x - half, -half), (x + half, -half), (x + half, half), (x - half, half)]),
+        draw.Line((0, 0), pin),
+        draw.Line(pin, pin + rod),
+        draw.Trace(pin + rod / 2),
+    ],
 )

@@ -15,10 +15,10 @@ Links: cylinders of mass m_k, length l_k and common radius rho.
 Oracles: Lagrange equations formed from positions in the fixed frame; high-precision integration.
 """
 
-from sympy import Integer, Matrix, Rational, rot_ccw_axis2, rot_ccw_axis3, symbols
+from sympy import Integer, Matrix, Rational, eye, rot_ccw_axis2, rot_ccw_axis3, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model
+from eigenmotion import Model, draw
 
 ALONG, AXIS_Y, AXIS_Z = Matrix([1, 0, 0]), Matrix([0, 1, 0]), Matrix([0, 0, 1])
 
@@ -32,6 +32,9 @@ def model(n: int = 3) -> Model:
     # of the joint, in the axes of the link: velocity, angular velocity, upward direction, height
     velocity, omega, up, height = Matrix([0, 0, 0]), Matrix([0, 0, 0]), AXIS_Z, Integer(0)
     T = V = Integer(0)
+    # in the fixed axes: those of the link, and its end
+    axes, end = eye(3), Matrix([0, 0, 0])
+    drawing: list[object] = [draw.Ground((0, 0, 0))]
     for k, (q, m, l) in enumerate(zip(joints, masses, lengths, strict=True)):
         axis, R = (AXIS_Y, rot_ccw_axis2(q)) if k % 2 else (AXIS_Z, rot_ccw_axis3(q))
         velocity, omega, up = R.T * velocity, R.T * omega + q.diff() * axis, R.T * up
@@ -41,6 +44,9 @@ def model(n: int = 3) -> Model:
         T += Rational(1, 2) * (m * centre.dot(centre) + spin)
         V += m * g * (height + l / 2 * up[0])
         velocity, height = velocity + omega.cross(l * ALONG), height + l * up[0]
+        axes, joint = axes * R, end
+        end = joint + l * axes * ALONG
+        drawing += [draw.Line(joint, end), draw.Disk(joint, rho)]
 
     return Model(
         name=f"spatial_arm_{n}",
@@ -49,4 +55,5 @@ def model(n: int = 3) -> Model:
         potential_energy=V,
         parameters=dict.fromkeys(masses, 1.0) | dict.fromkeys(lengths, 0.6) | {rho: 0.05, g: 9.81},
         initial={q: Rational(1, 2) + Rational(k, 5) for k, q in enumerate(joints)} | {joints[0].diff(): 1.0},
+        drawing=[*drawing, draw.Trace(end)],
     )

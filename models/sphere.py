@@ -19,10 +19,10 @@ Nonholonomic constraints: no slip, vx = R omega_y, vy = -R omega_x.
 Oracle: closed form, constant acceleration 5/7 g sin(alpha) down the slope and a constant spin omega_z.
 """
 
-from sympy import Matrix, Rational, pi, sin, symbols
+from sympy import Matrix, Rational, cos, eye, pi, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, t
+from eigenmotion import Model, draw, t
 
 x, y = dynamicsymbols("x y")
 p = Matrix(dynamicsymbols("p_1:4"))
@@ -33,6 +33,13 @@ m, R, g, alpha = symbols("m R g alpha", positive=True)
 p_rate = p.diff(t)
 turning = 2 * (p_rate + p.cross(p_rate)) / (1 + p.dot(p))
 J = Rational(2, 5) * m * R**2
+
+# in fixed axes, z upwards: those of the plane, and the ball's
+down, side, normal = Matrix([cos(alpha), 0, -sin(alpha)]), Matrix([0, 1, 0]), Matrix([sin(alpha), 0, cos(alpha)])
+plane = Matrix.hstack(down, side, normal)
+turned = [plane * (e + 2 * (p.cross(e) + p.cross(p.cross(e))) / (1 + p.dot(p))) for e in map(eye(3).col, range(3))]
+touching = x * down + y * side
+centre = touching + R * normal
 
 speed_down, speed_across, spin, radius = 0.3, 0.5, 0.4, 0.5
 
@@ -54,4 +61,10 @@ model = Model(
         omega[1]: speed_down / radius,
         omega[2]: spin,
     },
+    drawing=[
+        draw.Trace(touching),
+        draw.Ground(*(R * (down * i + side * j) for i, j in ((-4, -4), (24, -4), (24, 12), (-4, 12)))),
+        draw.Disk(centre, R),
+        *(draw.Disk(centre, R, axis=axis) for axis in turned),
+    ],
 )

@@ -13,6 +13,8 @@
 
 Coordinates: x, z [m]. `gap` may be 0: the eigenvalues then cross.
 
+No drawing: an M that varies so is a case, not a body.
+
 Oracles: Lagrange equations; high-precision integration.
 """
 

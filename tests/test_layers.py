@@ -66,7 +66,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "arguments": ("codegen.model", "runtime"),
     "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
     "running": ("codegen.model", "runtime", "arguments", "results"),
-    "system": ("codegen.model", "runtime", "arguments", "running"),
+    "system": ("codegen.model", "runtime", "arguments", "running", "pages"),
     "building": (
         "codegen.model",
         "codegen.c",
@@ -81,6 +81,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     ),
     "reference": ("codegen.model", "arguments"),
     "pages": ("codegen.model", "files"),
+    "live": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "building"),
     "report": (
         "codegen.model",
         "codegen.physics",
@@ -119,6 +120,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "system",
         "building",
         "pages",
+        "live",
         "report",
         "stability",
         "files",

@@ -195,10 +195,11 @@ def test_steps_that_a_compiler_spoilt_are_found(own_cache, tmp_path, monkeypatch
 
 @pytest.mark.parametrize(("function", "old", "named"), [("position", "phi[0] = ", r"holonomic_constraints\[0\]"),
                                                   ("observe", "out[0] = ", r"outputs\[out\]"),
-                                                  ("model_events", "crossing[0] = ", r"events\[event\]")])  # fmt: skip
+                                                  ("model_events", "crossing[0] = ", r"events\[event\]"),
+                                                  ("draw", "p[0] = ", r"drawing\[0\]")])  # fmt: skip
 def test_expressions_of_all_kinds_are_looked_at(function, old, named):
     model = two(qd**2 + rd**2, holonomic_constraints=[sympy.sin(q) + r], outputs={"out": q + em.multiplier(0)},
-                events={"event": sympy.cos(q + r)})  # fmt: skip
+                events={"event": sympy.cos(q + r)}, drawing=[em.draw.Trace((sympy.cos(r), q))])  # fmt: skip
     with pytest.raises(ProofError, match=named):
         prove(model, loaded(changed(model, function, old, f"{old}1.0001*"), "-O0"))
 

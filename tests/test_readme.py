@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from eigenmotion.building.errors import BuildError
 from eigenmotion.cli import main
+from eigenmotion.live.wasm import wasm_compiler
 
 README = (Path(__file__).parents[1] / "README.md").read_text()
 
@@ -41,3 +43,21 @@ def test_the_python_works(pendulum, capsys):
     success, energy = capsys.readouterr().out.splitlines()
     assert success.startswith("True 10.0 ")
     assert 0 <= float(energy) < 1e-5
+
+
+def test_the_pictures_move(tmp_path, monkeypatch, capsys):
+    """A page, and an animation, as the README has them."""
+    pytest.importorskip("matplotlib")
+    try:
+        wasm_compiler()
+    except BuildError as error:
+        pytest.skip(str(error))
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
+    Path("pendulum.py").write_text(block("A model file", "python"))
+    page, animation = [shlex.split(line, comments=True)[1:] for line in block("See it move", "sh").splitlines()]
+    assert main(page) == 0
+    assert "open it in a browser" in capsys.readouterr().out
+    assert Path("pendulum.html").read_text(encoding="utf-8").startswith("<!doctype html>")
+    assert main([*animation, "--t-end", "0.2"]) == 0
+    assert Path("pendulum.gif").read_bytes().startswith(b"GIF89a")

@@ -54,8 +54,9 @@ class _Writing:
         takes_over = self.choices.bounded and self.layout.couples
         triangular = self.right_hand_side("triangular") if takes_over else Stages(None, None)
         factored = self.factored() if self.mechanics.augmented else None
+        drawing = self.drawing()  # last: the constants of the others stay where they are
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       prepared=self.prepared(), **asked)  # fmt: skip
+                       drawing=drawing, prepared=self.prepared(), **asked)  # fmt: skip
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""
@@ -234,6 +235,15 @@ class _Writing:
     def quasi(self) -> Kernel:
         entries = self.column("y", (self.terms.node(row) for _, row in self.mechanics.quasi_velocities))
         return self.one("quasi", entries, "t", "x", "v", "c", "y", aside=True)
+
+    def drawing(self) -> Kernel:
+        """Each number once: shapes share their points."""
+        places: dict[Node, list[str]] = {}
+        numbers = (self.terms.node(number) for shape in self.mechanics.drawing for number in shape.numbers)
+        for k, number in enumerate(numbers):
+            places.setdefault(number, []).append(f"[{k}]")
+        entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
+        return self.one("draw", entries, "t", "x", "c", "p", aside=True)
 
     def prepared(self) -> Kernel:
         """M of the fixed blocks, then the constants that the other kernels asked for."""

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 
 from ..choices import Choices
 from ..model.model import Event
 from ..physics.specialise import Kind, Scene
 from .kernels import kernels_of
 from .layout import Layout, laid_out
-from .program import BlockView, EventView, Kernels, Named, Program, Stages
+from .program import BlockView, EventView, Kernels, Named, Program, ShapeView, Stages
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +51,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
         inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
         events=tuple(EventView(name, event.direction, int(event.terminal)) for name, event in defaults.events),
+        shapes=_shapes(scene), dimension=next((shape.dimension for shape in mechanics.drawing), 0),
         quasi_velocities=tuple(name for name, _ in mechanics.quasi_velocities), initial_y=tuple(map(repr, defaults.y)),
         blocks=blocks, block_of=_block_of(scene), carried=_carried(scene, eigen), scales=tuple(map(repr, scene.scales)),
         delta_eigenfactors=bool(groups), row_groups=groups,
@@ -82,6 +84,12 @@ def _settling(scene: Scene, layout: Layout, turning: bool, choices: Choices) -> 
 
 def _named(defaults: Iterable[tuple[str, float]]) -> tuple[Named, ...]:
     return tuple(Named(name, repr(value)) for name, value in defaults)
+
+
+def _shapes(scene: Scene) -> tuple[ShapeView, ...]:
+    counts = [len(shape.numbers) for shape in scene.mechanics.drawing]
+    firsts = accumulate(counts, initial=0)
+    return tuple(map(ShapeView, (shape.kind for shape in scene.mechanics.drawing), firsts, counts))
 
 
 def _block_of(scene: Scene) -> tuple[int, ...]:

@@ -87,6 +87,15 @@ class EventView:
 
 
 @dataclass(frozen=True, slots=True)
+class ShapeView:
+    """The numbers p[first .. first + count) of the drawing are a shape of this kind."""
+
+    kind: str
+    first: int
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
 class Stages:
     """Kernels of one function: the second needs velocities that follow from the first. None: there is nothing to do."""
 
@@ -131,6 +140,7 @@ class Kernels:
     outputs: Kernel
     events: Kernel
     quasi: Kernel
+    drawing: Kernel
     published: Stages
     triangular: Stages
     settled: Stages
@@ -151,6 +161,7 @@ class Program:
     settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
     layout : the parts of the state vector
     quasi_velocities, initial_y : their names; their values at the start where the model starts from them
+    shapes, dimension : of the drawing; numbers a position has in it, 0 where there is none
     costs : operations of the model-specific part and of the whole right-hand side, for readers
     """
 
@@ -187,6 +198,8 @@ class Program:
     inputs: tuple[Named, ...]
     outputs: tuple[str, ...]
     events: tuple[EventView, ...]
+    shapes: tuple[ShapeView, ...]
+    dimension: int
     quasi_velocities: tuple[str, ...]
     initial_y: tuple[str, ...]
     blocks: tuple[BlockView, ...]

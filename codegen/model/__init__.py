@@ -1,5 +1,6 @@
 """What a mechanism is: the user's SymPy, checked and in one form."""
 
+from . import draw as draw
 from .model import Event as Event
 from .model import Model as Model
 from .model import ModelError as ModelError

@@ -7,6 +7,7 @@ from typing import Any
 
 import sympy
 
+from .drawing import Shape
 from .normalise import ModelError, expression, shown, t, truth
 
 
@@ -44,6 +45,7 @@ class Mechanism:
     events: tuple[tuple[str, Event], ...]
     initial: tuple[tuple[sympy.Expr, float], ...]
     scales: tuple[float, ...]
+    drawing: tuple[Shape, ...]
 
     @property
     def n(self) -> int:

@@ -10,6 +10,8 @@ import sympy
 
 from . import checks
 from .canonical import canonical_text
+from .drawing import drawing_of
+from .equations import Equations, equations_of
 from .mechanism import Event, Mechanism
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
 
@@ -49,6 +51,7 @@ class Model(Mechanism):
     parameters, inputs, initial : pairs symbol, default [float]; what is missing in initial is 0
     outputs, events : pairs name, expression or Event
     scales : (n) unit of each coordinate inside the eigenproblem [u_i]
+    drawing : what it looks like: shapes of `eigenmotion.draw`, in the plane or in space
 
     Raises
     ------
@@ -73,6 +76,7 @@ class Model(Mechanism):
         events: Pairs = (),
         initial: Pairs = (),
         scales: Pairs | Sequence[float] = (),
+        drawing: Iterable[Any] = (),
     ) -> None:
         given = dict(locals())
         del given["self"]
@@ -93,6 +97,16 @@ class Model(Mechanism):
             return checks.solve_rates(self, self.initial_x, self.initial_y)
         known = dict(self.initial)
         return tuple(known.get(v, 0.0) for v in self.rates)
+
+    def equations(self) -> Equations:
+        """Return M, bias, A, b, gamma as SymPy matrices in the user's symbols: M xddot + A^T lambda = bias (11).
+
+        Simplified only where that is quick. What is compiled is derived on its own, and proved against the energies.
+        """
+        return equations_of(self)
+
+    def _repr_latex_(self) -> str:
+        return self.equations()._repr_latex_()
 
     def canonical(self) -> str:
         """Return a text of everything that defines the model: equal texts, equal generated files."""
@@ -116,6 +130,7 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
         "outputs": _expressions(given["outputs"], "outputs"),
         "events": tuple((name, _event(entry, name)) for name, entry in pairs_of(given["events"], "events")),
         "scales": _scales(given["scales"], coordinates),
+        "drawing": drawing_of(given["drawing"]),
         **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
 

@@ -44,7 +44,9 @@ def _expressions(model: Mechanism) -> list[tuple[str, sympy.Expr, frozenset[str]
         *((f"quasi_velocities[{name_of(y)}]", row, frozenset({"rates"})) for y, row in model.quasi_velocities),
         *((f"outputs[{name}]", out, anything | {"accelerations", "multipliers"}) for name, out in model.outputs),
         *((f"events[{name}]", event.expression, anything) for name, event in model.events),
-    ]
+        *((f"drawing[{k}] ({shape.kind})", number, frozenset[str]())
+          for k, shape in enumerate(model.drawing) for number in shape.numbers),
+    ]  # fmt: skip
 
 
 def _check_expression(model: Mechanism, what: str, expression: sympy.Expr, allowed: frozenset[str]) -> None:
@@ -78,9 +80,15 @@ def _check_rate(what: str, rate: sympy.Derivative, kind: str | None, allowed: fr
 def _remedy_for_velocity(what: str) -> str:
     if what.startswith("holonomic"):
         return "State it under nonholonomic_constraints."
+    if what.startswith("drawing"):
+        return "A drawing is made of positions."
     if what.startswith("potential"):
         return "What depends on velocities belongs to kinetic_energy or forces."
     return "State it in the rates of the coordinates where those are allowed."
+
+
+def _remedy_for_input(what: str) -> str:
+    return "Draw it as a coordinate." if what.startswith("drawing") else "Let it act through forces."
 
 
 def _check_function(
@@ -93,7 +101,7 @@ def _check_function(
     if kind is None:
         raise ModelError(_unknown(model, what, function))
     if kind == "input" and "inputs" not in allowed:
-        raise ModelError(f"{what} contains the input {name_of(function)!r}. Let it act through forces.")
+        raise ModelError(f"{what} contains the input {name_of(function)!r}. {_remedy_for_input(what)}")
     if kind == "quasi-velocity" and "quasi" not in allowed:
         raise ModelError(f"{what} contains the quasi-velocity {name_of(function)!r}. {_remedy_for_velocity(what)}")
 

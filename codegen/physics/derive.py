@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import sympy
@@ -14,6 +14,7 @@ from ..graph.graph import Graph
 from ..graph.rewrite import Substitution
 from ..graph.store import Node
 from ..graph.zeros import Zeros
+from ..model.drawing import Shape
 from ..model.model import Model, ModelError, multiplier, t
 from ..model.normalise import name_of
 from .augment import weights
@@ -36,6 +37,7 @@ class Mechanics:
     A : (m, n); b : (m,) (8)
     phi : (h,) the holonomic constraints
     outputs, events : (name, expression) with a_k = xddot_k and lambda_i as symbols
+    drawing : the shapes, in x, t and parameters
     quasi_velocities : (name, P(x, t) v) (3), n of them or none
     """
 
@@ -60,6 +62,7 @@ class Mechanics:
     outputs: tuple[tuple[str, sympy.Expr], ...]
     events: tuple[tuple[str, sympy.Expr], ...]
     quasi_velocities: tuple[tuple[str, sympy.Expr], ...]
+    drawing: tuple[Shape, ...]
 
     @property
     def augmented(self) -> bool:
@@ -133,7 +136,11 @@ class _Derivation:
             outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
             events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
             quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
+            drawing=tuple(map(self.shape, model.drawing)),
         )  # fmt: skip
+
+    def shape(self, given: Shape) -> Shape:
+        return replace(given, numbers=tuple(self.to_sympy(self.node(number)) for number in given.numbers))
 
     def node(self, expression: sympy.Expr) -> Node:
         try:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .codegen.model import Event as Event
     from .codegen.model import Model as Model
     from .codegen.model import ModelError as ModelError
+    from .codegen.model import draw as draw
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .results.solution import Solution as Solution
@@ -35,6 +36,7 @@ _HOME = {
     "StopReason": ".runtime",
     "System": ".system.system",
     "build": ".building.build",
+    "draw": ".codegen.model",
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
     "simulate": ".running.simulate",

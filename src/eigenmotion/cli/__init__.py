@@ -15,6 +15,8 @@ COMMANDS = {
     "build": "Generate, then compile the importable module beside the sources.",
     "explain": "Say what the generated code carries, and what it leaves out and why.",
     "run": "Simulate a model; print a summary, draw it, save it.",
+    "new": "Write a model file to start from.",
+    "page": "Write a page on which a model moves, alive, in any browser.",
     "report": "Measure error against run time, and recommend.",
     "stability": "Drive every formulation and method to its limits.",
     "cache": "Show where compiled models are kept, and clear it.",

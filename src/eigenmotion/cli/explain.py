@@ -7,6 +7,7 @@ from typing import Any
 import click
 
 from eigenmotion.building.errors import BuildError
+from eigenmotion.building.request import Order
 from eigenmotion.building.toolchain import toolchain
 
 from .options import Shape, model, shaping
@@ -17,16 +18,26 @@ _log = logging.getLogger("eigenmotion")
 
 @click.command("explain")
 @model
+@click.option("--latex", is_flag=True, help="Print the equations of motion in LaTeX instead.")
+@click.option("--sympy", is_flag=True, help="Print them as Python that makes SymPy matrices.")
 @shaping
-def command(model: Path, **shape: Any) -> None:
+def command(model: Path, latex: bool, sympy: bool, **shape: Any) -> None:
     """Show the states, blocks and operation counts of MODEL, and what its code leaves out and why."""
+    if latex and sympy:
+        raise click.UsageError("--latex and --sympy: choose one")
     with clock():
         order = Shape(**shape).order(model)
         _log.info("deriving %s", order.model.name)
-        text = order.explanation()
-        width = _width()
+        text = _text(order, latex, sympy)
     click.echo(text.rstrip("\n"))
-    click.echo(f"\nThis machine\n  {width}")
+
+
+def _text(order: Order, latex: bool, sympy: bool) -> str:
+    if latex:
+        return order.model.equations().latex()
+    return (
+        order.model.equations().source() if sympy else f"{order.explanation().rstrip()}\n\nThis machine\n  {_width()}"
+    )
 
 
 def _width() -> str:

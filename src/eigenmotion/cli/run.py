@@ -13,6 +13,8 @@ from eigenmotion.building.toolchain import toolchain
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.pages.figures import FORMATS, require_matplotlib
 from eigenmotion.pages.figures import save as save_figure
+from eigenmotion.results.animation import ANIMATIONS, require_ffmpeg, save_animation
+from eigenmotion.results.drawing import require_drawing
 from eigenmotion.results.plot import coordinates
 from eigenmotion.results.saving import SAVERS, save
 from eigenmotion.results.solution import Solution
@@ -40,6 +42,8 @@ _log = logging.getLogger("eigenmotion")
 @click.option("--estimate-error", is_flag=True, help="Run again more accurately, and say how large the error is.")
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help="Draw the coordinates over time, to FILE.png, .svg or .pdf; needs matplotlib.")  # fmt: skip
+@click.option("--animate", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help=f"Show the mechanism move, to FILE{', '.join(ANIMATIONS)}; needs matplotlib.")  # fmt: skip
 @click.option("--save", "target", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
               help=f"Save every row, to {' or '.join(f'FILE{ending}' for ending in SAVERS)}.")  # fmt: skip
 @shaping
@@ -52,6 +56,7 @@ def command(
     settings: tuple[str, ...],
     estimate_error: bool,
     plot: Path | None,
+    animate: Path | None,
     target: Path | None,
     **shape: Any,
 ) -> int:
@@ -60,30 +65,37 @@ def command(
     A run that a terminal event ends is done (exit code 0). One that stops early for another reason prints the reason
     and what was reached, and exits with 2; interrupted, with 130.
     """
-    _check_targets(plot, target)
+    _check_targets(plot, animate, target)
     order = Shape(**shape).order(model)
+    if animate and not order.model.drawing:
+        require_drawing(None, order.model.name)
     given = values(order.model, settings)
     options = {"rtol": rtol, "atol": atol, "method": method, "estimate_error": estimate_error}
     with clock():
         system = load(make(order, toolchain()))
         _log.info("running %s to t = %g", system.name, t_end)
         start = time.perf_counter()
-        solution = _simulated(system, t_end, dense_output=bool(plot), **options, **given)
+        solution = _simulated(system, t_end, dense_output=bool(plot or animate), **options, **given)
         seconds = time.perf_counter() - start
     click.echo(summary(system, solution, seconds))
     if plot:
         click.echo(f"drawn to {save_figure(coordinates(system, solution), plot)}")
+    if animate:
+        click.echo(f"moves in {save_animation(solution.animate(), animate)}")
     if target:
         save(system, solution, target)
         click.echo(f"saved to {target}")
     return _exit_code(solution)
 
 
-def _check_targets(plot: Path | None, target: Path | None) -> None:
+def _check_targets(plot: Path | None, animate: Path | None, target: Path | None) -> None:
     """Find out before the run what would fail after it."""
-    if plot:
+    if plot or animate:
         require_matplotlib()
-    for option, file, endings in (("--plot", plot, FORMATS), ("--save", target, SAVERS)):
+    if animate and animate.suffix == ".mp4":
+        require_ffmpeg()
+    targets = (("--plot", plot, FORMATS), ("--animate", animate, ANIMATIONS), ("--save", target, SAVERS))
+    for option, file, endings in targets:
         if file and file.suffix not in endings:
             raise click.UsageError(f"{option} {file}: known endings are {', '.join(endings)}")
         if file and not file.absolute().parent.is_dir():

@@ -34,9 +34,14 @@ class Picture:
     png: bytes
 
 
+def has_matplotlib() -> bool:
+    """Say whether matplotlib is there."""
+    return find_spec("matplotlib") is not None
+
+
 def require_matplotlib() -> None:
     """Raise ModelError where matplotlib is missing."""
-    if find_spec("matplotlib") is None:
+    if not has_matplotlib():
         raise ModelError("pictures need matplotlib: pip install 'eigenmotion[plot]'")
 
 

@@ -9,6 +9,8 @@ from sympy import Symbol, latex
 
 from ..arguments.names import Vector
 from ..pages.figures import COLOURS, STYLES, apart, blank, uncluttered
+from .drawing import Drawing
+from .sketch import Sketch
 from .solution import Solution
 
 if TYPE_CHECKING:
@@ -16,19 +18,25 @@ if TYPE_CHECKING:
 
 MARKERS = ("o", "s", "^", "D", "v")
 _MARKS = 8  # on each line
+_GHOSTS = 6
 _FEW = 30  # events that a line each does not hide the picture
 
 
 def coordinates(system: "System", solution: Solution) -> Any:
-    """Return a figure of x over t, one line a coordinate, with a row for each event below.
+    """Return a figure of x over t, one line a coordinate, with a row for each event below, and the mechanism beside.
 
     Each line has a style, markers and its name at its end, so that none needs its colour. The unit of the time is the
     second; those of the coordinates are the model's and not known here.
     """
     rows = len(system.events)
     heights = [max(4.0, 0.5 + 0.2 * system.n), *([0.2 * rows + 0.05] if rows else [])]
-    figure = blank(8, sum(heights) + 0.6)
-    axes, *strip = figure.subplots(len(heights), sharex=True, squeeze=False, height_ratios=heights)[:, 0]
+    drawn = _drawn(solution)
+    figure = blank(8 if drawn is None else 12.5, sum(heights) + 0.6)
+    places = figure.add_gridspec(len(heights), 1 if drawn is None else 2, height_ratios=heights,
+                                 width_ratios=(8,) if drawn is None else (8, 4.5))  # fmt: skip
+    axes = figure.add_subplot(places[0, 0])
+    strip = [figure.add_subplot(places[1, 0], sharex=axes)] if rows else []
+    axes.tick_params(labelbottom=not strip)
     t, x = _smooth(system, solution)
     _draw_lines(axes, t, x, system.coordinates)
     _name_lines(axes, x, system.coordinates)
@@ -38,7 +46,22 @@ def coordinates(system: "System", solution: Solution) -> Any:
     if t[0] != t[-1]:
         axes.set_xlim(t[0], t[-1])
     figure.axes[-1].set_xlabel("time $t$ [s]")
+    if drawn is not None:
+        _sketch(figure, places[:, 1], drawn)
     return figure
+
+
+def _drawn(solution: Solution) -> Drawing | None:
+    if solution.drawing is None or not len(solution.t):
+        return None
+    return solution.drawn(np.linspace(solution.t[0], solution.t[-1], 600))
+
+
+def _sketch(figure: Any, place: Any, drawn: Drawing) -> None:
+    """Draw the mechanism at the end, faintly where it was before, and the traces."""
+    sketch = Sketch(figure, place, drawn, f"$t$ = {drawn.t[-1]:g} s")
+    sketch.ghosts(np.linspace(0, len(drawn.t) - 1, _GHOSTS, dtype=int)[:-1])
+    sketch.show(len(drawn.t) - 1)
 
 
 def _draw_lines(axes: Any, t: Vector, x: Vector, names: Sequence[str]) -> None:

@@ -9,7 +9,11 @@ from scipy.optimize import OptimizeResult
 
 from ..arguments.names import Vector, vector
 from ..codegen.model.normalise import ModelError
+from ..pages.figures import has_matplotlib
+from ..pages.notebook import image, table
 from ..runtime import StopReason
+from .animation import FRAMES_A_SECOND, animation, frame_times, still
+from .drawing import Drawing, require_drawing
 from .trajectory import Trajectory
 
 __all__ = ["DenseOutput", "Solution", "StopReason"]
@@ -28,6 +32,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
     "factor_residual": lambda rows: rows.factor_residual,
     "outputs": lambda rows: rows.outputs,
     "quasi_velocities": lambda rows: rows.quasi_velocities,
+    "drawing": lambda rows: rows.drawing,
 }
 
 
@@ -93,6 +98,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     position_residual : (h, k), phi
     factor_residual : (k,), max|M - C^T S^2 C| / max|M|, M what is factored (docs/theory.md)
     outputs, quasi_velocities : name -> (k,)
+    drawing : a Drawing, its numbers (k, ...), None where the model has none
 
     Where a row has no such value (singular M, dependent constraint rows) it is NaN.
     """
@@ -140,6 +146,42 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         except KeyError:
             return default
 
+    def drawn(self, t: Vector) -> Drawing:
+        """Return what the mechanism looks like at t (k,): by `sol` where there is one, else between the rows.
+
+        Raises
+        ------
+        ModelError
+            The model has no drawing, or this is a copy from another process, which has its rows alone.
+        """
+        rows = self._rows
+        if rows is None:
+            raise ModelError(
+                "a copy of a Solution from another process has the drawing of its own rows only: `drawing`"
+            )
+        require_drawing(self["drawing"], rows.model.name)
+        x = rows.between(t) if self["sol"] is None else self["sol"](t)[: rows.model.n].T
+        return require_drawing(rows.drawn(t, np.ascontiguousarray(x)), rows.model.name)
+
+    def animate(self, *, speed: float = 1.0, fps: float = FRAMES_A_SECOND) -> Any:
+        """Return the run as a matplotlib animation; needs the extra `plot`.
+
+        Parameters
+        ----------
+        speed
+            Seconds of motion in a second.
+        fps
+            Frames a second.
+
+        Raises
+        ------
+        ModelError
+            The model has no drawing, there are no rows, or matplotlib is not there.
+        """
+        if not len(self["t"]):
+            raise ModelError("the run has no rows, so there is nothing to animate")
+        return animation(self.drawn(frame_times(self["t"][0], self["t"][-1], speed, fps)), fps)
+
     @property
     def cost(self) -> str:
         """What the run took, in words."""
@@ -156,6 +198,15 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         return f"<Solution{model}: {self['stop']}, {span} in {len(t)} rows, {self.cost}>\n{self['message']}"
 
     __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        t = self["t"]
+        rows = {"ended": f"{self['stop']}: {self['message']}", "rows": str(len(t)), "cost": self.cost}
+        if len(t):
+            rows |= {"time": f"{t[0]:g} ... {t[-1]:g} s"}
+        drawing = self["drawing"] if self._rows is not None else None
+        picture = image(still(drawing), "the mechanism at the end") if drawing and has_matplotlib() else ""
+        return table(self._rows.model.name if self._rows is not None else "Solution", rows) + picture
 
     def __reduce__(self) -> tuple[Callable[[dict[str, Any]], "Solution"], tuple[dict[str, Any]]]:
         """Give copies in other processes every field; `sol` where they can make the model, which it needs."""

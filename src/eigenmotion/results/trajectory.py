@@ -3,10 +3,12 @@
 from functools import cached_property
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 
 from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..runtime import CompiledModel
+from .drawing import Drawing
 
 
 class Trajectory:
@@ -87,6 +89,26 @@ class Trajectory:
         """Name -> (k,): y = P(x, t) xdot (3)."""
         columns = self.model.quasi_rows(self.t, self.x, self.v, self.task.prepared)
         return {name: columns[:, k] for k, name in enumerate(self.model.quasi_velocities)}
+
+    @cached_property
+    def drawing(self) -> Drawing | None:
+        """What the mechanism looks like in every row; None where the model has no drawing."""
+        return self.drawn(self.t, self.x)
+
+    def drawn(self, t: Vector, x: Vector) -> Drawing | None:
+        """What the mechanism looks like at t (k,), x (k, n)."""
+        if not self.model.shapes:
+            return None
+        numbers = self.model.drawn_rows(t, x, self.task.prepared)
+        return Drawing(self.model.name, t, self.model.dimension, self.model.shapes, numbers)
+
+    def between(self, t: Vector) -> Vector:
+        """x (k, n) at t (k,) between the rows, for the eye: cubics that have the velocities of both ends."""
+        sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
+        times, first = np.unique(sign * self.t, return_index=True)
+        if len(times) < len("ab"):
+            return np.repeat(self.x[:1], len(t), axis=0)
+        return np.asarray(CubicHermiteSpline(times, self.x[first], sign * self.v[first])(sign * t))
 
     @cached_property
     def outputs(self) -> dict[str, Vector]:

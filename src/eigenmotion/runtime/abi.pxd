@@ -18,6 +18,11 @@ cdef extern from "eigenmotion.h" nogil:
         int start
         int length
 
+    ctypedef struct em_shape:
+        const char *kind
+        int first
+        int count
+
     ctypedef enum em_signal_kind:
         pass
 
@@ -140,3 +145,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
         const em_lanes *lanes
+        int n_shapes
+        int dimension
+        const em_shape *shapes
+        void (*draw)(double, const double *, const double *, double *) noexcept nogil

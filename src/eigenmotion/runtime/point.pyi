@@ -25,6 +25,8 @@ class PointModel:
     n_outputs: int
     n_events: int
     lanes: int
+    dimension: int
+    n_drawn: int
     coordinates: tuple[str, ...]
     parameters: tuple[str, ...]
     inputs: tuple[str, ...]
@@ -34,6 +36,7 @@ class PointModel:
     layout: tuple[tuple[str, int, int], ...]
     block: tuple[int, ...]
     event_kinds: tuple[tuple[int, bool], ...]
+    shapes: tuple[tuple[str, int, int], ...]
     quasi_velocities: tuple[str, ...]
     carried: tuple[int, ...]
     parameter_defaults: Vector

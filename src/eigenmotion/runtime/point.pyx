@@ -84,6 +84,9 @@ cdef class PointModel:
         self.input_defaults = constants(c.input_defaults, c.n_inputs)
         self.initial_x, self.initial_v = constants(c.initial_x, c.n), constants(c.initial_v, c.n)
         self.initial_y = constants(c.initial_y, c.n) if c.initial_y != NULL else None
+        self.shapes = tuple([(c.shapes[k].kind.decode("utf-8"), c.shapes[k].first, c.shapes[k].count)
+                             for k in range(c.n_shapes)])
+        self.dimension, self.n_drawn = c.dimension, sum([count for _, _, count in self.shapes])
         self.scales = constants(c.scales, c.n)
         self.augmented = c.factored_matrix != NULL
 

@@ -12,6 +12,7 @@ from ..arguments.names import Vector, overlay, vector
 from ..arguments.options import least_norm_of
 from ..arguments.signals import Inputs, Signal, bind
 from ..codegen.model.normalise import ModelError, number, real
+from ..pages.notebook import table
 from ..running.consistent import ConsistentState, Projection
 from ..running.simulate import simulate
 from ..runtime import CompiledModel, EvaluationError, Prepared, plain
@@ -54,6 +55,15 @@ class System(Description):
     def __repr__(self) -> str:
         c = self._compiled
         return f"<System {c.name}: n={c.n}, m={c.m}, {c.n_state} states, {c.formulation}>"
+
+    def _repr_html_(self) -> str:
+        state = [f"{name}: y[{part.start}:{part.stop}]" for name, part in self.layout.items()]
+        blocks = ["{" + ", ".join(self.coordinates[k] for k in block) + "}" for block in self.blocks]
+        parameters = [f"{name} = {value:g}" for name, value in self.parameters.items()]
+        return table(
+            f"{self.name}: {self.n} coordinates, {self.m} constraint rows ({self.h} holonomic), {self.formulation}",
+            {"state": state, "blocks of M": blocks, "parameters": parameters, "left out": self.left_out or "nothing"},
+        )
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle as the model and its options: built, or found in the cache, where it is loaded."""

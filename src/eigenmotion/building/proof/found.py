@@ -18,7 +18,8 @@ class Found:
 
     M, factored (k, n, n); dM (k, n, n, n), of what is factored; A (k, m, n); b (k, m); phi (k, h); energies (k, 4);
     quasi (k, n or 0);
-    events (k, n_events); a (k, n); multipliers (k, m); outputs (k, n_outputs); C (k, n, n); s (k, n);
+    events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
+    C (k, n, n); s (k, n);
     y, dy (k, n_state); velocity (k, n) of y;
     least_norm (k,) whether rows depend on each other, so that the multipliers are those of least norm
     """
@@ -32,6 +33,7 @@ class Found:
     energies: Vector
     quasi: Vector
     events: Vector
+    drawn: Vector
     a: Vector
     multipliers: Vector
     outputs: Vector
@@ -68,6 +70,7 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
         *c.pfaffian(t, x, prepared),
         c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0], c.event_rows(time, position, moving, inputs, prepared)[0],
+        c.drawn_rows(time, position, prepared)[0],
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
         _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
         np.array(least_norm),
@@ -84,5 +87,5 @@ def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) 
 def _shapes(c: CompiledModel) -> tuple[tuple[int, ...], ...]:
     """Shapes of the fields of Found at one place."""
     n, m, state = c.n, c.m, (c.n_state,)
-    return ((n, n), (n, n), (n, n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,), (n,),
-            (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip
+    return ((n, n), (n, n), (n, n, n), (m, n), (m,), (c.h,), (4,), (len(c.quasi_velocities),), (c.n_events,),
+            (c.n_drawn,), (n,), (m,), (c.n_outputs,), (n, n), (n,), state, state, (n,), ())  # fmt: skip

@@ -46,6 +46,8 @@ def expressions(model: Model, v: Vector, found: Found, stated: Stated) -> Iterat
     yield _equal(rows[: model.h], found.phi, stated.phi)
     yield _equal([f"quasi_velocities[{name_of(y)}]" for y, _ in model.quasi_velocities], found.quasi, stated.quasi)
     yield _equal([f"events[{name}]" for name, _ in model.events], found.events, stated.events)
+    shapes = enumerate(model.drawing)
+    yield _equal([f"drawing[{k}]" for k, shape in shapes for _ in shape.numbers], found.drawn, stated.drawn)
 
 
 def motion(model: Model, v: Vector, found: Found, stated: Stated) -> Iterator[Identity]:

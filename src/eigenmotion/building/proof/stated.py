@@ -26,7 +26,8 @@ class Stated:
 
     M, M_rate (k, n, n); G (k, n); T0, V (k,); momentum_rate (k, n) = d/dt dT/dxdot; T_x, V_x, Q (k, n)
     A, A_rate (k, m, n); row (k, m) = A xdot + b; row_rate (k, m) its rate; phi (k, h); quasi (k, n or 0)
-    outputs (k, n_outputs); events (k, n_events); unknown: functions that could not be evaluated
+    outputs (k, n_outputs); events (k, n_events);
+    drawn (k, n_drawn); unknown: functions that could not be evaluated
     """
 
     M: Vector
@@ -46,6 +47,7 @@ class Stated:
     quasi: Vector
     outputs: Vector
     events: Vector
+    drawn: Vector
     unknown: frozenset[str]
 
 
@@ -113,6 +115,7 @@ class _Statement:
             "quasi": self._table(value(y).a for y, _ in model.quasi_velocities),
             "outputs": self._table(value(output).a for _, output in model.outputs),
             "events": self._table(value(event.expression).a for _, event in model.events),
+            "drawn": self._table(value(number).a for shape in model.drawing for number in shape.numbers),
         }  # fmt: skip
 
     def across(self) -> dict[str, Vector]:

@@ -45,6 +45,12 @@ typedef struct em_slice {
     int start, length;
 } em_slice;
 
+/* A part of a drawing: p[first .. first + count) are its points, and what else it has (codegen/model/drawing.py). */
+typedef struct em_shape {
+    const char *kind;
+    int first, count;
+} em_shape;
+
 /* One run-time signal u_i(t). count = 0 with values[0]: constant. */
 typedef enum em_signal_kind { EM_CONSTANT = 0, EM_HOLD, EM_LINEAR, EM_CUBIC } em_signal_kind;
 typedef struct em_signal {
@@ -182,6 +188,9 @@ typedef struct em_model {
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 
     const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
+    int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
+    const em_shape *shapes;  /* (n_shapes) */
+    void (*draw)(double t, const double *x, const double *c, double *p); /* all numbers of the shapes */
 } em_model;
 
 #endif

@@ -1,0 +1,64 @@
+"""`eigenmotion page`."""
+
+import logging
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.building.errors import BuildError
+from eigenmotion.codegen.model import Model, ModelError
+from eigenmotion.files import write
+from eigenmotion.live.page import Run, page
+from eigenmotion.live.three import Three, three
+
+from .options import Finite, Shape, check_writable, ending, model, shaping
+from .progress import clock
+
+_log = logging.getLogger("eigenmotion")
+
+
+@click.command("page")
+@model
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help="The page; MODEL.html by default.")  # fmt: skip
+@ending(Finite())
+@click.option("--rtol", type=Finite(), default=1e-9, show_default=True, metavar="R", help="Relative tolerance.")
+@click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
+@shaping
+def command(model: Path, output: Path | None, t_end: float, rtol: float, atol: float, **shape: Any) -> None:
+    """Write a page on which MODEL moves: one file, with the model compiled to WebAssembly inside, for any browser.
+
+    Needs a compiler for WebAssembly: pip install 'eigenmotion[page]'.
+    """
+    order = Shape(**shape).order(model)
+    target = output or Path(f"{order.model.name}.html")
+    _check(target, t_end, rtol, atol)
+    with clock():
+        _log.info("compiling %s to WebAssembly", order.model.name)
+        text = page(order, model.read_text(encoding="utf-8"), Run(t_end, rtol, atol), _three(order.model))
+    write(target, text.encode())
+    click.echo(f"wrote {target} ({len(text.encode()) / 1e3:.0f} kB); open it in a browser")
+    if not order.model.drawing:
+        click.echo(f"{order.model.name} has no drawing, so the page shows its curves alone: Model(drawing=[...])")
+
+
+def _three(model: Model) -> Three | None:
+    """Return three.js for a drawing in space; where it cannot be had, say so: the page draws space by itself."""
+    if not model.drawing or model.drawing[0].dimension < len("xyz"):
+        return None
+    try:
+        return three()
+    except BuildError as error:
+        click.echo(f"three.js is not to be had, so the page shows space on a plain canvas: {error}", err=True)
+        return None
+
+
+def _check(target: Path, t_end: float, rtol: float, atol: float) -> None:
+    """Find out before the work what would fail after it."""
+    if not target.absolute().parent.is_dir():
+        raise click.UsageError(f"-o {target}: there is no folder {target.parent}")
+    check_writable(target.absolute().parent, "-o")
+    for name, value in (("--t-end", t_end), ("--rtol", rtol), ("--atol", atol)):
+        if value <= 0:
+            raise ModelError(f"{name} is {value:g}; a page needs a positive number")

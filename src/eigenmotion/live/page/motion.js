@@ -1,0 +1,69 @@
+// motion.js: what a run found, row by row and between rows.
+
+class Motion {
+  constructor(about, table, width, end) {
+    Object.assign(this, { about, table, width, end });
+    this.rows = table.length / width;
+    const { n, m } = about;
+    this.places = { t: 0, x: 1, v: 1 + n, energy: 1 + 2 * n, rates: 2 + 2 * n, positions: 3 + 2 * n };
+    this.places.lambda = 4 + 2 * n;
+    this.places.drawn = 4 + 2 * n + m;
+  }
+
+  get last() { return this.rows ? this.table[(this.rows - 1) * this.width] : 0; }
+
+  at(row, place) { return this.table[row * this.width + place]; }
+
+  column(place) {
+    return Float64Array.from({ length: this.rows }, (_, row) => this.at(row, place));
+  }
+
+  // The row before a time, and how far it is to the next, 0 ... 1.
+  where(t) {
+    if (this.rows < 2) return [0, 0];
+    let low = 0, high = this.rows - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (this.at(middle, 0) <= t) low = middle; else high = middle;
+    }
+    const before = this.at(low, 0), after = this.at(high, 0);
+    return [low, after > before ? Math.min(1, Math.max(0, (t - before) / (after - before))) : 0];
+  }
+
+  // Numbers of the drawing at a time: rows are close, so that a straight line between two will do.
+  drawn(t) {
+    const [row, part] = this.where(t);
+    const next = Math.min(row + 1, this.rows - 1);
+    return Float64Array.from({ length: this.width - this.places.drawn }, (_, k) => {
+      const from = this.at(row, this.places.drawn + k);
+      return from + part * (this.at(next, this.places.drawn + k) - from);
+    });
+  }
+
+  value(place, t) {
+    const [row, part] = this.where(t);
+    const next = Math.min(row + 1, this.rows - 1);
+    return this.at(row, place) + part * (this.at(next, place) - this.at(row, place));
+  }
+
+  // Corners of all that is ever drawn.
+  box() {
+    const { dimension, shapes } = this.about;
+    const low = Array(3).fill(Infinity), high = Array(3).fill(-Infinity);
+    for (let row = 0; row < this.rows; row += Math.max(1, this.rows >> 8)) {
+      for (const shape of shapes) {
+        const points = shape.kind === "disk" ? 1 : shape.count / dimension;
+        const first = this.places.drawn + shape.first;
+        const room = shape.kind === "disk" ? Math.abs(this.at(row, first + dimension)) : 0;
+        for (let k = 0; k < points * dimension; ++k) {
+          const value = this.at(row, first + k), axis = k % dimension;
+          if (!Number.isFinite(value)) continue;
+          low[axis] = Math.min(low[axis], value - room);
+          high[axis] = Math.max(high[axis], value + room);
+        }
+      }
+    }
+    for (let axis = 0; axis < 3; ++axis) if (!(low[axis] <= high[axis])) low[axis] = high[axis] = 0;
+    return { low, high, size: Math.max(...high.map((value, axis) => value - low[axis])) || 1 };
+  }
+}

@@ -1,0 +1,164 @@
+// space.js: the mechanism in space by three.js, where the page holds it and the browser has WebGL. As Stage otherwise.
+
+async function openThree() {
+  const text = async (id) => new TextDecoder().decode(await unpacked(element(id).textContent));
+  const url = (source) => URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+  const core = url(await text("three-core"));
+  return import(url((await text("three-module")).replaceAll("./three.core.min.js", core)));
+}
+
+class SpaceStage extends Stage {
+  constructor(canvas, about, three) {
+    super(canvas, about, null);
+    this.three = three;
+    this.renderer = new three.WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.eye = new three.OrthographicCamera();
+    this.eye.up.set(0, 0, 1);
+  }
+
+  // What stays from frame to frame; made anew with the colours.
+  furnish() {
+    const { three } = this;
+    this.look = theme();
+    this.scene = new three.Scene();
+    this.scene.add(new three.HemisphereLight(0xffffff, 0xcccccc, 2.6));
+    this.lamp = new three.DirectionalLight(0xffffff, 1.6);
+    this.scene.add(this.lamp);
+    this.things = [];
+  }
+
+  draw() {
+    const { canvas, motion } = this;
+    if (!motion?.rows || !canvas.clientWidth) return;
+    if (this.look !== theme()) this.furnish();
+    const found = [...strokes(this.about, motion.drawn(this.t), this.box.size), ...this.paths()];
+    found.forEach((stroke, k) => {
+      this.things[k] ??= this.made(stroke);
+      this.things[k].visible = stroke.points.every((p) => p.every(Number.isFinite));
+      if (this.things[k].visible) this.things[k].place(stroke);
+    });
+    this.aim();
+    this.renderer.setPixelRatio(window.devicePixelRatio || 1);
+    this.renderer.setSize(canvas.clientWidth, canvas.clientHeight, false);
+    this.renderer.render(this.scene, this.eye);
+  }
+
+  aim() {
+    const { clientWidth: width, clientHeight: height } = this.canvas, { eye, box } = this;
+    const [right, up, towards] = this.axes(), { scale } = this.camera(), [panX, panY] = this.view.pan;
+    Object.assign(eye, { left: (-width / 2 - panX) / scale, right: (width / 2 - panX) / scale,
+      top: (height / 2 + panY) / scale, bottom: (-height / 2 + panY) / scale, near: 0, far: 20 * box.size });
+    eye.position.set(...plus(this.middle, towards, 10 * box.size));
+    eye.lookAt(...this.middle);
+    eye.updateProjectionMatrix();
+    this.lamp.position.set(...plus(plus(plus(this.middle, towards, 5), up, 6), right, 4));
+    this.lamp.target.position.set(...this.middle);
+    this.lamp.target.updateMatrixWorld();
+  }
+
+  made(stroke) {
+    const thing = MADE[stroke.kind](this, stroke);
+    this.scene.add(thing);
+    return thing;
+  }
+
+  material(name, more = {}) {
+    return new this.three.MeshLambertMaterial({ color: this.look[name], side: this.three.DoubleSide, ...more });
+  }
+
+  // Between two points a rod.
+  rod(radius, colour) {
+    const { three } = this, rod = new three.Mesh(new three.CylinderGeometry(radius, radius, 1, 16), this.material(colour));
+    const from = new three.Vector3(0, 1, 0), to = new three.Vector3();
+    rod.place = ({ points: [p, q] }) => {
+      const along = minus(q, p), length = Math.hypot(...along);
+      rod.position.set(...mix(p, q, 0.5));
+      rod.scale.set(1, length || 1e-9, 1);
+      if (length) rod.quaternion.setFromUnitVectors(from, to.set(...unit(along)));
+    };
+    return rod;
+  }
+
+  // Through many points a wire.
+  wire(radius, colour) {
+    const { three } = this, wire = new three.Mesh(new three.BufferGeometry(), this.material(colour));
+    wire.place = ({ points }) => {
+      wire.geometry.dispose();
+      const curve = new three.CatmullRomCurve3(points.map((p) => new three.Vector3(...p)));
+      wire.geometry = new three.TubeGeometry(curve, points.length, radius, 6);
+    };
+    return wire;
+  }
+
+  curve(colour) {
+    const { three } = this, curve = new three.Line(new three.BufferGeometry(), new three.LineBasicMaterial({ color: this.look[colour] }));
+    curve.frustumCulled = false;
+    curve.place = ({ points }) => {
+      curve.geometry.dispose();
+      curve.geometry = new three.BufferGeometry().setFromPoints(points.map((p) => new three.Vector3(...p)));
+    };
+    return curve;
+  }
+
+  // A flat polygon with its edge.
+  plane(count, colour, edge, more) {
+    const { three } = this, group = new three.Group();
+    const geometry = new three.BufferGeometry(), places = new Float32Array(3 * count);
+    geometry.setAttribute("position", new three.BufferAttribute(places, 3));
+    geometry.setIndex(Array.from({ length: count - 2 }, (_, k) => [0, k + 1, k + 2]).flat());
+    const material = this.material(colour, { flatShading: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, ...more });
+    const ring = new three.LineLoop(geometry, new three.LineBasicMaterial({ color: this.look[edge] }));
+    ring.geometry = geometry.clone().setIndex(null);
+    ring.geometry.setAttribute("position", geometry.getAttribute("position"));
+    group.add(new three.Mesh(geometry, material), ring);
+    group.children.forEach((child) => { child.frustumCulled = false; });
+    group.place = ({ points }) => { places.set(points.flat()); geometry.getAttribute("position").needsUpdate = true; };
+    return group;
+  }
+
+  // A thin translucent disk with a round rim; it stands across z, and is turned to its axle.
+  wheel() {
+    const { three } = this, group = new three.Group(), axis = new three.Vector3(0, 0, 1), to = new three.Vector3();
+    const disk = new three.Mesh(new three.CircleGeometry(1, 64), this.material("wheel", { transparent: true, opacity: 0.6, depthWrite: false }));
+    group.add(disk, new three.Mesh(new three.TorusGeometry(1, 0.03, 12, 96), this.material("wheelEdge")));
+    group.place = ({ points }) => {
+      const center = mix(points[0], points[24], 0.5), radius = Math.hypot(...minus(points[0], center));
+      group.position.set(...center);
+      group.scale.setScalar(radius || 1e-9);
+      group.quaternion.setFromUnitVectors(axis, to.set(...unit(cross(minus(points[0], center), minus(points[12], center)))));
+    };
+    return group;
+  }
+
+  ball() {
+    const { three } = this, ball = new three.Mesh(new three.SphereGeometry(1, 32, 24), this.material("ball"));
+    ball.place = ({ points, radius }) => { ball.position.set(...points[0]); ball.scale.setScalar(Math.abs(radius) || 1e-9); };
+    return ball;
+  }
+}
+
+const MADE = {
+  bar: (stage) => stage.rod(0.01 * stage.box.size, "bar"),
+  line: (stage, { points }) => (points.length > 2 ? stage.wire(0.004 * stage.box.size, "line") : stage.rod(0.005 * stage.box.size, "line")),
+  path: (stage) => stage.curve("path"),
+  face: (stage, { points }) => stage.plane(points.length, "face", "faceEdge"),
+  floor: (stage, { points }) => stage.plane(points.length, "floor", "floorEdge", { transparent: true, opacity: 0.7 }),
+  wheel: (stage) => stage.wheel(),
+  ball: (stage) => stage.ball(),
+};
+
+// The stage for a drawing: three.js for space where it can be, else a canvas.
+async function stageOf(about) {
+  const canvas = element("stage");
+  if (about.dimension === 3 && element("three-core")) {
+    try {
+      return new SpaceStage(canvas, about, await openThree());
+    } catch (error) {
+      console.info(`no WebGL here (${error.message}): space is drawn on a plain canvas`);
+      const fresh = canvas.cloneNode();
+      canvas.replaceWith(fresh);
+      return new Stage(fresh, about, fresh.getContext("2d"));
+    }
+  }
+  return new Stage(canvas, about, canvas.getContext("2d"));
+}

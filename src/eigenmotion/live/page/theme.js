@@ -1,0 +1,17 @@
+// theme.js: the colours of the style sheet, for canvases. Read again when light turns to dark.
+
+const COLOURS = ["ink", "faint", "grid", "bar", "line", "wheel", "wheelEdge", "face", "faceEdge", "floor", "floorEdge",
+  "ball", "ballEdge", "path", "series1", "series2", "series3", "series4", "series5", "series6"];
+let colours = null;
+
+function theme() {
+  if (!colours) {
+    const style = getComputedStyle(document.documentElement);
+    colours = Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
+  }
+  return colours;
+}
+
+function onTheme(then) {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { colours = null; then(); });
+}
