@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from ..system.system import System
 
 _METHODS = {name.lower(): name for name in METHODS}
-_STABILISATIONS = {"project": True, "none": False}
+STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
     *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
@@ -105,21 +105,21 @@ def simulate(
     signals = _inputs(system, inputs, start, end)
     x, v = system.start(x0, v0, start, prepared)
     y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
-    stabilise = choice(stabilisation, _STABILISATIONS, "stabilisation")
+    stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
     task = Task(
         system.compiled, prepared, signals, start, end, y, relative, absolute,
         rows_at(t_eval, start, end), truth(dense_output, "dense_output"), first, longest, most, stabilise,
         least_norm_of(dependent_constraints),
     )  # fmt: skip
     if estimate_error is False:
-        return _run(task, chosen)
+        return run_task(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
-    return with_error_estimate(task, chosen, checker, _run)
+    return with_error_estimate(task, chosen, checker, run_task)
 
 
 def _check_call(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> None:
     """Refuse what Python would take, or refuse in words that do not help."""
-    if not _is_system(system):
+    if not is_system(system):
         raise OptionError(
             f"simulate: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
             "first: simulate(em.build(model), t_span)"
@@ -131,18 +131,20 @@ def _check_call(system: object, positional: tuple[object, ...], misspelt: Mappin
         raise OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
 
 
-def _is_system(given: object) -> bool:
+def is_system(given: object) -> bool:
+    """Whether it is a compiled model, in Python's terms."""
     return isinstance(getattr(given, "compiled", None), CompiledModel)
 
 
 def _checker(given: Any) -> CompiledModel:
-    if not _is_system(given):
+    if not is_system(given):
         raise OptionError(f"estimate_error is {shown(given)}; give True, False, or a System in another formulation")
     checker: CompiledModel = given.compiled
     return checker
 
 
-def _run(task: Task, method: Method) -> Solution:
+def run_task(task: Task, method: Method) -> Solution:
+    """Run what has been checked."""
     found = simulate_stiff(task, method) if method.number is None else _simulate_compiled(task, method.number)
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in

@@ -18,6 +18,11 @@ _SINGULAR_PIVOT = 1e-13  # EM_SINGULAR_PIVOT
 _STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
 
 
+def forgiven(rtol: float, atol: Vector) -> tuple[float, Vector]:
+    """Return what residuals of a start may be, relative to their terms, and which changes (n,) of x and v."""
+    return min(max(_STEPS * rtol, _TIGHTEST), _LOOSEST), _STEPS * atol
+
+
 def start_state(
     model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
 ) -> Vector:
@@ -31,7 +36,7 @@ def start_state(
     ModelError
         One of them does not hold; says which coordinate or row, by how much, and which start would do.
     """
-    tolerance, least = min(max(_STEPS * rtol, _TIGHTEST), _LOOSEST), _STEPS * atol
+    tolerance, least = forgiven(rtol, atol)
     y = model.start(t, x, v, prepared, tolerance, least)
     if y is None:
         y = _Start(model, prepared, t, x, v).examined(tolerance, least)

@@ -29,7 +29,8 @@ typedef enum em_status {
                                      of the block, fault.size: by how much, relative to an eigenvalue */
     EM_EVENT_UNDEFINED,           /* an event's expression is not a number; fault.first: the event */
     EM_ENERGY_DRIFTED,            /* T2 - T0 + V, a constant of the motion, is not what it was; fault.size: by how much */
-    EM_CONSTRAINTS_DRIFTED        /* A v + b, not settled, is not what it was; fault.first: the row, fault.size: by how much */
+    EM_CONSTRAINTS_DRIFTED,       /* A v + b, not settled, is not what it was; fault.first: the row, fault.size: by how much */
+    EM_START_REFUSED              /* of a member of an ensemble: no motion starts there */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
