@@ -117,6 +117,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "arguments",
         "results",
         "running",
+        "ensembles",
         "system",
         "building",
         "pages",

@@ -15,6 +15,7 @@ COMMANDS = {
     "build": "Generate, then compile the importable module beside the sources.",
     "explain": "Say what the generated code carries, and what it leaves out and why.",
     "run": "Simulate a model; print a summary, draw it, save it.",
+    "sweep": "Simulate a model for many values of parameters and starts; store every run.",
     "report": "Measure error against run time, and recommend.",
     "stability": "Drive every formulation and method to its limits.",
     "cache": "Show where compiled models are kept, and clear it.",

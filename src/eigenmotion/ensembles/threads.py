@@ -40,7 +40,12 @@ def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> 
             work(*part)
         return found.whole
     with ThreadPoolExecutor(min(workers, len(parts))) as pool:
-        _await([pool.submit(work, *part) for part in parts], stop)
+        try:
+            _await([pool.submit(work, *part) for part in parts], stop)
+        except BaseException as error:
+            stop.set()
+            if not isinstance(error, KeyboardInterrupt):
+                raise
     return found.whole
 
 
@@ -54,6 +59,3 @@ def _await(futures: list[Future[None]], stop: Stop) -> None:
                 future.result()
         except KeyboardInterrupt:
             stop.set()
-        except BaseException:
-            stop.set()
-            raise
