@@ -153,9 +153,8 @@ class _Sweep:
         """Run parts and keep them. What is interrupted is not kept."""
         each = [self.design.values(*self._span(number)) for number in numbers]
         swept = {name: np.concatenate([one[name] for one in each]) for name in each[0]}
-        runs = simulate_ensemble(
-            self.system, (0.0, self.t_end), **self.options, **self._given(swept), workers=workers, executor=executor
-        )
+        options = self.options | self._given(swept) | {"workers": workers, "executor": executor}
+        runs = simulate_ensemble(self.system, (0.0, self.t_end), **options)
         if "interrupted" in runs.stop:
             return False
         arrays, start = arrays_of(runs, swept), 0
@@ -165,7 +164,7 @@ class _Sweep:
             start = stop
         return True
 
-    def _given(self, swept: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    def _given(self, swept: dict[str, Any]) -> dict[str, Any]:
         """Return arguments of `simulate_ensemble`: what is set, and what is swept."""
         kinds = values(self.model, tuple(f"{name}=0" for name in swept))
         given = {kind: dict(numbers) for kind, numbers in self.settings.items()}
@@ -258,7 +257,7 @@ def _executor(scheduler: str | None) -> Iterator[Any]:
     except ImportError as error:
         raise ModelError("--scheduler needs dask.distributed: pip install 'eigenmotion[cluster]'") from error
     try:
-        client = Client(scheduler, timeout=10)
+        client: Any = Client(scheduler, timeout=10)  # type: ignore[no-untyped-call]
     except (OSError, ValueError) as error:
         raise click.UsageError(f"--scheduler {scheduler}: no cluster answers there ({error})") from error
     with client:

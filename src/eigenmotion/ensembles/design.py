@@ -9,6 +9,7 @@ from math import prod
 from zlib import crc32
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from ..arguments.names import Vector
@@ -72,12 +73,12 @@ class Design:
         members = np.arange(start, stop)
         point, sample = members // self.n, members % self.n
         found = {}
-        for name, values in reversed(self.grid.items()):
+        for name, values in reversed(list(self.grid.items())):
             point, place = np.divmod(point, len(values))
             found[name] = np.asarray(values, dtype=np.float64)[place]
-        return dict(reversed(found.items())) | self._drawn(sample)
+        return dict(reversed(list(found.items()))) | self._drawn(sample)
 
-    def _drawn(self, sample: Vector) -> dict[str, Vector]:
+    def _drawn(self, sample: NDArray[np.int_]) -> dict[str, Vector]:
         drawn = {name: np.empty(len(sample)) for name in self.samples}
         for block in np.unique(sample // _BLOCK).tolist() if drawn else []:
             mine = sample // _BLOCK == block
