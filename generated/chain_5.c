@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:84c50f2c16477737dd3123d9035e6503cccf77366b0a38993febc2488d9567cf */
+/* body sha256:9c167deff472f4577ef08cfa56b364365accfd7d5538c2e90e66c2d9323f1741 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -417,13 +417,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes chain_5_lanes;
-em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chain_5_lanes;
-EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES chain_5_lanes
 
 #include "em_blocks.h"

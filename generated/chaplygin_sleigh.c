@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:f68d64fda4d9b7c1e34d1a03abf02f4ba53ed0967fd2b92dead0da3ac7dd8b75 */
+/* body sha256:fbc070ce946295b42bf19d4be7c0f11dcc8d7eceac4789f6034f11b675353f65 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -280,13 +280,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes chaplygin_sleigh_lanes;
-em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chaplygin_sleigh_lanes;
-EM_WEAK em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES chaplygin_sleigh_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:5cd79542a0cc140baae72f46a36e92dada6b7cef71ab1482cf5fe9f44ade8043 */
+/* body sha256:7d295b2c02e4d73ee68ebf196d587f407c28495d635e47a4a27aac2f513a1298 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -234,13 +234,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes double_pendulum_lanes;
-em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
-EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES double_pendulum_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:977ea13c87ed411d03eea5f7b4225cb95d294c804850f6d4fa89810375a96ab3 */
+/* body sha256:0616c1cb842b5d2449b7974b03b207744dc571b96e9b60daebf762a960634944 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -192,13 +192,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes driven_pendulum_lanes;
-em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
-EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES driven_pendulum_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:159c5b5d5aa70e1f247c93002a0356dde9b3dbd2366b92558c5e960edf61fb6c */
+/* body sha256:7d00b2e0571c753acfa9be683d54c2198e5386d690c0a7227b30cee41ea1324c */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -388,13 +388,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes dual_link_lanes;
-em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes dual_link_lanes;
-EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES dual_link_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:c8dfc63292c441c5aeee93cb733a7f898505615f2fe1f844104470fa67177893 */
+/* body sha256:05808cd2b9e9b6ef85afef2cabf87a1d1d41a4d538b3529876e3ae1aedcb926c */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -176,13 +176,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes elastic_pendulum_lanes;
-em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes elastic_pendulum_lanes;
-EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES elastic_pendulum_lanes
 
 #include "em_blocks.h"

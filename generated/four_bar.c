@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:8e4bf614cf0faef4cbaebb18e5d919741632e8555ba871ddc88eee62efea0f23 */
+/* body sha256:28099d142797fedc2fd6c2c1e40ee153875961a35e25ac8861b028b9ac12eb8a */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -371,13 +371,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes four_bar_lanes;
-em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
-EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES four_bar_lanes
 
 #include "em_blocks.h"

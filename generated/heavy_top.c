@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:3b98ce66f0c0ba2d58dbe5ec42e7f810ca705e42bf932738c1a104b92d3efe11 */
+/* body sha256:15e25a03126c11cb1db8e6e1790994e17044d7015cb51ca9573aa407afb402ee */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -262,13 +262,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes heavy_top_lanes;
-em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes heavy_top_lanes;
-EM_WEAK em_lanes heavy_top_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes heavy_top_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES heavy_top_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:747372358c3f115f509f99a239330acefa4cd44def4742bcb2d1d0d38724b30b */
-/* body sha256:52093ff08df338eb7671e66ad6a6689dac8a4940eaed541f7478e4ba452b5597 */
+/* body sha256:d1a6a7c8788e59db0b3e67040a3b5c839a5c93cb8d6e5d29096e27be011a9b5b */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -126,13 +126,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes pendulum_lanes;
-em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes pendulum_lanes;
-EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES pendulum_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:137a4034d0485ac2a1f28bbd650b2de325c60c914ce4f321d9a2315b4e5c1594 */
+/* body sha256:28cf9d56b62a49d2408d30398940613e98d305a6411b7db8040b1dab22823d12 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -175,13 +175,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes polar_particle_lanes;
-em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes polar_particle_lanes;
-EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES polar_particle_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:6c240b02f189933964c7ce7f40e8b4f9de0a9d1b2448d8bd3c02b17bf431f5a0 */
+/* body sha256:b561c58e795aaf2237a03d0f0bb06c05024be9089362e8979c2c6a54d3258365 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -382,13 +382,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes quaternion_top_lanes;
-em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes quaternion_top_lanes;
-EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES quaternion_top_lanes
 
 #include "em_blocks.h"

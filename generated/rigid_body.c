@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:bd6e9412b08b07d8d458ff602094be6838f941cf74ab064ccbb7dca6c336237a */
+/* body sha256:e22453e9830effb82a709f73cfd12d24b8d5c99d02856b3ab040f65dabb88221 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -284,13 +284,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rigid_body_lanes;
-em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rigid_body_lanes;
-EM_WEAK em_lanes rigid_body_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rigid_body_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rigid_body_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:b76032cf9dc88ee3a609bbb59106ecfc9ffb50a60ab4b6ed0a0acfabc4744380 */
+/* body sha256:eda26184f9c94770e2038b33852317098457eae035a1b9d8e9fc6d15f98ecce5 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -385,13 +385,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rolling_disk_lanes;
-em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
-EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rolling_disk_lanes
 
 #include "em_blocks.h"

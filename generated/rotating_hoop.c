@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:77cde080e1871b0f6602509c45c3f47a50197e3be97d86d964d85143466d95b1 */
+/* body sha256:d8829be1b250d304d7ef71a08007bdb7208445f8e9e1c4615301b47e1a693a65 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -127,13 +127,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rotating_hoop_lanes;
-em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_hoop_lanes;
-EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rotating_hoop_lanes
 
 #include "em_blocks.h"

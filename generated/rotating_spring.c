@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:3b28253d83ba276383d07f472b6e6d5688c6c834ba69f7b1f700e35842fe43b2 */
+/* body sha256:a92155b8b49976521ca48fcb853c6d317b744bd18eada5142cf8f4cedac9b035 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -156,13 +156,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rotating_spring_lanes;
-em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_spring_lanes;
-EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rotating_spring_lanes
 
 #include "em_blocks.h"

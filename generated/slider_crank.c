@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:bbdeccbc82468b7d72bbe9a2ac19b9c3ec8d9b2e979d54df777be774289bbd37 */
+/* body sha256:2df7a0f3edc15715c723f3c4db3a8ae8be517be90572ea1a6b13cc126e6cba8c */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -353,13 +353,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes slider_crank_lanes;
-em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
-EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES slider_crank_lanes
 
 #include "em_blocks.h"

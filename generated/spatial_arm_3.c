@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:0f7279d0cecc46f32a75b8e3ab9428b069bfc2e0b0520613abeb925864269d53 */
-/* body sha256:9c845ed00d41c78efbb17921e87f71df045944d8ba0e0d3d1698369d5a140f96 */
+/* body sha256:4e7766c988ee0c8a21dd625d3238c2d6f3c7c71cd99909738860904348295ed6 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -408,13 +408,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes spatial_arm_3_lanes;
-em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes spatial_arm_3_lanes;
-EM_WEAK em_lanes spatial_arm_3_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes spatial_arm_3_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES spatial_arm_3_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:27898602a2dfe261ba701400127a0f1e0d91b57508a6302e1966eb3c82dcfeb0 */
+/* body sha256:da770db78dd1b8de9ec330124198e557d559edcb4c78ceaf95caa2b0c95860ce */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -481,13 +481,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes sphere_lanes;
-em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes sphere_lanes;
-EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES sphere_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:f0b340f27dd4c658a634fa8caf176080d486ee14fa91f0946f1be15872a8854a */
+/* body sha256:bbde9a364308f6077448e785f446b17eb017a202414382aa52935e15c854c26f */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -209,13 +209,13 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes veering_lanes;
-em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes veering_lanes;
-EM_WEAK em_lanes veering_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes veering_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES veering_lanes
 
 #include "em_blocks.h"

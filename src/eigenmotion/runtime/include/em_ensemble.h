@@ -5,6 +5,7 @@
 #ifndef EM_ENSEMBLE_H
 #define EM_ENSEMBLE_H
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <time.h>
 
@@ -123,15 +124,146 @@ static void em_ensemble_member(em_ensemble *e, size_t member, double *c, double 
     e->model->release(&run);
 }
 
-/* All of them. 0, or -1 without memory. */
-static int em_ensemble_run(em_ensemble *e) {
+/* Members first ... last - 1. 0, or -1 without memory. */
+static int em_ensemble_by_numbers(em_ensemble *e, size_t first, size_t last) {
     const size_t width = (size_t)e->model->n_prepared + 1, states = (size_t)e->model->n_state;
     double *const memory = malloc((width + states) * sizeof *memory);
     if (memory == NULL) return -1;
-    timespec_get(&e->polled, TIME_UTC);
-    for (size_t member = 0; member < e->count; ++member) em_ensemble_member(e, member, memory, memory + width);
+    for (size_t member = first; member < last; ++member) em_ensemble_member(e, member, memory, memory + width);
     free(memory);
     return 0;
+}
+
+/* --- side by side (em_flock.h) --- */
+
+/* The runs in lanes: of each its member, and what it works with. */
+typedef struct em_ensemble_flock {
+    em_ensemble *e;
+    em_run runs[EM_MOST_LANES];
+    void *walks[EM_MOST_LANES];
+    size_t member[EM_MOST_LANES], next;
+    double *c[EM_MOST_LANES], *y[EM_MOST_LANES];
+} em_ensemble_flock;
+
+/* Whether runs of this task are made in lanes. That follows from the task and the model, so that all members' are. */
+static int em_ensemble_has_lanes(const em_ensemble *e) {
+    const em_model *model = e->model;
+    if (model->enter == NULL || model->lanes == NULL || model->lanes->run == NULL || model->lanes->width < 2) return 0;
+    if (e->task.method != EM_DOP853 || model->lanes->width > EM_MOST_LANES) return 0;
+    return model->m == 0 || (e->task.stabilise && !e->task.least_norm);
+}
+
+/* Whether a member's inputs rest, as those of lanes do. */
+static int em_ensemble_rests(const em_ensemble *e, size_t member) {
+    const em_signal *inputs = e->inputs ? e->inputs + member * e->inputs_stride : NULL;
+    for (int k = 0; k < e->model->n_inputs; ++k)
+        if (inputs[k].kind != EM_CONSTANT) return 0;
+    return 1;
+}
+
+/* A member into a lane. Returns whether it runs there; else all that came of it is kept already. */
+static int em_ensemble_enter(em_ensemble_flock *w, em_flock *f, int lane, size_t member) {
+    em_ensemble *const e = w->e;
+    em_run *const run = &w->runs[lane];
+    *run = e->task;
+    if (!em_ensemble_stopped(e) && em_ensemble_rests(e, member) &&
+        em_ensemble_start(e, member, w->c[lane], w->y[lane], &run->fault) == 0) {
+        run->prepared = w->c[lane];
+        run->y_start = w->y[lane];
+        run->inputs = e->inputs ? e->inputs + member * e->inputs_stride : NULL;
+        w->walks[lane] = e->model->enter(run, f, lane);
+        w->member[lane] = member;
+        if (w->walks[lane] != NULL) return 1;
+        e->model->release(run);
+    }
+    em_ensemble_member(e, member, w->c[lane], w->y[lane]);
+    return 0;
+}
+
+/* The next member that runs in a lane. */
+static void em_ensemble_fill(em_ensemble_flock *w, em_flock *f, int lane) {
+    f->live[lane] = 0;
+    while (!f->live[lane] && w->next < w->e->count) f->live[lane] = em_ensemble_enter(w, f, lane, w->next++);
+    f->n_live += f->live[lane];
+    if (f->live[lane]) return;
+    f->t[lane] = f->task->t_end; /* an empty lane stands still */
+    f->h_next[lane] = 0.0;
+}
+
+/* em_flock.look */
+static int em_ensemble_look(em_flock *f, int lane, int lost) {
+    em_ensemble_flock *const w = f->with;
+    em_ensemble *const e = w->e;
+    const int ended = lost ? -1 : e->model->look(w->walks[lane], f, lane);
+    if (ended == 0) return 0;
+    e->model->leave(w->walks[lane]);
+    if (ended > 0) em_ensemble_keep(e, w->member[lane], &w->runs[lane]);
+    e->model->release(&w->runs[lane]);
+    if (ended < 0) em_ensemble_member(e, w->member[lane], w->c[lane], w->y[lane]);
+    --f->n_live;
+    em_ensemble_fill(w, f, lane);
+    return 1;
+}
+
+static int em_ensemble_all_stop(em_flock *f) { return em_ensemble_stopped(((em_ensemble_flock *)f->with)->e); }
+
+/* Runs that were on their way when an end was asked for. */
+static void em_ensemble_give_up(em_ensemble_flock *w, em_flock *f) {
+    for (int lane = 0; lane < EM_MOST_LANES; ++lane) {
+        if (!f->live[lane]) continue;
+        em_run *const run = &w->runs[lane];
+        run->fault = (em_fault){EM_INTERRUPTED, -1, -1, 0.0};
+        run->t_reached = f->t[lane];
+        w->e->model->leave(w->walks[lane]);
+        em_ensemble_keep(w->e, w->member[lane], run);
+        w->e->model->release(run);
+    }
+    while (w->next < w->e->count) em_ensemble_member(w->e, w->next++, w->c[0], w->y[0]);
+}
+
+/* Tables of a flock, one after the other in one block of memory, and what each lane's run starts from. */
+static double *em_ensemble_tables(em_ensemble_flock *w, em_flock *f) {
+    enum { LINE = 8, STAGES = 12, ROWS = 13 };
+    const em_model *model = w->e->model;
+    const size_t width = (size_t)model->lanes->width, c = (size_t)model->n_prepared + 1, n = (size_t)model->n_state;
+    const size_t states = (n + 3) / 4 * 4, inputs = (size_t)model->n_inputs + 1;
+    const size_t rows = (STAGES + 3) * states + c + inputs + ROWS;
+    double *const block = calloc(rows * width + LINE + EM_MOST_LANES * (c + n), sizeof *block);
+    if (block == NULL) return NULL;
+    double *place = (double *)(((uintptr_t)block + LINE * sizeof *block - 1) / (LINE * sizeof *block) * (LINE * sizeof *block));
+    double **const tables[] = {&f->K, &f->y, &f->y_new, &f->f_new, &f->c, &f->u};
+    const size_t sizes[] = {STAGES * states, states, states, states, c, inputs};
+    double **const numbers[ROWS] = {&f->t, &f->t_new, &f->h, &f->h_next, &f->error, &f->last_error, &f->longest, &f->n_steps,
+                                    &f->n_rejected, &f->retries, &f->n_rhs, &f->next_look, &f->t_look};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = place, place += sizes[k] * width;
+    for (int k = 0; k < ROWS; ++k) *numbers[k] = place, place += width;
+    for (int lane = 0; lane < EM_MOST_LANES; ++lane) {
+        w->c[lane] = place, place += c;
+        w->y[lane] = place, place += n;
+    }
+    return block;
+}
+
+/* All members in lanes, as far as they can. 0, or -1 without memory. */
+static int em_ensemble_in_lanes(em_ensemble *e) {
+    em_ensemble_flock w = {.e = e};
+    em_flock f = {.task = &e->task, .look = em_ensemble_look, .stopped = em_ensemble_all_stop, .with = &w};
+    double *const block = em_ensemble_tables(&w, &f);
+    if (block == NULL) return -1;
+    f.rtol = e->task.rtol > 100.0 * DBL_EPSILON ? e->task.rtol : 100.0 * DBL_EPSILON;
+    f.direction = e->task.t_end < e->task.t_start ? -1.0 : 1.0;
+    f.always = e->model->n_events > 0 || f.rtol > 1e-5; /* EM_LOOSE of em_chart.h */
+    for (int lane = 0; lane < e->model->lanes->width; ++lane) em_ensemble_fill(&w, &f, lane);
+    if (f.n_live > 0) e->model->lanes->run(&f);
+    em_ensemble_give_up(&w, &f);
+    free(block);
+    return 0;
+}
+
+/* All of them. 0, or -1 without memory. */
+static int em_ensemble_run(em_ensemble *e) {
+    timespec_get(&e->polled, TIME_UTC);
+    return em_ensemble_has_lanes(e) ? em_ensemble_in_lanes(e) : em_ensemble_by_numbers(e, 0, e->count);
 }
 
 #endif
