@@ -5,7 +5,6 @@ import pickle
 import signal
 import threading
 import time
-from concurrent.futures import Executor, Future
 
 import numpy as np
 import pytest
@@ -14,7 +13,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import Event, Model, Signal, StopReason, simulate_ensemble
-from eigenmotion.ensembles import executors, memory
+from eigenmotion.ensembles import memory
 from eigenmotion.runtime.ensemble import Chunk, Stop
 
 from .generation import system_for, system_of
@@ -216,31 +215,3 @@ def test_a_stop_that_was_asked_for_keeps_members_from_starting(swing):
     chunk = Chunk(runs._asked, runs._members, stop)
     assert {tuple(StopReason)[k] for k in chunk.status} == {StopReason.INTERRUPTED}
     assert not np.isfinite(chunk.y).any()
-
-
-class Fragile(Executor):
-    """Runs what it gets at once; every third chunk is lost with its worker, and after some it takes none."""
-
-    def __init__(self, most: int) -> None:
-        self.taken, self.most = 0, most
-
-    def submit(self, function, /, *arguments):
-        self.taken += 1
-        if self.taken > self.most:
-            raise RuntimeError("cannot schedule new futures after shutdown")
-        future: Future = Future()
-        if self.taken % 3 == 0:
-            future.set_exception(RuntimeError("worker died"))
-        else:
-            future.set_result(function(*arguments))
-        return future
-
-
-@pytest.mark.parametrize("most", [100, 4])
-def test_a_lost_chunk_is_run_again_and_the_bits_stay(swing, monkeypatch, most):
-    monkeypatch.setattr(executors, "_PILOT", 2)
-    monkeypatch.setattr(executors, "_SECONDS", 1e-9)
-    lost = Fragile(most)
-    runs = simulate_ensemble(swing, SPAN, v0={"q": SPEEDS}, t_eval=ROWS, executor=lost)
-    assert lost.taken > 4
-    assert bits(runs) == bits(simulate_ensemble(swing, SPAN, v0={"q": SPEEDS}, t_eval=ROWS))

@@ -5,10 +5,13 @@ A chunk takes about a second, so that what travels costs little; one that is los
 
 import logging
 import os
+import pickle
 import time
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future, wait
+from functools import lru_cache
 
 from ..arguments.members import Asked, Members
+from ..codegen.model.normalise import ModelError
 from ..results.ensemble import Collection, Found
 from ..runtime.ensemble import Stop
 from .threads import Report, pieces
@@ -22,8 +25,23 @@ _TRIES = 3
 _TICK = 0.5  # [s] between two looks at signals
 
 
-def timed_chunk(asked: Asked, members: Members) -> tuple[Found, float]:
+def _packed(asked: Asked) -> bytes:
+    try:
+        return pickle.dumps(asked)
+    except (TypeError, AttributeError, pickle.PicklingError) as error:
+        raise ModelError(f"{asked.model.name} cannot travel to an executor's workers: {error}") from error
+
+
+@lru_cache(maxsize=8)
+def _asked(packed: bytes) -> Asked:
+    """Make what is asked of all, its model with it: once a process, not once a chunk."""
+    asked: Asked = pickle.loads(packed)
+    return asked
+
+
+def timed_chunk(packed: bytes, members: Members) -> tuple[Found, float]:
     """Run members in a worker, in one thread; return what came of them, and the seconds it took."""
+    asked = _asked(packed)
     start = time.perf_counter()
     found = run_chunk(asked, members, Stop())
     return found, time.perf_counter() - start
@@ -51,7 +69,7 @@ class _Work:
     """Chunks on their way."""
 
     def __init__(self, asked: Asked, members: Members, executor: Executor, report: Report) -> None:
-        self.asked, self.members, self.executor, self.report = asked, members, executor, report
+        self.packed, self.members, self.executor, self.report = _packed(asked), members, executor, report
         self.found, self.seconds = Collection(asked, members.count), 0.0
         self.waiting: dict[Future[tuple[Found, float]], tuple[int, int]] = {}
         self.tries: dict[tuple[int, int], int] = {}
@@ -61,10 +79,10 @@ class _Work:
         for part in parts:
             members = self.members.part(*part)
             try:
-                self.waiting[self.executor.submit(timed_chunk, self.asked, members)] = part
+                self.waiting[self.executor.submit(timed_chunk, self.packed, members)] = part
             except (BrokenExecutor, RuntimeError) as error:
                 _log.warning("the executor is lost (%s): members %d to %d run here", error, part[0], part[1] - 1)
-                self._put(part, timed_chunk(self.asked, members))
+                self._put(part, timed_chunk(self.packed, members))
 
     def finish(self) -> None:
         """Wait for all that is on its way."""

@@ -6,6 +6,7 @@ import os
 from ..arguments.members import Asked
 from ..codegen.model.normalise import ModelError
 
+_LITTLE = 10**7  # [byte] that are there, without a look
 _log = logging.getLogger("eigenmotion")
 
 
@@ -19,7 +20,8 @@ def check(asked: Asked, count: int) -> None:
     """
     model = asked.model
     numbers = len(asked.t_eval) * model.n_state + 10 + model.n_events
-    needed, there = 8 * numbers * count, available()
+    needed = 8 * numbers * count
+    there = available() if needed > _LITTLE else None
     words = f"{count} runs with {len(asked.t_eval)} rows of {model.n_state} numbers take {needed / 1e9:.3g} GB"
     _log.info("%s: %s", model.name, words)
     if there is not None and needed > there:

@@ -11,7 +11,7 @@ from .work import run_chunk
 
 Report = Callable[[int], None]
 _SHARES = 16  # chunks a thread: slow members hold up no more than one of them
-_MOST = 4096
+_LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, and to report
 _TICK = 0.05  # [s] between two looks at signals
 
 
@@ -28,13 +28,13 @@ def pieces(count: int, size: int) -> list[tuple[int, int]]:
 def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> Found:
     """Run all members; Ctrl-C ends the runs, and what is done is returned."""
     stop, found = Stop(), Collection(asked, members.count)
-    size = min(_MOST, max(1, -(-members.count // (_SHARES * workers))))
+    size = min(_MOST, max(-(-members.count // (_SHARES * workers)), min(_LEAST, -(-members.count // workers))))
 
     def work(start: int, end: int) -> None:
         found.put(start, run_chunk(asked, members.part(start, end), stop))
         report(end - start)
 
-    parts = pieces(members.count, size)
+    parts = pieces(members.count, _MOST if workers == 1 else size)
     if workers == 1 or len(parts) == 1:
         for part in parts:
             work(*part)

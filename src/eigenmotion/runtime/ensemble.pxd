@@ -27,6 +27,7 @@ cdef extern from "em_ensemble.h" nogil:
         em_fault *fault
         long *counts
         em_rows events
+        long *event_starts
         long *event_counts
 
     int em_ensemble_run(em_ensemble *e)

@@ -73,6 +73,7 @@ cdef class Chunk:
     cdef Stop stop
     cdef list held
     cdef object pending
+    cdef object event_starts
     cdef readonly object y, t_end, status, first, second, size, counts, event_times, events, event_counts
 
     def __cinit__(self, task, members, Stop stop not None):
@@ -159,16 +160,18 @@ cdef class Chunk:
     cdef take(self):
         cdef em_ensemble *e = &self.e
         cdef Numbers y, t_end
-        cdef long[:, ::1] counts, event_counts
+        cdef long[:, ::1] counts, event_counts, event_starts
         self.y = np.full((e.count, e.n_rows, self.model.n_state), NAN)
         self.t_end = np.full(e.count, NAN)
         self.counts = np.zeros((e.count, 4), dtype=np.int_)
         self.event_counts = np.zeros((e.count, self.model.n_events), dtype=np.int_)
+        self.event_starts = np.zeros_like(self.event_counts)
         y, t_end = given(self.y, self.y.shape, "y"), given(self.t_end, self.t_end.shape, "t_end")
         self.held += [y, t_end]
-        counts, event_counts = self.counts, self.event_counts
+        counts, event_counts, event_starts = self.counts, self.event_counts, self.event_starts
         e.y, e.t_end, e.counts = y.data, t_end.data, &counts[0, 0]
-        e.event_counts = &event_counts[0, 0] if self.model.n_events > 0 else NULL
+        if self.model.n_events > 0:
+            e.event_counts, e.event_starts = &event_counts[0, 0], &event_starts[0, 0]
         e.events.width = self.model.n_state
         e.fault = <em_fault *> calloc(e.count, sizeof(em_fault))
         if e.fault == NULL:
@@ -203,7 +206,10 @@ cdef class Chunk:
         if k > 0:
             memcpy(t.data, self.e.events.t, t.view.len)
             memcpy(y.data, self.e.events.y, y.view.len)
-        self.event_times, self.events = t.array, y.array
+        # runs end in any order: member by member, event by event
+        counts, starts = self.event_counts.ravel(), self.event_starts.ravel()
+        order = np.repeat(starts - np.cumsum(counts) + counts, counts) + np.arange(k)
+        self.event_times, self.events = t.array[order], y.array[order]
 
 
 cdef class _Rows:

@@ -29,8 +29,9 @@ typedef struct em_ensemble {
     double *t_end;             /* (count) where the run came to */
     em_fault *fault;           /* (count) how it ended */
     long *counts;              /* (count, 4) right-hand sides, steps, rejected ones, those of another root */
-    em_rows events;            /* of all members, one after the other: member by member, event by event */
-    long *event_counts;        /* (count, n_events) how many of them are whose */
+    em_rows events;            /* of all members, in the order in which they ended */
+    long *event_starts;        /* (count, n_events) where those of a member's event begin, */
+    long *event_counts;        /* and how many they are */
     struct timespec polled;
 } em_ensemble;
 
@@ -92,8 +93,10 @@ static void em_ensemble_keep(em_ensemble *e, size_t member, const em_run *run) {
     for (int k = 0; run->events != NULL && k < model->n_events; ++k) {
         const em_rows *rows = &run->events[k];
         if (rows->count == 0) continue;
+        const size_t place = member * (size_t)model->n_events + (size_t)k;
+        e->event_starts[place] = (long)e->events.count;
         if (em_ensemble_append(&e->events, rows)) e->fault[member].status = EM_OUT_OF_MEMORY;
-        else e->event_counts[member * (size_t)model->n_events + (size_t)k] = (long)rows->count;
+        else e->event_counts[place] = (long)rows->count;
     }
 }
 

@@ -37,16 +37,24 @@ static void *em_member_enter(em_run *run, em_flock *f, int lane) {
     return w;
 }
 
-/* The step under way, from the lane. */
-static void em_member_read(em_walk *w, const em_flock *f, int lane) {
+/* The stages of the step under way, from the lane, and where it came to before it was settled. */
+static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
     enum { PADDED = (N_STATE + 3) / 4 * 4 };
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
+    const int width = EM_MODEL_LANES.width;
+    for (int stage = 1; stage < rk->stages; ++stage)
+        for (int k = 0; k < N_STATE; ++k) w->K[stage][k] = EM_LANE(f->K, stage * PADDED + k);
+    em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
+}
+
+/* Its ends, and what the run has done so far. */
+static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     const int width = EM_MODEL_LANES.width;
     for (int k = 0; k < N_STATE; ++k) {
         w->y[k] = EM_LANE(f->y, k);
         w->y_new[k] = EM_LANE(f->y_new, k);
+        w->K[0][k] = EM_LANE(f->K, k);
         w->f_new[k] = EM_LANE(f->f_new, k);
-        for (int stage = 0; stage < rk->stages; ++stage) w->K[stage][k] = EM_LANE(f->K, stage * PADDED + k);
     }
     w->t = f->t[lane];
     w->t_new = f->t_new[lane];
@@ -55,11 +63,10 @@ static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     w->retries = (int)f->retries[lane];
     w->run->n_steps = (long)f->n_steps[lane];
     w->run->n_rejected = (long)f->n_rejected[lane];
-    w->run->n_rhs = (long)f->n_rhs[lane] + rk->stages;
+    w->run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
     w->size_norm = 1.0;
     w->moved = SETTLES;
-    em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
-    em_set_weights(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
+    em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
 }
 
 /* em_model.look: what em_land and em_advance do about an accepted step. */
@@ -67,6 +74,7 @@ static int em_member_look(void *walk, em_flock *f, int lane) {
     em_walk *const w = walk;
     int terminal = 0;
     em_member_read(w, f, lane);
+    if (N_EVENTS > 0 || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     double t_stop = w->t_new;
     if (em_check_chart(w) || em_check_witness(w) || (N_EVENTS > 0 && em_watch(w))) return -1;
     if (em_needs_interpolant(w) && w->scheme.interpolate(w)) return -1;
