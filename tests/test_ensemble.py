@@ -215,3 +215,17 @@ def test_a_stop_that_was_asked_for_keeps_members_from_starting(swing):
     chunk = Chunk(runs._asked, runs._members, stop)
     assert {tuple(StopReason)[k] for k in chunk.status} == {StopReason.INTERRUPTED}
     assert not np.isfinite(chunk.y).any()
+
+
+def test_an_ensemble_is_a_dataset_with_names(swing):
+    pytest.importorskip("xarray")
+    masses = np.array([1.0, 2.0, -1.0])
+    runs = simulate_ensemble(swing, SPAN, parameters={"m": masses}, v0={"q": masses}, t_eval=ROWS)
+    found = runs.to_xarray()
+    assert dict(found.sizes) == {"run": 3, "coordinate": 2, "time": 5}
+    assert np.array_equal(found.x.sel(coordinate="r", run=1), runs.x[1, 1])
+    assert found["m"].dims == ("run",)
+    assert found.coords["q'(0)"].to_numpy().tolist() == masses.tolist()
+    assert found.stop.to_numpy().tolist() == ["finished", "finished", "start refused"]
+    assert np.array_equal(found["height"], runs.outputs["height"], equal_nan=True)
+    assert found.attrs["model"] == "swing_by"

@@ -1,6 +1,7 @@
 """Ensembles in other processes: the same bits, and a worker that is killed costs its chunk only."""
 
 import os
+import pickle
 import signal
 import threading
 import time
@@ -47,6 +48,13 @@ def test_processes_give_the_same_bits(pendulum, small):
         found = runs_of(pendulum, executor=pool)
     assert bits(found) == bits(runs_of(pendulum, workers=1))
     assert found[3].nfev == runs_of(pendulum)[3].nfev
+
+
+def test_ensembles_travel(pendulum):
+    runs = runs_of(pendulum)
+    other = pickle.loads(pickle.dumps(runs))
+    assert bits(other) == bits(runs)
+    assert (other.summary, other.swept.keys()) == (runs.summary, runs.swept.keys())
 
 
 class Dying(Executor):

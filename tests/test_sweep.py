@@ -153,11 +153,11 @@ def test_mistakes_are_told_before_anything_runs(scene, capsys, arguments, words)
 def test_progress_says_rate_and_time_left(capsys):
     with Progress(10, 2) as progress:
         progress._start -= 4.0
-        progress._said -= 4.0
+        progress._said -= 40.0
         progress.add(4)
         assert progress.words == "6 of 10 runs, 1 a second, 4.0 s left"
         progress.add(4)
-    assert capsys.readouterr().err.endswith("10 of 10 runs, 2 a second\n")
+    assert capsys.readouterr().err == "6 of 10 runs, 1 a second, 4.0 s left\n10 of 10 runs, 2 a second\n"
     assert [duration(seconds) for seconds in (2.34, 42, 125, 7325)] == ["2.3 s", "42 s", "2 min 5 s", "2 h 2 min"]
 
 

@@ -5,16 +5,17 @@ import time
 from types import TracebackType
 from typing import TextIO
 
-_EVERY = 0.2  # [s] between two lines
+_EVERY, _SELDOM = 0.2, 30.0  # [s] between two lines; where they go to a file
 _CLEAR = "\r\x1b[K"
 
 
 class Progress:
-    """A line on standard error that is written over; `add` may be called by any thread."""
+    """A line on standard error, written over where somebody is watching; `add` may be called by any thread."""
 
     def __init__(self, total: int, done: int = 0, stream: TextIO | None = None) -> None:
         self._total, self._done, self._before = total, done, done
         self._stream = sys.stderr if stream is None else stream
+        self._watched = self._stream.isatty()
         self._start = self._said = time.monotonic()
 
     def __enter__(self) -> "Progress":
@@ -23,16 +24,18 @@ class Progress:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._stream.write(f"{_CLEAR}{self.words}\n")
-        self._stream.flush()
+        self._write("\n")
 
     def add(self, count: int) -> None:
         """Count runs that are done."""
         self._done += count
-        if time.monotonic() - self._said < _EVERY:
+        if time.monotonic() - self._said < (_EVERY if self._watched else _SELDOM):
             return
         self._said = time.monotonic()
-        self._stream.write(f"{_CLEAR}{self.words}")
+        self._write("" if self._watched else "\n")
+
+    def _write(self, ending: str) -> None:
+        self._stream.write(f"{_CLEAR if self._watched else ''}{self.words}{ending}")
         self._stream.flush()
 
     @property
