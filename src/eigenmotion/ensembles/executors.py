@@ -12,7 +12,7 @@ from functools import lru_cache
 
 from ..arguments.members import Asked, Members
 from ..codegen.model.normalise import ModelError
-from ..results.ensemble import Collection, Found
+from ..results.found import Collection, Found
 from ..runtime.ensemble import Stop
 from .threads import Report, pieces
 from .work import run_chunk

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 
 from ..arguments.members import Asked, Members
-from ..results.ensemble import Collection, Found
+from ..results.found import Collection, Found
 from ..runtime.ensemble import Stop
 from .work import run_chunk
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..arguments.members import Asked, Members
 from ..codegen.model.normalise import ModelError
-from ..results.ensemble import COUNTS, REASONS, Found
+from ..results.found import COUNTS, REASONS, Found
 from ..results.solution import Solution
 from ..running.methods import METHODS
 from ..running.simulate import run_task

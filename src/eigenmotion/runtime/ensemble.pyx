@@ -44,27 +44,12 @@ cdef int poll(void *argument) noexcept with gil:
 
 
 cdef class Chunk:
-    """Some members, and what came of them.
+    """Some members, and what came of them; task, members: `Asked` and `Members` of eigenmotion.arguments.members.
 
-    Parameters
-    ----------
-    task
-        What is asked of every run, an `eigenmotion.ensembles.members.Common`.
-    members
-        Theirs, an `eigenmotion.ensembles.members.Members`.
-    stop
-        A Stop, which ends all.
-
-    Attributes
-    ----------
-    y
-        (count, n_rows, n_state), published meaning; NaN where a run did not come to.
-    t_end, status, first, second, size
-        (count,) where and how it ended: `em_fault`.
-    counts
-        (count, 4): right-hand sides, steps, rejected ones, those that did not run the published equations.
-    events, event_times, event_counts
-        (k, n_state), (k,), (count, n_events): member by member, event by event.
+    y : (count, n_rows, n_state), published meaning; NaN where a run did not come to
+    t_end, status, first, second, size : (count,) where and how it ended: `em_fault`
+    counts : (count, 4): right-hand sides, steps, rejected ones, those that did not run the published equations
+    events, event_times, event_counts : (k, n_state), (k,), (count, n_events): member by member, event by event
     """
 
     cdef em_ensemble e
