@@ -229,3 +229,11 @@ def test_an_ensemble_is_a_dataset_with_names(swing):
     assert found.stop.to_numpy().tolist() == ["finished", "finished", "start refused"]
     assert np.array_equal(found["height"], runs.outputs["height"], equal_nan=True)
     assert found.attrs["model"] == "swing_by"
+
+
+def test_arrays_that_are_aligned_to_nothing_serve(swing):
+    """As those are that came over a network."""
+    y = np.array([0.1, 1.2, 0.3, 0.4])
+    crooked = np.frombuffer(b"." + y.tobytes(), dtype=np.float64, offset=1)
+    assert not crooked.flags.aligned
+    assert np.array_equal(swing.rhs(0.0, crooked), swing.rhs(0.0, y))

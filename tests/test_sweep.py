@@ -179,6 +179,16 @@ def test_a_sweep_killed_twenty_times_ends_with_the_same_bytes(scene):
     assert files(Path("runs.csv"))["runs.csv"] == files(Path("whole.csv"))["whole.csv"]
 
 
+@pytest.mark.nightly
+@pytest.mark.filterwarnings("ignore")
+def test_a_cluster_stores_the_same_bytes(scene, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    assert main([*SWEEP, *GRID, "-o", "whole.csv"]) == 0
+    with distributed.LocalCluster(2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+        assert main([*SWEEP, *GRID, "-o", "runs.csv", "--scheduler", cluster.scheduler_address]) == 0
+    assert Path("runs.csv").read_bytes() == Path("whole.csv").read_bytes()
+
+
 def test_ctrl_c_keeps_what_is_done(scene):
     long = [*SWEEP, "--sweep", "g=1:20:4000", "--t-end", "1e5", "-o", "runs.csv"]
     command = [sys.executable, "-m", "eigenmotion", *long]

@@ -88,10 +88,7 @@ def command(
     given = {"rtol": rtol, "atol": atol, "method": method, "t_eval": times if rows > 1 else None}
     with clock():
         system = system_of(order)
-    told = {"sources": order.input_hash, "grid": {name: list(v) for name, v in design.grid.items()}, "n": design.n,
-            "samples": {name: str(one) for name, one in design.samples.items()}, "seed": seed, "set": sorted(settings),
-            "t_end": t_end, "rows": rows, "rtol": rtol, "atol": atol, "method": method, "chunk": chunk,
-            "model": system.name, "formulation": system.formulation}  # fmt: skip
+    told = _told(design, given, sources=order.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
     parts = Parts(store, told, -(-design.count // chunk), times, system.coordinates)
     if resume and parts.is_done:
         click.echo(f"{store} is complete")
@@ -104,16 +101,27 @@ def command(
             whole = work.run(workers, executor)
         except KeyboardInterrupt:
             whole = False
-    seconds = time.perf_counter() - start
     if not whole:
         click.echo(f"interrupted; --resume goes on where {store} was left", err=True)
         return 130
-    click.echo(_summary(parts, design.count, seconds))
-    if plot:
-        click.echo(f"drawn to {save_figure(_picture(system, design, parts), plot)}")
-    parts.finish()
-    click.echo(f"stored in {store}")
+    click.echo(_summary(parts, design.count, time.perf_counter() - start))
+    _finish(work, plot)
     return 0
+
+
+def _told(design: Design, given: dict[str, Any], **rest: Any) -> dict[str, Any]:
+    """Return what a sweep is, as JSON has it: what its bytes follow from."""
+    drawn = {name: str(one) for name, one in design.samples.items()}
+    grid = {name: list(numbers) for name, numbers in design.grid.items()}
+    options = {name: given[name] for name in ("rtol", "atol", "method")}
+    return {"grid": grid, "samples": drawn, "n": design.n, "seed": design.seed} | options | rest
+
+
+def _finish(work: "_Sweep", plot: Path | None) -> None:
+    if plot:
+        click.echo(f"drawn to {save_figure(_picture(work.system, work.design, work.parts), plot)}")
+    work.parts.finish()
+    click.echo(f"stored in {work.parts.store}")
 
 
 @dataclass(frozen=True)
