@@ -23,16 +23,17 @@ from eigenmotion.codegen import compiler
 from eigenmotion.codegen.compiler import explain
 
 from eigenmotion import load_model
-from eigenmotion.building import extension
+from eigenmotion.building import extension, proof
 from eigenmotion.building.build import build
 from eigenmotion.building.cache import LOCATION
 from eigenmotion.building.toolchain import Toolchain, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
-CASES = (("dual_link", {}, 3), ("spatial_arm", {"n": 6}, 1), ("chain", {"n": 10}, 1), ("chain", {"n": 20}, 1))
+CASES = (("dual_link", {}, 3), ("spatial_arm", {"n": 6}, 1), ("spatial_arm", {"n": 10}, 1),
+         ("chain", {"n": 10}, 1), ("chain", {"n": 32}, 1))  # fmt: skip
 """File, arguments, repeats."""
 GENERATOR = ("derive", "specialise", "lower", "emit")
-COMPILER = {"compile_model": "C compiler", "compile_glue": "C of the wrapper", "link": "link"}
+COMPILER = {"compile_unit": "C, all units", "compile_module": "C of the module", "link": "link"}
 REPEATS = 3
 
 
@@ -55,7 +56,7 @@ def timed(name: str, action: Callable[..., Any], seconds: Seconds) -> Callable[.
 
 
 def stages(file: str, definitions: dict[str, int]) -> Seconds:
-    """Build a model in a fresh cache; return the seconds of each stage. Cython and the C compiler run side by side."""
+    """Build a model in a fresh cache; return the seconds of each stage. Those of the compiler run side by side."""
     seconds: Seconds = {}
     with tempfile.TemporaryDirectory() as cache, ExitStack() as stack:
         stack.enter_context(patch.dict(os.environ, {LOCATION: cache}))
@@ -63,8 +64,8 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
             stack.enter_context(patch.object(compiler, name, timed(name, getattr(compiler, name), seconds)))
         for name, title in COMPILER.items():
             stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
-        for name, title in (("translate", "Cython"), ("prove", "proof"), ("_import", "import")):
-            stack.enter_context(patch.object(extension, name, timed(title, getattr(extension, name), seconds)))
+        for place, name, title in ((proof, "prove", "proof"), (extension, "_import", "import")):
+            stack.enter_context(patch.object(place, name, timed(title, getattr(place, name), seconds)))
         model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
         timed("all", build, seconds)(model)
     return seconds

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:8ba68851fee814b346c973e9ca6c1ce5f61de93200b6b9bac0ec2ec403af0c06 */
-/* body sha256:9c167deff472f4577ef08cfa56b364365accfd7d5538c2e90e66c2d9323f1741 */
+/* body sha256:2695bf9de59b9df2b430cfd89f73dbe2a6f25ddd0883b0cc1ba3bd9a143348df */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -52,94 +52,96 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1])
 {
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[11];
-    const real c_1 = c[12];
-    const real c_2 = c[13];
-    const real c_3 = c[14];
-    const real c_4 = c[15];
-    const real c_5 = c[16];
-    const real c_6 = c[17];
-    const real c_7 = c[18];
-    const real c_8 = c[19];
-    const real c_9 = c[20];
-    const real c_10 = c[21];
-    const real c_11 = c[22];
-    const real c_12 = c[23];
-    const real c_13 = c[24];
-    const real c_14 = c[25];
-    const real theta_1_dot = v[0];
-    const real theta_2_dot = v[1];
-    const real theta_3_dot = v[2];
-    const real theta_4_dot = v[3];
-    const real theta_5_dot = v[4];
-    const real theta_1 = x[0];
     const real theta_2 = x[1];
-    const real theta_3 = x[2];
-    const real theta_4 = x[3];
-    const real theta_5 = x[4];
     const real cos_theta_2 = em_cos(theta_2);
+    const real theta_1_dot = v[0];
+    const real theta_1 = x[0];
     const real sin_theta_1 = em_sin(theta_1);
     const real z_2 = theta_1_dot*sin_theta_1;
     const real cos_theta_1 = em_cos(theta_1);
+    const real theta_2_dot = v[1];
     const real sin_theta_2 = em_sin(theta_2);
     const real z_5 = theta_2_dot*sin_theta_2;
     const real z_6 = theta_1_dot*cos_theta_1;
     const real z_7 = theta_2_dot*cos_theta_2;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_2 + cos_theta_1*z_5) - c_0*(sin_theta_2*z_6 +
+        sin_theta_1*z_7));
+    Mdot1[1][1] = em_real(0.0);
+    const real c_1 = c[12];
+    const real theta_3 = x[2];
     const real cos_theta_3 = em_cos(theta_3);
+    const real theta_3_dot = v[2];
     const real sin_theta_3 = em_sin(theta_3);
     const real z_10 = theta_3_dot*sin_theta_3;
     const real z_11 = theta_3_dot*cos_theta_3;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_2 + cos_theta_1*z_10) - c_1*(sin_theta_3*z_6 +
+        sin_theta_1*z_11));
+    const real c_2 = c[13];
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_5 + cos_theta_2*z_10) - c_2*(sin_theta_3*z_7 +
+        sin_theta_2*z_11));
+    Mdot1[2][2] = em_real(0.0);
+    const real c_3 = c[14];
+    const real theta_4 = x[3];
     const real cos_theta_4 = em_cos(theta_4);
+    const real theta_4_dot = v[3];
     const real sin_theta_4 = em_sin(theta_4);
     const real z_14 = theta_4_dot*sin_theta_4;
     const real z_15 = theta_4_dot*cos_theta_4;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_2 + cos_theta_1*z_14) - c_3*(sin_theta_4*z_6 +
+        sin_theta_1*z_15));
+    const real c_4 = c[15];
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_5 + cos_theta_2*z_14) - c_4*(sin_theta_4*z_7 +
+        sin_theta_2*z_15));
+    const real c_5 = c[16];
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_10 + cos_theta_3*z_14) - c_5*(sin_theta_4*z_11 +
+        sin_theta_3*z_15));
+    Mdot1[3][3] = em_real(0.0);
+    const real c_6 = c[17];
+    const real theta_5 = x[4];
     const real cos_theta_5 = em_cos(theta_5);
+    const real theta_5_dot = v[4];
     const real sin_theta_5 = em_sin(theta_5);
     const real z_18 = theta_5_dot*sin_theta_5;
     const real z_19 = theta_5_dot*cos_theta_5;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_2 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_6 +
+        sin_theta_1*z_19));
+    const real c_7 = c[18];
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_5 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_7 +
+        sin_theta_2*z_19));
+    const real c_8 = c[19];
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_10 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_11 +
+        sin_theta_3*z_19));
+    const real c_9 = c[20];
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_14 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_15 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = em_real(0.0);
     const real z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
     const real z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
     const real z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
     const real z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const real c_10 = c[21];
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
     const real z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
     const real z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
     const real z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const real c_11 = c[22];
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
     const real z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
     const real z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    Mdot1[0][0] = em_real(0.0);
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_2 + cos_theta_1*z_5) - c_0*(sin_theta_2*z_6 +
-        sin_theta_1*z_7));
-    Mdot1[1][1] = em_real(0.0);
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_2 + cos_theta_1*z_10) - c_1*(sin_theta_3*z_6 +
-        sin_theta_1*z_11));
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_5 + cos_theta_2*z_10) - c_2*(sin_theta_3*z_7 +
-        sin_theta_2*z_11));
-    Mdot1[2][2] = em_real(0.0);
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_2 + cos_theta_1*z_14) - c_3*(sin_theta_4*z_6 +
-        sin_theta_1*z_15));
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_5 + cos_theta_2*z_14) - c_4*(sin_theta_4*z_7 +
-        sin_theta_2*z_15));
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_10 + cos_theta_3*z_14) - c_5*(sin_theta_4*z_11 +
-        sin_theta_3*z_15));
-    Mdot1[3][3] = em_real(0.0);
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_2 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_6 +
-        sin_theta_1*z_19));
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_5 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_7 +
-        sin_theta_2*z_19));
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_10 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_11 +
-        sin_theta_3*z_19));
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_14 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_15 +
-        sin_theta_4*z_19));
-    Mdot1[4][4] = em_real(0.0);
-    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
-    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
+    const real c_12 = c[23];
     f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
+    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    const real c_13 = c[24];
     f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
+    const real c_14 = c[25];
     f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
 }
 
@@ -207,50 +209,50 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[10])
 {
-    const real c_0 = c[11];
-    const real c_1 = c[12];
-    const real c_2 = c[13];
-    const real c_3 = c[14];
-    const real c_4 = c[15];
-    const real c_5 = c[16];
-    const real c_6 = c[17];
-    const real c_7 = c[18];
-    const real c_8 = c[19];
-    const real c_9 = c[20];
     const real c_15 = c[26];
-    const real c_16 = c[27];
-    const real c_17 = c[28];
-    const real c_18 = c[29];
-    const real c_19 = c[30];
+    M1[0][0] = c_15;
+    const real c_0 = c[11];
     const real theta_1 = x[0];
-    const real theta_2 = x[1];
-    const real theta_3 = x[2];
-    const real theta_4 = x[3];
-    const real theta_5 = x[4];
     const real cos_theta_1 = em_cos(theta_1);
+    const real theta_2 = x[1];
     const real cos_theta_2 = em_cos(theta_2);
     const real sin_theta_1 = em_sin(theta_1);
     const real sin_theta_2 = em_sin(theta_2);
+    M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const real c_16 = c[27];
+    M1[1][1] = c_16;
+    const real c_1 = c[12];
+    const real theta_3 = x[2];
     const real cos_theta_3 = em_cos(theta_3);
     const real sin_theta_3 = em_sin(theta_3);
+    M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const real c_2 = c[13];
+    M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const real c_17 = c[28];
+    M1[2][2] = c_17;
+    const real c_3 = c[14];
+    const real theta_4 = x[3];
     const real cos_theta_4 = em_cos(theta_4);
     const real sin_theta_4 = em_sin(theta_4);
+    M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const real c_4 = c[15];
+    M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const real c_5 = c[16];
+    M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const real c_18 = c[29];
+    M1[3][3] = c_18;
+    const real c_6 = c[17];
+    const real theta_5 = x[4];
     const real cos_theta_5 = em_cos(theta_5);
     const real sin_theta_5 = em_sin(theta_5);
-    M1[0][0] = c_15;
-    M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    M1[1][1] = c_16;
-    M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    M1[2][2] = c_17;
-    M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    M1[3][3] = c_18;
     M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const real c_7 = c[18];
     M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const real c_8 = c[19];
     M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const real c_9 = c[20];
     M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const real c_19 = c[30];
     M1[4][4] = c_19;
     shared[0] = cos_theta_2;
     shared[1] = sin_theta_1;
@@ -268,85 +270,85 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[10],
                                  real Mdot1[N1][N1], real f1[N1])
 {
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[11];
-    const real c_1 = c[12];
-    const real c_2 = c[13];
-    const real c_3 = c[14];
-    const real c_4 = c[15];
-    const real c_5 = c[16];
-    const real c_6 = c[17];
-    const real c_7 = c[18];
-    const real c_8 = c[19];
-    const real c_9 = c[20];
-    const real c_10 = c[21];
-    const real c_11 = c[22];
-    const real c_12 = c[23];
-    const real c_13 = c[24];
-    const real c_14 = c[25];
     const real cos_theta_2 = shared[0];
-    const real sin_theta_1 = shared[1];
-    const real cos_theta_1 = shared[2];
-    const real sin_theta_2 = shared[3];
-    const real cos_theta_3 = shared[4];
-    const real sin_theta_3 = shared[5];
-    const real cos_theta_4 = shared[6];
-    const real sin_theta_4 = shared[7];
-    const real cos_theta_5 = shared[8];
-    const real sin_theta_5 = shared[9];
     const real theta_1_dot = v[0];
-    const real theta_2_dot = v[1];
-    const real theta_3_dot = v[2];
-    const real theta_4_dot = v[3];
-    const real theta_5_dot = v[4];
+    const real sin_theta_1 = shared[1];
     const real z_10 = theta_1_dot*sin_theta_1;
+    const real cos_theta_1 = shared[2];
+    const real theta_2_dot = v[1];
+    const real sin_theta_2 = shared[3];
     const real z_11 = theta_2_dot*sin_theta_2;
     const real z_12 = theta_1_dot*cos_theta_1;
     const real z_13 = theta_2_dot*cos_theta_2;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
+        sin_theta_1*z_13));
+    Mdot1[1][1] = em_real(0.0);
+    const real c_1 = c[12];
+    const real cos_theta_3 = shared[4];
+    const real theta_3_dot = v[2];
+    const real sin_theta_3 = shared[5];
     const real z_14 = theta_3_dot*sin_theta_3;
     const real z_15 = theta_3_dot*cos_theta_3;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
+        sin_theta_1*z_15));
+    const real c_2 = c[13];
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
+        sin_theta_2*z_15));
+    Mdot1[2][2] = em_real(0.0);
+    const real c_3 = c[14];
+    const real cos_theta_4 = shared[6];
+    const real theta_4_dot = v[3];
+    const real sin_theta_4 = shared[7];
     const real z_16 = theta_4_dot*sin_theta_4;
     const real z_17 = theta_4_dot*cos_theta_4;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
+        sin_theta_1*z_17));
+    const real c_4 = c[15];
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
+        sin_theta_2*z_17));
+    const real c_5 = c[16];
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
+        sin_theta_3*z_17));
+    Mdot1[3][3] = em_real(0.0);
+    const real c_6 = c[17];
+    const real cos_theta_5 = shared[8];
+    const real theta_5_dot = v[4];
+    const real sin_theta_5 = shared[9];
     const real z_18 = theta_5_dot*sin_theta_5;
     const real z_19 = theta_5_dot*cos_theta_5;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
+        sin_theta_1*z_19));
+    const real c_7 = c[18];
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
+        sin_theta_2*z_19));
+    const real c_8 = c[19];
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
+        sin_theta_3*z_19));
+    const real c_9 = c[20];
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = em_real(0.0);
     const real z_20 = theta_1_dot*theta_2_dot*(c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2));
     const real z_21 = theta_1_dot*theta_3_dot*(c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3));
     const real z_22 = theta_1_dot*theta_4_dot*(c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4));
     const real z_23 = theta_1_dot*theta_5_dot*(c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5));
+    const real c_10 = c[21];
+    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
     const real z_24 = theta_2_dot*theta_3_dot*(c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3));
     const real z_25 = theta_2_dot*theta_4_dot*(c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4));
     const real z_26 = theta_2_dot*theta_5_dot*(c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5));
+    const real c_11 = c[22];
+    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
     const real z_27 = theta_3_dot*theta_4_dot*(c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4));
     const real z_28 = theta_3_dot*theta_5_dot*(c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5));
-    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
-    Mdot1[0][0] = em_real(0.0);
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
-        sin_theta_1*z_13));
-    Mdot1[1][1] = em_real(0.0);
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
-        sin_theta_1*z_15));
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
-        sin_theta_2*z_15));
-    Mdot1[2][2] = em_real(0.0);
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
-        sin_theta_1*z_17));
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
-        sin_theta_2*z_17));
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
-        sin_theta_3*z_17));
-    Mdot1[3][3] = em_real(0.0);
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
-        sin_theta_1*z_19));
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
-        sin_theta_2*z_19));
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
-        sin_theta_3*z_19));
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
-        sin_theta_4*z_19));
-    Mdot1[4][4] = em_real(0.0);
-    f1[0] = -((z_20 + z_21 + z_22 + z_23) + sin_theta_1*c_10);
-    f1[1] = (z_20 - z_24 - z_25 - z_26) - sin_theta_2*c_11;
+    const real c_12 = c[23];
     f1[2] = (z_21 + z_24 - z_27 - z_28) - sin_theta_3*c_12;
+    const real z_29 = theta_4_dot*theta_5_dot*(c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5));
+    const real c_13 = c[24];
     f1[3] = (z_22 + z_25 + z_27 - z_29) - sin_theta_4*c_13;
+    const real c_14 = c[25];
     f1[4] = (z_23 + z_26 + z_28 + z_29) - sin_theta_5*c_14;
 }
 
@@ -399,6 +401,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -421,6 +424,267 @@ em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[11];
+    const double theta_2 = x[1];
+    const double cos_theta_2 = em_cos(theta_2);
+    const double theta_1 = x[0];
+    const double sin_theta_1 = em_sin(theta_1);
+    const double cos_theta_1 = em_cos(theta_1);
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_4 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
+    dM[5] = dM[1] = -z_4;
+    const double c_1 = c[12];
+    const double theta_3 = x[2];
+    const double cos_theta_3 = em_cos(theta_3);
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_7 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
+    dM[10] = dM[2] = -z_7;
+    const double c_3 = c[14];
+    const double theta_4 = x[3];
+    const double cos_theta_4 = em_cos(theta_4);
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_10 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
+    dM[15] = dM[3] = -z_10;
+    const double c_6 = c[17];
+    const double theta_5 = x[4];
+    const double cos_theta_5 = em_cos(theta_5);
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_13 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
+    dM[20] = dM[4] = -z_13;
+    dM[30] = dM[26] = z_4;
+    const double c_2 = c[13];
+    const double z_14 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
+    dM[36] = dM[32] = -z_14;
+    const double c_4 = c[15];
+    const double z_15 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
+    dM[41] = dM[33] = -z_15;
+    const double c_7 = c[18];
+    const double z_16 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
+    dM[46] = dM[34] = -z_16;
+    dM[60] = dM[52] = z_7;
+    dM[61] = dM[57] = z_14;
+    const double c_5 = c[16];
+    const double z_17 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
+    dM[67] = dM[63] = -z_17;
+    const double c_8 = c[19];
+    const double z_18 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
+    dM[72] = dM[64] = -z_18;
+    dM[90] = dM[78] = z_10;
+    dM[91] = dM[83] = z_15;
+    dM[92] = dM[88] = z_17;
+    const double c_9 = c[20];
+    const double z_19 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
+    dM[98] = dM[94] = -z_19;
+    dM[120] = dM[104] = z_13;
+    dM[121] = dM[109] = z_16;
+    dM[122] = dM[114] = z_18;
+    dM[123] = dM[119] = z_19;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta_1_dot = v[0];
+    const double l_1 = c[5];
+    const double z_0 = theta_1_dot*l_1;
+    const double theta_1 = x[0];
+    const double cos_theta_1 = em_cos(theta_1);
+    const double m_5 = c[4];
+    const double sin_theta_1 = em_sin(theta_1);
+    const double theta_2 = x[1];
+    const double sin_theta_2 = em_sin(theta_2);
+    const double theta_2_dot = v[1];
+    const double l_2 = c[6];
+    const double z_4 = theta_2_dot*l_2;
+    const double z_5 = sin_theta_1*z_0 + sin_theta_2*z_4;
+    const double theta_3 = x[2];
+    const double sin_theta_3 = em_sin(theta_3);
+    const double theta_3_dot = v[2];
+    const double l_3 = c[7];
+    const double z_7 = theta_3_dot*l_3;
+    const double z_8 = z_5 + sin_theta_3*z_7;
+    const double theta_4 = x[3];
+    const double sin_theta_4 = em_sin(theta_4);
+    const double theta_4_dot = v[3];
+    const double l_4 = c[8];
+    const double z_10 = theta_4_dot*l_4;
+    const double z_11 = z_8 + sin_theta_4*z_10;
+    const double l_5 = c[9];
+    const double theta_5_dot = v[4];
+    const double theta_5 = x[4];
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_13 = theta_5_dot*sin_theta_5;
+    const double z_14 = z_11 + l_5*z_13;
+    const double m_4 = c[3];
+    const double z_15 = m_5*z_14 + m_4*z_11;
+    const double m_3 = c[2];
+    const double z_16 = z_15 + m_3*z_8;
+    const double m_2 = c[1];
+    const double z_17 = z_16 + m_2*z_5;
+    const double z_18 = cos_theta_1*z_17;
+    const double cos_theta_2 = em_cos(theta_2);
+    const double z_20 = cos_theta_1*z_0 + cos_theta_2*z_4;
+    const double cos_theta_3 = em_cos(theta_3);
+    const double z_22 = z_20 + cos_theta_3*z_7;
+    const double cos_theta_4 = em_cos(theta_4);
+    const double z_24 = z_22 + cos_theta_4*z_10;
+    const double cos_theta_5 = em_cos(theta_5);
+    const double z_26 = theta_5_dot*cos_theta_5;
+    const double z_27 = z_24 + l_5*z_26;
+    const double z_28 = m_5*z_27 + m_4*z_24;
+    const double z_29 = z_28 + m_3*z_22;
+    const double z_30 = z_29 + m_2*z_20;
+    const double c_10 = c[21];
+    const double z_31 = theta_1_dot*theta_1_dot;
+    const double z_32 = theta_2_dot*theta_2_dot;
+    const double z_33 = z_31*(l_1*cos_theta_1) + z_32*(l_2*cos_theta_2);
+    const double z_34 = theta_3_dot*theta_3_dot;
+    const double z_35 = z_33 + z_34*(l_3*cos_theta_3);
+    const double z_36 = theta_4_dot*theta_4_dot;
+    const double z_37 = z_35 + z_36*(l_4*cos_theta_4);
+    const double z_38 = l_5*(theta_5_dot*theta_5_dot);
+    const double z_39 = z_37 + cos_theta_5*z_38;
+    const double z_40 = m_5*z_39 + m_4*z_37;
+    const double z_41 = m_3*z_35 + z_40;
+    const double z_42 = m_2*z_33 + z_41;
+    const double z_43 = z_31*(l_1*sin_theta_1) + z_32*(l_2*sin_theta_2);
+    const double z_44 = z_43 + z_34*(l_3*sin_theta_3);
+    const double z_45 = z_44 + z_36*(l_4*sin_theta_4);
+    const double z_46 = z_45 + sin_theta_5*z_38;
+    const double z_47 = m_5*z_46 + m_4*z_45;
+    const double z_48 = m_3*z_44 + z_47;
+    const double z_49 = m_2*z_43 + z_48;
+    bias[0] = (z_0*z_18 - sin_theta_1*(z_30*z_0 + c_10)) - (l_1*(theta_1_dot*z_18 + sin_theta_1*z_42) -
+        l_1*(theta_1_dot*(sin_theta_1*z_30) + cos_theta_1*z_49));
+    const double z_50 = cos_theta_2*z_17;
+    const double c_11 = c[22];
+    bias[1] = (z_4*z_50 - sin_theta_2*(z_30*z_4 + c_11)) - (l_2*(theta_2_dot*z_50 + sin_theta_2*z_42) -
+        l_2*(theta_2_dot*(sin_theta_2*z_30) + cos_theta_2*z_49));
+    const double z_51 = cos_theta_3*z_16;
+    const double c_12 = c[23];
+    bias[2] = (z_7*z_51 - sin_theta_3*(z_29*z_7 + c_12)) - (l_3*(theta_3_dot*z_51 + sin_theta_3*z_41) -
+        l_3*(theta_3_dot*(sin_theta_3*z_29) + cos_theta_3*z_48));
+    const double z_52 = cos_theta_4*z_15;
+    const double c_13 = c[24];
+    bias[3] = (z_10*z_52 - sin_theta_4*(z_28*z_10 + c_13)) - (l_4*(theta_4_dot*z_52 + sin_theta_4*z_40) -
+        l_4*(theta_4_dot*(sin_theta_4*z_28) + cos_theta_4*z_47));
+    const double c_20 = c[31];
+    const double z_53 = z_14*z_26;
+    const double c_14 = c[25];
+    bias[4] = (c_20*z_53 - sin_theta_5*(theta_5_dot*(z_27*c_20) + c_14)) - (c_20*(z_53 + sin_theta_5*z_39) -
+        c_20*(z_27*z_13 + cos_theta_5*z_46));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double theta_1_dot = v[0];
+    const double c_15 = c[26];
+    const double theta_2_dot = v[1];
+    const double c_0 = c[11];
+    const double theta_1 = x[0];
+    const double cos_theta_1 = em_cos(theta_1);
+    const double theta_2 = x[1];
+    const double cos_theta_2 = em_cos(theta_2);
+    const double sin_theta_1 = em_sin(theta_1);
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_4 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double theta_3_dot = v[2];
+    const double c_1 = c[12];
+    const double theta_3 = x[2];
+    const double cos_theta_3 = em_cos(theta_3);
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_7 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double theta_4_dot = v[3];
+    const double c_3 = c[14];
+    const double theta_4 = x[3];
+    const double cos_theta_4 = em_cos(theta_4);
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_10 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double theta_5_dot = v[4];
+    const double c_6 = c[17];
+    const double theta_5 = x[4];
+    const double cos_theta_5 = em_cos(theta_5);
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_13 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const double c_16 = c[27];
+    const double c_2 = c[13];
+    const double z_14 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const double c_4 = c[15];
+    const double z_15 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double c_7 = c[18];
+    const double z_16 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const double c_17 = c[28];
+    const double c_5 = c[16];
+    const double z_17 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double c_8 = c[19];
+    const double z_18 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const double c_18 = c[29];
+    const double c_9 = c[20];
+    const double z_19 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double c_19 = c[30];
+    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_4 + theta_3_dot*z_7 + theta_4_dot*z_10 +
+        theta_5_dot*z_13) + theta_2_dot*(theta_1_dot*z_4 + theta_2_dot*c_16 + theta_3_dot*z_14 + theta_4_dot*z_15
+        + theta_5_dot*z_16) + theta_3_dot*(theta_1_dot*z_7 + theta_2_dot*z_14 + theta_3_dot*c_17 +
+        theta_4_dot*z_17 + theta_5_dot*z_18) + theta_4_dot*(theta_1_dot*z_10 + theta_2_dot*z_15 + theta_3_dot*z_17
+        + theta_4_dot*c_18 + theta_5_dot*z_19) + theta_5_dot*(theta_1_dot*z_13 + theta_2_dot*z_16 +
+        theta_3_dot*z_18 + theta_4_dot*z_19 + theta_5_dot*c_19));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double l_1 = c[5];
+    const double l_2 = c[6];
+    const double z_20 = l_1*cos_theta_1 + l_2*cos_theta_2;
+    const double c_21 = c[32];
+    const double l_3 = c[7];
+    const double z_21 = z_20 + l_3*cos_theta_3;
+    const double c_22 = c[33];
+    const double l_4 = c[8];
+    const double z_22 = z_21 + l_4*cos_theta_4;
+    const double c_23 = c[34];
+    const double l_5 = c[9];
+    const double c_24 = c[35];
+    const double c_25 = c[36];
+    e[3] = -(z_20*c_21 + z_21*c_22 + z_22*c_23 + (z_22 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chain_5_lanes;
 EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL, NULL};
@@ -439,24 +703,34 @@ static const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double m_1 = parameters[0];
+    const double l_1 = parameters[5];
     const double m_2 = parameters[1];
     const double m_3 = parameters[2];
     const double m_4 = parameters[3];
     const double m_5 = parameters[4];
-    const double l_1 = parameters[5];
-    const double l_2 = parameters[6];
-    const double l_3 = parameters[7];
-    const double l_4 = parameters[8];
-    const double l_5 = parameters[9];
-    const double g = parameters[10];
     const double z_0 = l_1*m_4 + l_1*m_5;
     const double z_1 = l_1*m_3 + z_0;
     const double z_2 = l_1*m_2 + z_1;
+    const double l_2 = parameters[6];
+    prepared[11] = z_2*l_2;
+    const double l_3 = parameters[7];
+    prepared[12] = l_3*z_1;
     const double z_3 = m_4*l_2 + m_5*l_2;
     const double z_4 = m_3*l_2 + z_3;
+    prepared[13] = l_3*z_4;
+    const double l_4 = parameters[8];
+    prepared[14] = l_4*z_0;
+    prepared[15] = l_4*z_3;
     const double z_5 = m_4*l_3 + m_5*l_3;
+    prepared[16] = l_4*z_5;
+    const double l_5 = parameters[9];
     const double z_6 = m_5*l_5;
+    prepared[17] = l_1*z_6;
+    prepared[18] = l_2*z_6;
+    prepared[19] = l_3*z_6;
+    prepared[20] = l_4*z_6;
+    const double m_1 = parameters[0];
+    const double g = parameters[10];
     const double z_7 = l_1*m_1*g;
     const double z_8 = m_2*g;
     const double z_9 = m_3*g;
@@ -465,16 +739,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_12 = z_10 + z_11;
     const double z_13 = z_9 + z_12;
     const double z_14 = z_8 + z_13;
-    prepared[11] = z_2*l_2;
-    prepared[12] = l_3*z_1;
-    prepared[13] = l_3*z_4;
-    prepared[14] = l_4*z_0;
-    prepared[15] = l_4*z_3;
-    prepared[16] = l_4*z_5;
-    prepared[17] = l_1*z_6;
-    prepared[18] = l_2*z_6;
-    prepared[19] = l_3*z_6;
-    prepared[20] = l_4*z_6;
     prepared[21] = z_7 + l_1*z_14;
     prepared[22] = l_2*z_14;
     prepared[23] = l_3*z_13;
@@ -506,114 +770,51 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
     const double c_15 = c[26];
-    const double c_16 = c[27];
-    const double c_17 = c[28];
-    const double c_18 = c[29];
-    const double c_19 = c[30];
-    const double theta_1 = x[0];
-    const double theta_2 = x[1];
-    const double theta_3 = x[2];
-    const double theta_4 = x[3];
-    const double theta_5 = x[4];
-    const double cos_theta_1 = em_cos(theta_1);
-    const double cos_theta_2 = em_cos(theta_2);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
     M[0] = c_15;
-    M[5] = M[1] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    M[6] = c_16;
-    M[10] = M[2] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    M[11] = M[7] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    M[12] = c_17;
-    M[15] = M[3] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    M[16] = M[8] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    M[17] = M[13] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    M[18] = c_18;
-    M[20] = M[4] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    M[21] = M[9] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    M[22] = M[14] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    M[23] = M[19] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    M[24] = c_19;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
     const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
     const double theta_1 = x[0];
+    const double cos_theta_1 = em_cos(theta_1);
     const double theta_2 = x[1];
-    const double theta_3 = x[2];
-    const double theta_4 = x[3];
-    const double theta_5 = x[4];
     const double cos_theta_2 = em_cos(theta_2);
     const double sin_theta_1 = em_sin(theta_1);
-    const double cos_theta_1 = em_cos(theta_1);
     const double sin_theta_2 = em_sin(theta_2);
-    const double z_4 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
+    M[5] = M[1] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double c_16 = c[27];
+    M[6] = c_16;
+    const double c_1 = c[12];
+    const double theta_3 = x[2];
     const double cos_theta_3 = em_cos(theta_3);
     const double sin_theta_3 = em_sin(theta_3);
-    const double z_7 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
+    M[10] = M[2] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double c_2 = c[13];
+    M[11] = M[7] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const double c_17 = c[28];
+    M[12] = c_17;
+    const double c_3 = c[14];
+    const double theta_4 = x[3];
     const double cos_theta_4 = em_cos(theta_4);
     const double sin_theta_4 = em_sin(theta_4);
-    const double z_10 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
+    M[15] = M[3] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double c_4 = c[15];
+    M[16] = M[8] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double c_5 = c[16];
+    M[17] = M[13] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double c_18 = c[29];
+    M[18] = c_18;
+    const double c_6 = c[17];
+    const double theta_5 = x[4];
     const double cos_theta_5 = em_cos(theta_5);
     const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
-    const double z_14 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
-    const double z_15 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
-    const double z_16 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
-    const double z_17 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
-    const double z_18 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
-    const double z_19 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
-    dM[5] = dM[1] = -z_4;
-    dM[10] = dM[2] = -z_7;
-    dM[15] = dM[3] = -z_10;
-    dM[20] = dM[4] = -z_13;
-    dM[30] = dM[26] = z_4;
-    dM[36] = dM[32] = -z_14;
-    dM[41] = dM[33] = -z_15;
-    dM[46] = dM[34] = -z_16;
-    dM[60] = dM[52] = z_7;
-    dM[61] = dM[57] = z_14;
-    dM[67] = dM[63] = -z_17;
-    dM[72] = dM[64] = -z_18;
-    dM[90] = dM[78] = z_10;
-    dM[91] = dM[83] = z_15;
-    dM[92] = dM[88] = z_17;
-    dM[98] = dM[94] = -z_19;
-    dM[120] = dM[104] = z_13;
-    dM[121] = dM[109] = z_16;
-    dM[122] = dM[114] = z_18;
-    dM[123] = dM[119] = z_19;
+    M[20] = M[4] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const double c_7 = c[18];
+    M[21] = M[9] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const double c_8 = c[19];
+    M[22] = M[14] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const double c_9 = c[20];
+    M[23] = M[19] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double c_19 = c[30];
+    M[24] = c_19;
 }
 
 /* What is factored, of which motion_bias is */
@@ -634,183 +835,6 @@ static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double m_2 = c[1];
-    const double m_3 = c[2];
-    const double m_4 = c[3];
-    const double m_5 = c[4];
-    const double l_1 = c[5];
-    const double l_2 = c[6];
-    const double l_3 = c[7];
-    const double l_4 = c[8];
-    const double l_5 = c[9];
-    const double c_10 = c[21];
-    const double c_11 = c[22];
-    const double c_12 = c[23];
-    const double c_13 = c[24];
-    const double c_14 = c[25];
-    const double c_20 = c[31];
-    const double theta_1_dot = v[0];
-    const double theta_2_dot = v[1];
-    const double theta_3_dot = v[2];
-    const double theta_4_dot = v[3];
-    const double theta_5_dot = v[4];
-    const double theta_1 = x[0];
-    const double theta_2 = x[1];
-    const double theta_3 = x[2];
-    const double theta_4 = x[3];
-    const double theta_5 = x[4];
-    const double z_0 = theta_1_dot*l_1;
-    const double cos_theta_1 = em_cos(theta_1);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double z_4 = theta_2_dot*l_2;
-    const double z_5 = sin_theta_1*z_0 + sin_theta_2*z_4;
-    const double sin_theta_3 = em_sin(theta_3);
-    const double z_7 = theta_3_dot*l_3;
-    const double z_8 = z_5 + sin_theta_3*z_7;
-    const double sin_theta_4 = em_sin(theta_4);
-    const double z_10 = theta_4_dot*l_4;
-    const double z_11 = z_8 + sin_theta_4*z_10;
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = theta_5_dot*sin_theta_5;
-    const double z_14 = z_11 + l_5*z_13;
-    const double z_15 = m_5*z_14 + m_4*z_11;
-    const double z_16 = z_15 + m_3*z_8;
-    const double z_17 = z_16 + m_2*z_5;
-    const double z_18 = cos_theta_1*z_17;
-    const double cos_theta_2 = em_cos(theta_2);
-    const double z_20 = cos_theta_1*z_0 + cos_theta_2*z_4;
-    const double cos_theta_3 = em_cos(theta_3);
-    const double z_22 = z_20 + cos_theta_3*z_7;
-    const double cos_theta_4 = em_cos(theta_4);
-    const double z_24 = z_22 + cos_theta_4*z_10;
-    const double cos_theta_5 = em_cos(theta_5);
-    const double z_26 = theta_5_dot*cos_theta_5;
-    const double z_27 = z_24 + l_5*z_26;
-    const double z_28 = m_5*z_27 + m_4*z_24;
-    const double z_29 = z_28 + m_3*z_22;
-    const double z_30 = z_29 + m_2*z_20;
-    const double z_31 = theta_1_dot*theta_1_dot;
-    const double z_32 = theta_2_dot*theta_2_dot;
-    const double z_33 = z_31*(l_1*cos_theta_1) + z_32*(l_2*cos_theta_2);
-    const double z_34 = theta_3_dot*theta_3_dot;
-    const double z_35 = z_33 + z_34*(l_3*cos_theta_3);
-    const double z_36 = theta_4_dot*theta_4_dot;
-    const double z_37 = z_35 + z_36*(l_4*cos_theta_4);
-    const double z_38 = l_5*(theta_5_dot*theta_5_dot);
-    const double z_39 = z_37 + cos_theta_5*z_38;
-    const double z_40 = m_5*z_39 + m_4*z_37;
-    const double z_41 = m_3*z_35 + z_40;
-    const double z_42 = m_2*z_33 + z_41;
-    const double z_43 = z_31*(l_1*sin_theta_1) + z_32*(l_2*sin_theta_2);
-    const double z_44 = z_43 + z_34*(l_3*sin_theta_3);
-    const double z_45 = z_44 + z_36*(l_4*sin_theta_4);
-    const double z_46 = z_45 + sin_theta_5*z_38;
-    const double z_47 = m_5*z_46 + m_4*z_45;
-    const double z_48 = m_3*z_44 + z_47;
-    const double z_49 = m_2*z_43 + z_48;
-    const double z_50 = cos_theta_2*z_17;
-    const double z_51 = cos_theta_3*z_16;
-    const double z_52 = cos_theta_4*z_15;
-    const double z_53 = z_14*z_26;
-    bias[0] = (z_0*z_18 - sin_theta_1*(z_30*z_0 + c_10)) - (l_1*(theta_1_dot*z_18 + sin_theta_1*z_42) -
-        l_1*(theta_1_dot*(sin_theta_1*z_30) + cos_theta_1*z_49));
-    bias[1] = (z_4*z_50 - sin_theta_2*(z_30*z_4 + c_11)) - (l_2*(theta_2_dot*z_50 + sin_theta_2*z_42) -
-        l_2*(theta_2_dot*(sin_theta_2*z_30) + cos_theta_2*z_49));
-    bias[2] = (z_7*z_51 - sin_theta_3*(z_29*z_7 + c_12)) - (l_3*(theta_3_dot*z_51 + sin_theta_3*z_41) -
-        l_3*(theta_3_dot*(sin_theta_3*z_29) + cos_theta_3*z_48));
-    bias[3] = (z_10*z_52 - sin_theta_4*(z_28*z_10 + c_13)) - (l_4*(theta_4_dot*z_52 + sin_theta_4*z_40) -
-        l_4*(theta_4_dot*(sin_theta_4*z_28) + cos_theta_4*z_47));
-    bias[4] = (c_20*z_53 - sin_theta_5*(theta_5_dot*(z_27*c_20) + c_14)) - (c_20*(z_53 + sin_theta_5*z_39) -
-        c_20*(z_27*z_13 + cos_theta_5*z_46));
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double l_1 = c[5];
-    const double l_2 = c[6];
-    const double l_3 = c[7];
-    const double l_4 = c[8];
-    const double l_5 = c[9];
-    const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
-    const double c_15 = c[26];
-    const double c_16 = c[27];
-    const double c_17 = c[28];
-    const double c_18 = c[29];
-    const double c_19 = c[30];
-    const double c_21 = c[32];
-    const double c_22 = c[33];
-    const double c_23 = c[34];
-    const double c_24 = c[35];
-    const double c_25 = c[36];
-    const double theta_1_dot = v[0];
-    const double theta_2_dot = v[1];
-    const double theta_3_dot = v[2];
-    const double theta_4_dot = v[3];
-    const double theta_5_dot = v[4];
-    const double theta_1 = x[0];
-    const double theta_2 = x[1];
-    const double theta_3 = x[2];
-    const double theta_4 = x[3];
-    const double theta_5 = x[4];
-    const double cos_theta_1 = em_cos(theta_1);
-    const double cos_theta_2 = em_cos(theta_2);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double z_4 = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double z_7 = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double z_10 = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const double z_14 = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    const double z_15 = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    const double z_16 = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const double z_17 = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    const double z_18 = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const double z_19 = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const double z_20 = l_1*cos_theta_1 + l_2*cos_theta_2;
-    const double z_21 = z_20 + l_3*cos_theta_3;
-    const double z_22 = z_21 + l_4*cos_theta_4;
-    e[0] = 0.5*(theta_1_dot*(theta_1_dot*c_15 + theta_2_dot*z_4 + theta_3_dot*z_7 + theta_4_dot*z_10 +
-        theta_5_dot*z_13) + theta_2_dot*(theta_1_dot*z_4 + theta_2_dot*c_16 + theta_3_dot*z_14 + theta_4_dot*z_15
-        + theta_5_dot*z_16) + theta_3_dot*(theta_1_dot*z_7 + theta_2_dot*z_14 + theta_3_dot*c_17 +
-        theta_4_dot*z_17 + theta_5_dot*z_18) + theta_4_dot*(theta_1_dot*z_10 + theta_2_dot*z_15 + theta_3_dot*z_17
-        + theta_4_dot*c_18 + theta_5_dot*z_19) + theta_5_dot*(theta_1_dot*z_13 + theta_2_dot*z_16 +
-        theta_3_dot*z_18 + theta_4_dot*z_19 + theta_5_dot*c_19));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = -(z_20*c_21 + z_21*c_22 + z_22*c_23 + (z_22 + l_5*cos_theta_5)*c_24 + cos_theta_1*c_25);
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
-}
-
 /* crossing (n_events): an event happens where its number passes through zero */
 static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
@@ -824,50 +848,50 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
                               double shared[10])
 {
-    const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
     const double c_15 = c[26];
-    const double c_16 = c[27];
-    const double c_17 = c[28];
-    const double c_18 = c[29];
-    const double c_19 = c[30];
+    M1[0][0] = c_15;
+    const double c_0 = c[11];
     const double theta_1 = x[0];
-    const double theta_2 = x[1];
-    const double theta_3 = x[2];
-    const double theta_4 = x[3];
-    const double theta_5 = x[4];
     const double cos_theta_1 = em_cos(theta_1);
+    const double theta_2 = x[1];
     const double cos_theta_2 = em_cos(theta_2);
     const double sin_theta_1 = em_sin(theta_1);
     const double sin_theta_2 = em_sin(theta_2);
+    M1[0][1] = M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const double c_16 = c[27];
+    M1[1][1] = c_16;
+    const double c_1 = c[12];
+    const double theta_3 = x[2];
     const double cos_theta_3 = em_cos(theta_3);
     const double sin_theta_3 = em_sin(theta_3);
+    M1[0][2] = M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const double c_2 = c[13];
+    M1[1][2] = M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const double c_17 = c[28];
+    M1[2][2] = c_17;
+    const double c_3 = c[14];
+    const double theta_4 = x[3];
     const double cos_theta_4 = em_cos(theta_4);
     const double sin_theta_4 = em_sin(theta_4);
+    M1[0][3] = M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const double c_4 = c[15];
+    M1[1][3] = M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const double c_5 = c[16];
+    M1[2][3] = M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const double c_18 = c[29];
+    M1[3][3] = c_18;
+    const double c_6 = c[17];
+    const double theta_5 = x[4];
     const double cos_theta_5 = em_cos(theta_5);
     const double sin_theta_5 = em_sin(theta_5);
-    M1[0][0] = c_15;
-    M1[0][1] = M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    M1[1][1] = c_16;
-    M1[0][2] = M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    M1[1][2] = M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    M1[2][2] = c_17;
-    M1[0][3] = M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    M1[1][3] = M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    M1[2][3] = M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    M1[3][3] = c_18;
     M1[0][4] = M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const double c_7 = c[18];
     M1[1][4] = M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const double c_8 = c[19];
     M1[2][4] = M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const double c_9 = c[20];
     M1[3][4] = M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const double c_19 = c[30];
     M1[4][4] = c_19;
     shared[0] = cos_theta_2;
     shared[1] = sin_theta_1;
@@ -885,63 +909,63 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[10],
                              double Mdot1[N1][N1])
 {
+    Mdot1[0][0] = 0.0;
     const double c_0 = c[11];
-    const double c_1 = c[12];
-    const double c_2 = c[13];
-    const double c_3 = c[14];
-    const double c_4 = c[15];
-    const double c_5 = c[16];
-    const double c_6 = c[17];
-    const double c_7 = c[18];
-    const double c_8 = c[19];
-    const double c_9 = c[20];
     const double cos_theta_2 = shared[0];
-    const double sin_theta_1 = shared[1];
-    const double cos_theta_1 = shared[2];
-    const double sin_theta_2 = shared[3];
-    const double cos_theta_3 = shared[4];
-    const double sin_theta_3 = shared[5];
-    const double cos_theta_4 = shared[6];
-    const double sin_theta_4 = shared[7];
-    const double cos_theta_5 = shared[8];
-    const double sin_theta_5 = shared[9];
     const double theta_1_dot = v[0];
-    const double theta_2_dot = v[1];
-    const double theta_3_dot = v[2];
-    const double theta_4_dot = v[3];
-    const double theta_5_dot = v[4];
+    const double sin_theta_1 = shared[1];
     const double z_10 = theta_1_dot*sin_theta_1;
+    const double cos_theta_1 = shared[2];
+    const double theta_2_dot = v[1];
+    const double sin_theta_2 = shared[3];
     const double z_11 = theta_2_dot*sin_theta_2;
     const double z_12 = theta_1_dot*cos_theta_1;
     const double z_13 = theta_2_dot*cos_theta_2;
-    const double z_14 = theta_3_dot*sin_theta_3;
-    const double z_15 = theta_3_dot*cos_theta_3;
-    const double z_16 = theta_4_dot*sin_theta_4;
-    const double z_17 = theta_4_dot*cos_theta_4;
-    const double z_18 = theta_5_dot*sin_theta_5;
-    const double z_19 = theta_5_dot*cos_theta_5;
-    Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
         sin_theta_1*z_13));
     Mdot1[1][1] = 0.0;
+    const double c_1 = c[12];
+    const double cos_theta_3 = shared[4];
+    const double theta_3_dot = v[2];
+    const double sin_theta_3 = shared[5];
+    const double z_14 = theta_3_dot*sin_theta_3;
+    const double z_15 = theta_3_dot*cos_theta_3;
     Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
         sin_theta_1*z_15));
+    const double c_2 = c[13];
     Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
         sin_theta_2*z_15));
     Mdot1[2][2] = 0.0;
+    const double c_3 = c[14];
+    const double cos_theta_4 = shared[6];
+    const double theta_4_dot = v[3];
+    const double sin_theta_4 = shared[7];
+    const double z_16 = theta_4_dot*sin_theta_4;
+    const double z_17 = theta_4_dot*cos_theta_4;
     Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
         sin_theta_1*z_17));
+    const double c_4 = c[15];
     Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
         sin_theta_2*z_17));
+    const double c_5 = c[16];
     Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
         sin_theta_3*z_17));
     Mdot1[3][3] = 0.0;
+    const double c_6 = c[17];
+    const double cos_theta_5 = shared[8];
+    const double theta_5_dot = v[4];
+    const double sin_theta_5 = shared[9];
+    const double z_18 = theta_5_dot*sin_theta_5;
+    const double z_19 = theta_5_dot*cos_theta_5;
     Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
         sin_theta_1*z_19));
+    const double c_7 = c[18];
     Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
         sin_theta_2*z_19));
+    const double c_8 = c[19];
     Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
         sin_theta_3*z_19));
+    const double c_9 = c[20];
     Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
         sin_theta_4*z_19));
     Mdot1[4][4] = 0.0;
@@ -1135,4 +1159,5 @@ const em_model chain_5_model = {
     .event = model_events,
 };
 
+#endif
 #endif

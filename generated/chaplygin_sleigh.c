@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:35e27e9d3d20f61168b3296735ce61a8edf1a8e47039a3921c2c69cbaca2e61e */
-/* body sha256:fbc070ce946295b42bf19d4be7c0f11dcc8d7eceac4789f6034f11b675353f65 */
+/* body sha256:e9e9647076f955b6c793725707299acd9de9a85fc92e7ea3d144496a64748567 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -55,27 +55,29 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_0 = c[3];
-    const real x_dot = v[0];
-    const real y_dot = v[1];
-    const real theta_dot = v[2];
-    const real theta = x[2];
-    const real cos_theta = em_cos(theta);
-    const real z_1 = theta_dot*c_0;
-    const real sin_theta = em_sin(theta);
-    const real z_3 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = em_real(0.0);
+    const real theta = x[2];
+    const real cos_theta = em_cos(theta);
+    const real theta_dot = v[2];
+    const real c_0 = c[3];
+    const real z_1 = theta_dot*c_0;
     Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_1;
+    const real sin_theta = em_sin(theta);
     Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_1;
     Mdot1[2][2] = em_real(0.0);
     f1[0] = em_real(0.0);
     f1[1] = em_real(0.0);
+    const real x_dot = v[0];
+    const real y_dot = v[1];
+    const real z_3 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
     f1[2] = -z_3*c_0;
     A1[0][0] = -sin_theta;
     A1[0][1] = cos_theta;
@@ -159,16 +161,16 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
                                  real shared[2])
 {
     const real m = c[0];
-    const real c_0 = c[3];
-    const real c_1 = c[4];
-    const real theta = x[2];
-    const real sin_theta = em_sin(theta);
-    const real cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[1][0] = em_real(0.0);
     M1[1][1] = m;
+    const real theta = x[2];
+    const real sin_theta = em_sin(theta);
+    const real c_0 = c[3];
     M1[2][0] = -sin_theta*c_0;
+    const real cos_theta = em_cos(theta);
     M1[2][1] = cos_theta*c_0;
+    const real c_1 = c[4];
     M1[2][2] = c_1;
     shared[0] = cos_theta;
     shared[1] = sin_theta;
@@ -178,22 +180,22 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[2],
                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real c_0 = c[3];
-    const real cos_theta = shared[0];
-    const real sin_theta = shared[1];
-    const real x_dot = v[0];
-    const real y_dot = v[1];
-    const real theta_dot = v[2];
-    const real z_2 = theta_dot*c_0;
-    const real z_3 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = em_real(0.0);
+    const real cos_theta = shared[0];
+    const real theta_dot = v[2];
+    const real c_0 = c[3];
+    const real z_2 = theta_dot*c_0;
     Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_2;
+    const real sin_theta = shared[1];
     Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_2;
     Mdot1[2][2] = em_real(0.0);
     f1[0] = em_real(0.0);
     f1[1] = em_real(0.0);
+    const real x_dot = v[0];
+    const real y_dot = v[1];
+    const real z_3 = theta_dot*(x_dot*cos_theta) + theta_dot*(y_dot*sin_theta);
     f1[2] = -z_3*c_0;
     A1[0][0] = -sin_theta;
     A1[0][1] = cos_theta;
@@ -262,6 +264,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -284,6 +287,89 @@ em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NU
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[3];
+    dM[24] = dM[20] = -cos_theta*c_0;
+    const double sin_theta = em_sin(theta);
+    dM[25] = dM[23] = -sin_theta*c_0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[3];
+    const double theta_dot = v[2];
+    const double z_1 = c_0*(theta_dot*theta_dot);
+    bias[0] = cos_theta*z_1;
+    const double sin_theta = em_sin(theta);
+    bias[1] = sin_theta*z_1;
+    bias[2] = 0.0;
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    gamma[0] = -(x_dot*theta_dot*cos_theta + y_dot*theta_dot*sin_theta);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double x_dot = v[0];
+    const double m = c[0];
+    const double theta = x[2];
+    const double sin_theta = em_sin(theta);
+    const double theta_dot = v[2];
+    const double c_0 = c[3];
+    const double z_1 = theta_dot*c_0;
+    const double y_dot = v[1];
+    const double cos_theta = em_cos(theta);
+    const double c_1 = c[4];
+    e[0] = 0.5*(x_dot*(x_dot*m - sin_theta*z_1) + y_dot*(y_dot*m + cos_theta*z_1) - theta_dot*(x_dot*sin_theta*c_0
+        - y_dot*cos_theta*c_0 - theta_dot*c_1));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = 0.0;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chaplygin_sleigh_lanes;
 EM_WEAK em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL, NULL};
@@ -303,9 +389,9 @@ static const em_block *const blocks[] = { &block1, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double J = parameters[1];
     const double a_ = parameters[2];
     prepared[3] = m*a_;
+    const double J = parameters[1];
     prepared[4] = J + m*(a_*a_);
 }
 
@@ -323,31 +409,17 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
                         double *restrict M)
 {
     const double m = c[0];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double theta = x[2];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
     M[0] = m;
     M[3] = M[1] = 0.0;
     M[4] = m;
-    M[6] = M[2] = -sin_theta*c_0;
-    M[7] = M[5] = cos_theta*c_0;
-    M[8] = c_1;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[3];
     const double theta = x[2];
-    const double cos_theta = em_cos(theta);
     const double sin_theta = em_sin(theta);
-    dM[24] = dM[20] = -cos_theta*c_0;
-    dM[25] = dM[23] = -sin_theta*c_0;
+    const double c_0 = c[3];
+    M[6] = M[2] = -sin_theta*c_0;
+    const double cos_theta = em_cos(theta);
+    M[7] = M[5] = cos_theta*c_0;
+    const double c_1 = c[4];
+    M[8] = c_1;
 }
 
 /* What is factored, of which motion_bias is */
@@ -360,8 +432,8 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 {
     const double theta = x[2];
     const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
     A[0] = -sin_theta;
+    const double cos_theta = em_cos(theta);
     A[1] = cos_theta;
     A[2] = 0.0;
     b[0] = 0.0;
@@ -371,54 +443,6 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double c_0 = c[3];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double theta_dot = v[2];
-    const double theta = x[2];
-    const double cos_theta = em_cos(theta);
-    const double z_1 = c_0*(theta_dot*theta_dot);
-    const double sin_theta = em_sin(theta);
-    bias[0] = cos_theta*z_1;
-    bias[1] = sin_theta*z_1;
-    bias[2] = 0.0;
-    gamma[0] = -(x_dot*theta_dot*cos_theta + y_dot*theta_dot*sin_theta);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m = c[0];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double theta_dot = v[2];
-    const double theta = x[2];
-    const double sin_theta = em_sin(theta);
-    const double z_1 = theta_dot*c_0;
-    const double cos_theta = em_cos(theta);
-    e[0] = 0.5*(x_dot*(x_dot*m - sin_theta*z_1) + y_dot*(y_dot*m + cos_theta*z_1) - theta_dot*(x_dot*sin_theta*c_0
-        - y_dot*cos_theta*c_0 - theta_dot*c_1));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = 0.0;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -436,16 +460,16 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double A1[N_ROWS][N1], double b[N_ROWS], double shared[2])
 {
     const double m = c[0];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double theta = x[2];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[0][1] = M1[1][0] = 0.0;
     M1[1][1] = m;
+    const double theta = x[2];
+    const double sin_theta = em_sin(theta);
+    const double c_0 = c[3];
     M1[0][2] = M1[2][0] = -sin_theta*c_0;
+    const double cos_theta = em_cos(theta);
     M1[1][2] = M1[2][1] = cos_theta*c_0;
+    const double c_1 = c[4];
     M1[2][2] = c_1;
     A1[0][0] = -sin_theta;
     A1[0][1] = cos_theta;
@@ -459,15 +483,15 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[2],
                              double Mdot1[N1][N1])
 {
-    const double c_0 = c[3];
-    const double cos_theta = shared[0];
-    const double sin_theta = shared[1];
-    const double theta_dot = v[2];
-    const double z_2 = theta_dot*c_0;
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.0;
     Mdot1[1][1] = 0.0;
+    const double cos_theta = shared[0];
+    const double theta_dot = v[2];
+    const double c_0 = c[3];
+    const double z_2 = theta_dot*c_0;
     Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_2;
+    const double sin_theta = shared[1];
     Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_2;
     Mdot1[2][2] = 0.0;
 }
@@ -682,4 +706,5 @@ const em_model chaplygin_sleigh_model = {
     .event = model_events,
 };
 
+#endif
 #endif

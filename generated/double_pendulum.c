@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ee79731755da9daa20574f88d3a26c7e7b015041bc7044129593c19b6fd90b1 */
-/* body sha256:7d295b2c02e4d73ee68ebf196d587f407c28495d635e47a4a27aac2f513a1298 */
+/* body sha256:540864fb5ea806f20488e49f7931e2e4099d1dd870b41e640fa72bfbcf465fee */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -52,28 +52,30 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1])
 {
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[5];
-    const real c_1 = c[6];
-    const real c_2 = c[7];
     const real theta1_dot = v[0];
-    const real theta2_dot = v[1];
-    const real theta1 = x[0];
     const real theta2 = x[1];
     const real cos_theta2 = em_cos(theta2);
+    const real theta1 = x[0];
     const real sin_theta1 = em_sin(theta1);
     const real z_2 = cos_theta2*sin_theta1;
+    const real theta2_dot = v[1];
     const real cos_theta1 = em_cos(theta1);
     const real sin_theta2 = em_sin(theta2);
     const real z_5 = cos_theta1*sin_theta2;
-    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
-    Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2));
     Mdot1[1][1] = em_real(0.0);
+    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
+    const real c_1 = c[6];
     f1[0] = -(z_6 + sin_theta1*c_1);
+    const real c_2 = c[7];
     f1[1] = z_6 - sin_theta2*c_2;
 }
 
@@ -132,17 +134,17 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[4])
 {
-    const real c_0 = c[5];
     const real c_3 = c[8];
-    const real c_4 = c[9];
+    M1[0][0] = c_3;
+    const real c_0 = c[5];
     const real theta1 = x[0];
-    const real theta2 = x[1];
     const real cos_theta1 = em_cos(theta1);
+    const real theta2 = x[1];
     const real cos_theta2 = em_cos(theta2);
     const real sin_theta1 = em_sin(theta1);
     const real sin_theta2 = em_sin(theta2);
-    M1[0][0] = c_3;
     M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const real c_4 = c[9];
     M1[1][1] = c_4;
     shared[0] = cos_theta2;
     shared[1] = sin_theta1;
@@ -154,22 +156,22 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[4],
                                  real Mdot1[N1][N1], real f1[N1])
 {
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[5];
-    const real c_1 = c[6];
-    const real c_2 = c[7];
+    const real theta1_dot = v[0];
     const real cos_theta2 = shared[0];
     const real sin_theta1 = shared[1];
+    const real z_4 = cos_theta2*sin_theta1;
+    const real theta2_dot = v[1];
     const real cos_theta1 = shared[2];
     const real sin_theta2 = shared[3];
-    const real theta1_dot = v[0];
-    const real theta2_dot = v[1];
-    const real z_4 = cos_theta2*sin_theta1;
     const real z_5 = cos_theta1*sin_theta2;
-    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_4 - z_5));
-    Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
     Mdot1[1][1] = em_real(0.0);
+    const real z_6 = theta1_dot*theta2_dot*(c_0*(z_4 - z_5));
+    const real c_1 = c[6];
     f1[0] = -(z_6 + sin_theta1*c_1);
+    const real c_2 = c[7];
     f1[1] = z_6 - sin_theta2*c_2;
 }
 
@@ -216,6 +218,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -238,6 +241,104 @@ em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NUL
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[5];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_4 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    dM[2] = dM[1] = -z_4;
+    dM[6] = dM[5] = z_4;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double c_0 = c[5];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double z_2 = cos_theta2*sin_theta1;
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta1*sin_theta2;
+    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
+    const double c_1 = c[6];
+    const double z_7 = c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2);
+    bias[0] = -((z_6 + sin_theta1*c_1) - theta2_dot*z_7);
+    const double c_2 = c[7];
+    bias[1] = (z_6 - sin_theta2*c_2) + theta1_dot*z_7;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double theta1_dot = v[0];
+    const double c_3 = c[8];
+    const double theta2_dot = v[1];
+    const double c_0 = c[5];
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_4 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_4 = c[9];
+    e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_4) + theta2_dot*(theta1_dot*z_4 + theta2_dot*c_4));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double g = c[4];
+    const double m2 = c[1];
+    const double l1 = c[2];
+    const double l2 = c[3];
+    const double c_5 = c[10];
+    e[3] = -g*(m2*(l1*cos_theta1 + l2*cos_theta2) + cos_theta1*c_5);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
 EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL, NULL};
@@ -256,17 +357,17 @@ static const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double m1 = parameters[0];
-    const double m2 = parameters[1];
-    const double l1 = parameters[2];
     const double l2 = parameters[3];
-    const double g = parameters[4];
+    const double l1 = parameters[2];
+    const double m2 = parameters[1];
     const double z_0 = l1*m2;
-    const double z_1 = m1*l1;
-    const double z_2 = l1*l1;
     prepared[5] = l2*z_0;
+    const double g = parameters[4];
+    const double m1 = parameters[0];
+    const double z_1 = m1*l1;
     prepared[6] = g*z_1 + g*z_0;
     prepared[7] = m2*l2*g;
+    const double z_2 = l1*l1;
     prepared[8] = m1*z_2 + m2*z_2;
     prepared[9] = m2*(l2*l2);
     prepared[10] = z_1;
@@ -285,36 +386,18 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double c_0 = c[5];
     const double c_3 = c[8];
-    const double c_4 = c[9];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
     M[0] = c_3;
-    M[2] = M[1] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    M[3] = c_4;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
     const double c_0 = c[5];
     const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
     const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
-    const double cos_theta1 = em_cos(theta1);
     const double sin_theta2 = em_sin(theta2);
-    const double z_4 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    dM[2] = dM[1] = -z_4;
-    dM[6] = dM[5] = z_4;
+    M[2] = M[1] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_4 = c[9];
+    M[3] = c_4;
 }
 
 /* What is factored, of which motion_bias is */
@@ -335,65 +418,6 @@ static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double z_2 = cos_theta2*sin_theta1;
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = cos_theta1*sin_theta2;
-    const double z_6 = theta1_dot*theta2_dot*(c_0*(z_2 - z_5));
-    const double z_7 = c_0*(theta1_dot*z_2 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_2);
-    bias[0] = -((z_6 + sin_theta1*c_1) - theta2_dot*z_7);
-    bias[1] = (z_6 - sin_theta2*c_2) + theta1_dot*z_7;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m2 = c[1];
-    const double l1 = c[2];
-    const double l2 = c[3];
-    const double g = c[4];
-    const double c_0 = c[5];
-    const double c_3 = c[8];
-    const double c_4 = c[9];
-    const double c_5 = c[10];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_4 = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    e[0] = 0.5*(theta1_dot*(theta1_dot*c_3 + theta2_dot*z_4) + theta2_dot*(theta1_dot*z_4 + theta2_dot*c_4));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = -g*(m2*(l1*cos_theta1 + l2*cos_theta2) + cos_theta1*c_5);
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
-}
-
 /* crossing (n_events): an event happens where its number passes through zero */
 static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
@@ -407,17 +431,17 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
                               double shared[4])
 {
-    const double c_0 = c[5];
     const double c_3 = c[8];
-    const double c_4 = c[9];
+    M1[0][0] = c_3;
+    const double c_0 = c[5];
     const double theta1 = x[0];
-    const double theta2 = x[1];
     const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
-    M1[0][0] = c_3;
     M1[0][1] = M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_4 = c[9];
     M1[1][1] = c_4;
     shared[0] = cos_theta2;
     shared[1] = sin_theta1;
@@ -429,16 +453,16 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
                              double Mdot1[N1][N1])
 {
+    Mdot1[0][0] = 0.0;
     const double c_0 = c[5];
+    const double theta1_dot = v[0];
     const double cos_theta2 = shared[0];
     const double sin_theta1 = shared[1];
+    const double z_4 = cos_theta2*sin_theta1;
+    const double theta2_dot = v[1];
     const double cos_theta1 = shared[2];
     const double sin_theta2 = shared[3];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double z_4 = cos_theta2*sin_theta1;
     const double z_5 = cos_theta1*sin_theta2;
-    Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
     Mdot1[1][1] = 0.0;
 }
@@ -631,4 +655,5 @@ const em_model double_pendulum_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:3f6cc5d134084e792e8603a9722d4a89baa4d6c6873c687c0030b4244b9a1841 */
-/* body sha256:0616c1cb842b5d2449b7974b03b207744dc571b96e9b60daebf762a960634944 */
+/* body sha256:f00a53e2d369c9fa74aec32f8de7d8ba107784c7b8c47aac1ad99ac0916f0dce */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -55,30 +55,32 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(real t, const real *restrict x, const real *restrict v,
                                   const real *restrict c, real f1[N1], real f2[N2], real A1[N_ROWS][N1],
                                   real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
+    f1[0] = em_real(0.0);
+    const real c_0 = c[13];
+    f2[0] = c_0;
+    const real x_ = x[0];
+    A1[0][0] = 2.0*x_;
+    const real y = x[1];
     const real a_ = c[3];
     const real w = c[4];
-    const real c_0 = c[13];
-    const real c_1 = c[14];
-    const real c_2 = c[15];
-    const real x_dot = v[0];
-    const real y_dot = v[1];
-    const real x_ = x[0];
-    const real y = x[1];
     const real z_0 = t*w;
     const real cos_z_0 = em_cos(z_0);
     const real z_2 = y - a_*cos_z_0;
+    A2[0][0] = 2.0*z_2;
+    const real x_dot = v[0];
+    const real y_dot = v[1];
     const real sin_z_0 = em_sin(z_0);
+    const real c_1 = c[14];
     const real z_4 = sin_z_0*c_1;
     const real z_5 = y_dot + z_4;
-    f1[0] = em_real(0.0);
-    f2[0] = c_0;
-    A1[0][0] = 2.0*x_;
-    A2[0][0] = 2.0*z_2;
+    const real c_2 = c[15];
     gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_5) + (z_4*z_5 + cos_z_0*z_2*c_2));
 }
 
@@ -174,6 +176,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -196,6 +199,82 @@ em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NUL
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    bias[0] = 0.0;
+    const double c_0 = c[13];
+    bias[1] = c_0;
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    const double w = c[4];
+    const double z_0 = t*w;
+    const double sin_z_0 = em_sin(z_0);
+    const double c_1 = c[14];
+    const double z_2 = sin_z_0*c_1;
+    const double z_3 = y_dot + z_2;
+    const double cos_z_0 = em_cos(z_0);
+    const double y = x[1];
+    const double a_ = c[3];
+    const double c_2 = c[15];
+    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_3) + (z_2*z_3 + cos_z_0*(y - a_*cos_z_0)*c_2));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double m = c[0];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double y = x[1];
+    const double c_6 = c[19];
+    e[3] = y*c_6;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
 EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL};
@@ -217,18 +296,18 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double l = parameters[1];
-    const double g = parameters[2];
-    const double a_ = parameters[3];
-    const double w = parameters[4];
-    const double z_0 = m*g;
-    const double z_1 = a_*w;
     M1[0][0] = m;
     M2[0][0] = m;
+    const double g = parameters[2];
+    const double z_0 = m*g;
     prepared[13] = -z_0;
+    const double a_ = parameters[3];
+    const double w = parameters[4];
+    const double z_1 = a_*w;
     prepared[14] = z_1;
     prepared[15] = a_*(w*w);
     prepared[16] = 2.0*z_1;
+    const double l = parameters[1];
     prepared[17] = l*l;
     prepared[18] = fabs(a_);
     prepared[19] = z_0;
@@ -256,15 +335,6 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[3] = m;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                 EM_UNUSED const double *restrict c, double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -273,17 +343,17 @@ static void (*const factored)(double t, const double *restrict x, const double *
 static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
                      double *restrict b)
 {
+    const double x_ = x[0];
+    A[0] = 2.0*x_;
+    const double y = x[1];
     const double a_ = c[3];
     const double w = c[4];
-    const double c_3 = c[16];
-    const double x_ = x[0];
-    const double y = x[1];
     const double z_0 = t*w;
     const double cos_z_0 = em_cos(z_0);
     const double z_2 = y - a_*cos_z_0;
-    const double sin_z_0 = em_sin(z_0);
-    A[0] = 2.0*x_;
     A[1] = 2.0*z_2;
+    const double c_3 = c[16];
+    const double sin_z_0 = em_sin(z_0);
     b[0] = c_3*(z_2*sin_z_0);
 }
 
@@ -291,65 +361,19 @@ static void pfaffian(double t, const double *restrict x, const double *restrict 
 static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
                      double *restrict terms)
 {
+    const double x_ = x[0];
+    const double z_0 = x_*x_;
+    const double y = x[1];
     const double a_ = c[3];
     const double w = c[4];
-    const double c_4 = c[17];
-    const double c_5 = c[18];
-    const double x_ = x[0];
-    const double y = x[1];
-    const double z_0 = x_*x_;
     const double z_1 = t*w;
     const double cos_z_1 = em_cos(z_1);
     const double z_3 = y - a_*cos_z_1;
-    const double sin_z_1 = em_sin(z_1);
+    const double c_4 = c[17];
     phi[0] = z_0 + z_3*z_3 - c_4;
+    const double c_5 = c[18];
+    const double sin_z_1 = em_sin(z_1);
     terms[0] = 2.0*(z_0 + c_4 + (fabs(y) + c_5*(fabs(cos_z_1) + fabs(z_1*sin_z_1)))*fabs(z_3));
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double a_ = c[3];
-    const double w = c[4];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double c_2 = c[15];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double y = x[1];
-    const double z_0 = t*w;
-    const double sin_z_0 = em_sin(z_0);
-    const double z_2 = sin_z_0*c_1;
-    const double z_3 = y_dot + z_2;
-    const double cos_z_0 = em_cos(z_0);
-    bias[0] = 0.0;
-    bias[1] = c_0;
-    gamma[0] = 2.0*((x_dot*x_dot + y_dot*z_3) + (z_2*z_3 + cos_z_0*(y - a_*cos_z_0)*c_2));
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m = c[0];
-    const double c_6 = c[19];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double y = x[1];
-    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = y*c_6;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -365,17 +389,17 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 EM_INLINE void settled_masses(double t, const double *restrict x, const double *restrict c,
                               double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS])
 {
+    const double x_ = x[0];
+    A1[0][0] = 2.0*x_;
+    const double y = x[1];
     const double a_ = c[3];
     const double w = c[4];
-    const double c_3 = c[16];
-    const double x_ = x[0];
-    const double y = x[1];
     const double z_0 = t*w;
     const double cos_z_0 = em_cos(z_0);
     const double z_2 = y - a_*cos_z_0;
-    const double sin_z_0 = em_sin(z_0);
-    A1[0][0] = 2.0*x_;
     A2[0][0] = 2.0*z_2;
+    const double c_3 = c[16];
+    const double sin_z_0 = em_sin(z_0);
     b[0] = c_3*(z_2*sin_z_0);
 }
 
@@ -567,4 +591,5 @@ const em_model driven_pendulum_model = {
     .event = model_events,
 };
 
+#endif
 #endif

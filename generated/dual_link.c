@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:ed71627c20e7d84c368bacf9bb633f178992fb7d32b71d3830e7002e4289f2e0 */
-/* body sha256:7d00b2e0571c753acfa9be683d54c2198e5386d690c0a7227b30cee41ea1324c */
+/* body sha256:59f006cdc557d372468fbb45bdc7f29f78aaae85c45fc4a2ec2be051d1dfee40 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -59,38 +59,43 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
 EM_UNUSED static const int coordinate2[N2] = { 3 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real f2[N2], real A1[N_ROWS][N1],
                                   real gamma[N_ROWS])
 {
-    const real l1 = c[3];
-    const real l2 = c[4];
-    const real K1 = c[6];
-    const real K2 = c[7];
-    const real K3 = c[8];
     const real c_0 = c[13];
-    const real c_1 = c[14];
-    const real c_2 = c[15];
-    const real c_3 = c[16];
-    const real theta1_dot = v[0];
-    const real theta2_dot = v[1];
     const real theta3_dot = v[2];
-    const real theta1 = x[0];
-    const real theta2 = x[1];
     const real theta3 = x[2];
-    const real theta4 = x[3];
+    const real l1 = c[3];
     const real z_0 = theta3 + l1;
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    const real c_1 = c[14];
+    const real theta1 = x[0];
     const real cos_theta1 = em_cos(theta1);
+    const real theta2 = x[1];
     const real cos_theta2 = em_cos(theta2);
     const real sin_theta1 = em_sin(theta1);
     const real sin_theta2 = em_sin(theta2);
     const real z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const real z_6 = theta3_dot*z_5;
+    const real theta1_dot = v[0];
+    const real theta2_dot = v[1];
     const real z_7 = theta1_dot - theta2_dot;
     const real z_8 = z_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(z_6 - z_7*z_8);
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
+    Mdot1[1][2] = Mdot1[2][1] = z_5*(c_1*z_7);
+    Mdot1[2][2] = em_real(0.0);
+    const real K3 = c[8];
+    const real theta4 = x[3];
     const real z_9 = K3*(theta1 + 1.5707963267948966 - theta4);
     const real z_10 = z_0*cos_theta1;
+    const real K2 = c[7];
+    const real l2 = c[4];
     const real z_11 = l2*sin_theta2;
     const real z_12 = z_0*sin_theta1;
     const real z_13 = 4.0 - z_11 - z_12;
@@ -98,21 +103,18 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_15 = z_10 + z_14;
     const real z_16 = theta1_dot*theta2_dot;
     const real z_17 = c_1*(theta2_dot*z_6 - z_8*z_16);
-    const real z_18 = theta3_dot*cos_theta1;
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(z_6 - z_7*z_8);
-    Mdot1[1][1] = em_real(0.0);
-    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
-    Mdot1[1][2] = Mdot1[2][1] = z_5*(c_1*z_7);
-    Mdot1[2][2] = em_real(0.0);
     f1[0] = -((z_9 - z_10*K2*z_13 - K2*z_15*z_12) - z_17);
+    const real c_2 = c[15];
     f1[1] = c_2*(cos_theta2*z_13 + z_15*sin_theta2) - z_17;
+    const real K1 = c[6];
+    const real c_3 = c[16];
     f1[2] = -((theta3*K1 - K2*(sin_theta1*z_13 - cos_theta1*z_15)) - (z_0*c_3*(theta1_dot*theta1_dot) +
         z_5*(c_1*z_16)));
     f2[0] = z_9;
     A1[0][0] = z_10;
     A1[0][1] = z_14;
     A1[0][2] = sin_theta1;
+    const real z_18 = theta3_dot*cos_theta1;
     gamma[0] = theta1_dot*(z_18 - theta1_dot*z_12) + theta1_dot*z_18 - z_11*(theta2_dot*theta2_dot);
 }
 
@@ -210,25 +212,25 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[8])
 {
-    const real l1 = c[3];
-    const real c_1 = c[14];
     const real c_3 = c[16];
-    const real c_4 = c[17];
-    const real theta1 = x[0];
-    const real theta2 = x[1];
     const real theta3 = x[2];
+    const real l1 = c[3];
     const real z_0 = theta3 + l1;
+    M1[0][0] = c_3*(z_0*z_0);
+    const real c_1 = c[14];
+    const real theta1 = x[0];
     const real cos_theta1 = em_cos(theta1);
+    const real theta2 = x[1];
     const real cos_theta2 = em_cos(theta2);
     const real sin_theta1 = em_sin(theta1);
     const real sin_theta2 = em_sin(theta2);
     const real z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const real z_6 = c_1*z_5;
-    const real z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    M1[0][0] = c_3*(z_0*z_0);
     M1[1][0] = z_0*z_6;
+    const real c_4 = c[17];
     M1[1][1] = c_4;
     M1[2][0] = em_real(0.0);
+    const real z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
     M1[2][1] = c_1*z_7;
     M1[2][2] = c_3;
     shared[0] = z_0;
@@ -246,54 +248,54 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
                                  const real shared[8], real Mdot1[N1][N1], real f1[N1], real f2[N2],
                                  real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real l2 = c[4];
-    const real K1 = c[6];
-    const real K2 = c[7];
-    const real K3 = c[8];
     const real c_0 = c[13];
-    const real c_1 = c[14];
-    const real c_2 = c[15];
-    const real c_3 = c[16];
+    const real theta3_dot = v[2];
     const real z_0 = shared[0];
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    const real c_1 = c[14];
     const real z_5 = shared[1];
-    const real z_7 = shared[2];
-    const real z_6 = shared[3];
-    const real cos_theta1 = shared[4];
-    const real sin_theta2 = shared[5];
-    const real sin_theta1 = shared[6];
-    const real cos_theta2 = shared[7];
     const real theta1_dot = v[0];
     const real theta2_dot = v[1];
-    const real theta3_dot = v[2];
-    const real theta1 = x[0];
-    const real theta3 = x[2];
-    const real theta4 = x[3];
     const real z_8 = theta1_dot - theta2_dot;
+    const real z_7 = shared[2];
     const real z_9 = z_0*z_7;
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_8*z_9);
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
+    const real z_6 = shared[3];
+    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
+    Mdot1[2][2] = em_real(0.0);
+    const real K3 = c[8];
+    const real theta1 = x[0];
+    const real theta4 = x[3];
     const real z_10 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const real cos_theta1 = shared[4];
     const real z_11 = z_0*cos_theta1;
+    const real K2 = c[7];
+    const real l2 = c[4];
+    const real sin_theta2 = shared[5];
     const real z_12 = l2*sin_theta2;
+    const real sin_theta1 = shared[6];
     const real z_13 = z_0*sin_theta1;
     const real z_14 = 4.0 - z_12 - z_13;
+    const real cos_theta2 = shared[7];
     const real z_15 = l2*cos_theta2;
     const real z_16 = z_11 + z_15;
     const real z_17 = theta1_dot*theta2_dot;
     const real z_18 = c_1*(z_5*(theta2_dot*theta3_dot) - z_9*z_17);
-    const real z_19 = theta3_dot*cos_theta1;
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_8*z_9);
-    Mdot1[1][1] = em_real(0.0);
-    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
-    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
-    Mdot1[2][2] = em_real(0.0);
     f1[0] = -((z_10 - z_11*K2*z_14 - K2*z_16*z_13) - z_18);
+    const real c_2 = c[15];
     f1[1] = c_2*(cos_theta2*z_14 + z_16*sin_theta2) - z_18;
+    const real theta3 = x[2];
+    const real K1 = c[6];
+    const real c_3 = c[16];
     f1[2] = -((theta3*K1 - K2*(sin_theta1*z_14 - cos_theta1*z_16)) - (z_0*c_3*(theta1_dot*theta1_dot) +
         z_6*z_17));
     f2[0] = z_10;
     A1[0][0] = z_11;
     A1[0][1] = z_15;
     A1[0][2] = sin_theta1;
+    const real z_19 = theta3_dot*cos_theta1;
     gamma[0] = theta1_dot*(z_19 - theta1_dot*z_13) + theta1_dot*z_19 - z_12*(theta2_dot*theta2_dot);
 }
 
@@ -370,6 +372,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -392,6 +395,154 @@ em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double c_1 = c[14];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = z_0*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
+    dM[4] = dM[1] = -z_5;
+    const double z_6 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    dM[9] = dM[6] = z_6;
+    dM[20] = dM[17] = z_5;
+    dM[25] = dM[22] = -z_6;
+    const double c_0 = c[13];
+    dM[32] = z_0*c_0;
+    dM[36] = dM[33] = z_6;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double K3 = c[8];
+    const double theta1 = x[0];
+    const double theta4 = x[3];
+    const double z_0 = K3*(theta1 + 1.5707963267948966 - theta4);
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_1 = theta3 + l1;
+    const double cos_theta1 = em_cos(theta1);
+    const double z_3 = z_1*cos_theta1;
+    const double K2 = c[7];
+    const double l2 = c[4];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = l2*sin_theta2;
+    const double sin_theta1 = em_sin(theta1);
+    const double z_7 = z_1*sin_theta1;
+    const double z_8 = 4.0 - z_5 - z_7;
+    const double cos_theta2 = em_cos(theta2);
+    const double z_10 = z_3 + l2*cos_theta2;
+    const double c_1 = c[14];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_12 = theta3_dot*z_11;
+    const double z_13 = theta2_dot*z_12;
+    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double theta1_dot = v[0];
+    const double z_15 = theta1_dot*z_1;
+    const double z_16 = c_1*(z_13 - theta2_dot*(z_14*z_15));
+    const double z_17 = theta1_dot - theta2_dot;
+    const double z_18 = z_17*z_14;
+    const double c_0 = c[13];
+    bias[0] = -(((z_0 - z_3*K2*z_8 - K2*z_10*z_7) - z_16) + (c_1*(z_13 - theta2_dot*(z_1*z_18)) +
+        c_0*(theta3_dot*z_15)));
+    const double c_2 = c[15];
+    bias[1] = (c_2*(cos_theta2*z_8 + z_10*sin_theta2) - z_16) - (c_1*(theta1_dot*z_12 - z_15*z_18) +
+        c_1*z_17*z_12);
+    const double K1 = c[6];
+    const double c_3 = c[16];
+    const double z_19 = z_11*(theta2_dot*c_1);
+    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_8 - cos_theta1*z_10)) - (z_1*c_3*(theta1_dot*theta1_dot) +
+        theta1_dot*z_19)) + z_17*z_19);
+    bias[3] = z_0;
+    const double z_20 = theta3_dot*cos_theta1;
+    gamma[0] = theta1_dot*(z_20 - sin_theta1*z_15) + theta1_dot*z_20 - z_5*(theta2_dot*theta2_dot);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double c_5 = c[18];
+    const double theta4_dot = v[3];
+    const double theta1_dot = v[0];
+    const double c_3 = c[16];
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double theta2_dot = v[1];
+    const double c_1 = c[14];
+    const double z_1 = theta2_dot*c_1;
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_6 = z_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_4 = c[17];
+    const double theta3_dot = v[2];
+    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_0*z_0) + z_1*z_6) +
+        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_6 + theta3_dot*c_1*z_7) + theta3_dot*(theta3_dot*c_3 +
+        z_7*z_1));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double K1 = c[6];
+    const double K2 = c[7];
+    const double l2 = c[4];
+    const double z_8 = z_0*cos_theta1 + l2*cos_theta2;
+    const double z_9 = 4.0 - l2*sin_theta2 - z_0*sin_theta1;
+    const double K3 = c[8];
+    const double theta4 = x[3];
+    const double z_10 = theta1 + 1.5707963267948966 - theta4;
+    e[3] = 0.5*(K1*(theta3*theta3) + K2*(z_8*z_8 + z_9*z_9) + K3*(z_10*z_10));
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes dual_link_lanes;
 EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL};
@@ -412,16 +563,16 @@ static const em_block *const blocks[] = { &block1, &block2, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
+    const double m3 = parameters[2];
+    const double l3 = parameters[5];
+    M2[0][0] = m3*(l3*l3);
     const double m1 = parameters[0];
     const double m2 = parameters[1];
-    const double m3 = parameters[2];
-    const double l2 = parameters[4];
-    const double l3 = parameters[5];
-    const double K2 = parameters[7];
     const double z_0 = m1 + m2;
-    M2[0][0] = m3*(l3*l3);
     prepared[13] = 2.0*z_0;
+    const double l2 = parameters[4];
     prepared[14] = m2*l2;
+    const double K2 = parameters[7];
     prepared[15] = l2*K2;
     prepared[16] = z_0;
     prepared[17] = m2*(l2*l2);
@@ -443,21 +594,20 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double l1 = c[3];
-    const double c_1 = c[14];
     const double c_3 = c[16];
-    const double c_4 = c[17];
-    const double c_5 = c[18];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
     const double theta3 = x[2];
+    const double l1 = c[3];
     const double z_0 = theta3 + l1;
+    M[0] = c_3*(z_0*z_0);
+    const double c_1 = c[14];
+    const double theta1 = x[0];
     const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
-    M[0] = c_3*(z_0*z_0);
     M[4] = M[1] = z_0*c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const double c_4 = c[17];
     M[5] = c_4;
     M[8] = M[2] = 0.0;
     M[9] = M[6] = c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
@@ -465,34 +615,8 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[12] = M[3] = 0.0;
     M[13] = M[7] = 0.0;
     M[14] = M[11] = 0.0;
+    const double c_5 = c[18];
     M[15] = c_5;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double l1 = c[3];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double theta3 = x[2];
-    const double z_0 = theta3 + l1;
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = z_0*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    const double z_6 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    dM[4] = dM[1] = -z_5;
-    dM[9] = dM[6] = z_6;
-    dM[20] = dM[17] = z_5;
-    dM[25] = dM[22] = -z_6;
-    dM[32] = z_0*c_0;
-    dM[36] = dM[33] = z_6;
 }
 
 /* What is factored, of which motion_bias is */
@@ -503,16 +627,16 @@ static void (*const factored)(double t, const double *restrict x, const double *
 static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                      double *restrict A, double *restrict b)
 {
-    const double l1 = c[3];
-    const double l2 = c[4];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
     const double theta3 = x[2];
+    const double l1 = c[3];
+    const double theta1 = x[0];
     const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
     A[0] = (theta3 + l1)*cos_theta1;
+    const double l2 = c[4];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
     A[1] = l2*cos_theta2;
+    const double sin_theta1 = em_sin(theta1);
     A[2] = sin_theta1;
     A[3] = 0.0;
     b[0] = 0.0;
@@ -522,106 +646,6 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double l1 = c[3];
-    const double l2 = c[4];
-    const double K1 = c[6];
-    const double K2 = c[7];
-    const double K3 = c[8];
-    const double c_0 = c[13];
-    const double c_1 = c[14];
-    const double c_2 = c[15];
-    const double c_3 = c[16];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double theta3_dot = v[2];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double theta3 = x[2];
-    const double theta4 = x[3];
-    const double z_0 = K3*(theta1 + 1.5707963267948966 - theta4);
-    const double z_1 = theta3 + l1;
-    const double cos_theta1 = em_cos(theta1);
-    const double z_3 = z_1*cos_theta1;
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = l2*sin_theta2;
-    const double sin_theta1 = em_sin(theta1);
-    const double z_7 = z_1*sin_theta1;
-    const double z_8 = 4.0 - z_5 - z_7;
-    const double cos_theta2 = em_cos(theta2);
-    const double z_10 = z_3 + l2*cos_theta2;
-    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_12 = theta3_dot*z_11;
-    const double z_13 = theta2_dot*z_12;
-    const double z_14 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    const double z_15 = theta1_dot*z_1;
-    const double z_16 = c_1*(z_13 - theta2_dot*(z_14*z_15));
-    const double z_17 = theta1_dot - theta2_dot;
-    const double z_18 = z_17*z_14;
-    const double z_19 = z_11*(theta2_dot*c_1);
-    const double z_20 = theta3_dot*cos_theta1;
-    bias[0] = -(((z_0 - z_3*K2*z_8 - K2*z_10*z_7) - z_16) + (c_1*(z_13 - theta2_dot*(z_1*z_18)) +
-        c_0*(theta3_dot*z_15)));
-    bias[1] = (c_2*(cos_theta2*z_8 + z_10*sin_theta2) - z_16) - (c_1*(theta1_dot*z_12 - z_15*z_18) +
-        c_1*z_17*z_12);
-    bias[2] = -(((theta3*K1 - K2*(sin_theta1*z_8 - cos_theta1*z_10)) - (z_1*c_3*(theta1_dot*theta1_dot) +
-        theta1_dot*z_19)) + z_17*z_19);
-    bias[3] = z_0;
-    gamma[0] = theta1_dot*(z_20 - sin_theta1*z_15) + theta1_dot*z_20 - z_5*(theta2_dot*theta2_dot);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double l1 = c[3];
-    const double l2 = c[4];
-    const double K1 = c[6];
-    const double K2 = c[7];
-    const double K3 = c[8];
-    const double c_1 = c[14];
-    const double c_3 = c[16];
-    const double c_4 = c[17];
-    const double c_5 = c[18];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double theta3_dot = v[2];
-    const double theta4_dot = v[3];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
-    const double theta3 = x[2];
-    const double theta4 = x[3];
-    const double z_0 = theta3 + l1;
-    const double z_1 = theta2_dot*c_1;
-    const double cos_theta1 = em_cos(theta1);
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_6 = z_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    const double z_8 = z_0*cos_theta1 + l2*cos_theta2;
-    const double z_9 = 4.0 - l2*sin_theta2 - z_0*sin_theta1;
-    const double z_10 = theta1 + 1.5707963267948966 - theta4;
-    e[0] = 0.5*(c_5*(theta4_dot*theta4_dot) + theta1_dot*(theta1_dot*c_3*(z_0*z_0) + z_1*z_6) +
-        theta2_dot*(theta2_dot*c_4 + theta1_dot*c_1*z_6 + theta3_dot*c_1*z_7) + theta3_dot*(theta3_dot*c_3 +
-        z_7*z_1));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = 0.5*(K1*(theta3*theta3) + K2*(z_8*z_8 + z_9*z_9) + K3*(z_10*z_10));
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -638,29 +662,29 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
                               double A1[N_ROWS][N1], double b[N_ROWS], double shared[4])
 {
-    const double l1 = c[3];
-    const double l2 = c[4];
-    const double c_1 = c[14];
     const double c_3 = c[16];
-    const double c_4 = c[17];
-    const double theta1 = x[0];
-    const double theta2 = x[1];
     const double theta3 = x[2];
+    const double l1 = c[3];
     const double z_0 = theta3 + l1;
+    M1[0][0] = c_3*(z_0*z_0);
+    const double c_1 = c[14];
+    const double theta1 = x[0];
     const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
     const double cos_theta2 = em_cos(theta2);
     const double sin_theta1 = em_sin(theta1);
     const double sin_theta2 = em_sin(theta2);
     const double z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
     const double z_6 = c_1*z_5;
-    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    M1[0][0] = c_3*(z_0*z_0);
     M1[0][1] = M1[1][0] = z_0*z_6;
+    const double c_4 = c[17];
     M1[1][1] = c_4;
     M1[0][2] = M1[2][0] = 0.0;
+    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
     M1[1][2] = M1[2][1] = c_1*z_7;
     M1[2][2] = c_3;
     A1[0][0] = z_0*cos_theta1;
+    const double l2 = c[4];
     A1[0][1] = l2*cos_theta2;
     A1[0][2] = sin_theta1;
     b[0] = 0.0;
@@ -675,19 +699,19 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
                              double Mdot1[N1][N1])
 {
     const double c_0 = c[13];
-    const double c_1 = c[14];
+    const double theta3_dot = v[2];
     const double z_0 = shared[0];
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    const double c_1 = c[14];
     const double z_5 = shared[1];
     const double z_7 = shared[2];
-    const double z_6 = shared[3];
     const double theta1_dot = v[0];
     const double theta2_dot = v[1];
-    const double theta3_dot = v[2];
     const double z_8 = theta1_dot - theta2_dot;
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
     Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_7*(z_0*z_8));
     Mdot1[1][1] = 0.0;
     Mdot1[0][2] = Mdot1[2][0] = 0.0;
+    const double z_6 = shared[3];
     Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
     Mdot1[2][2] = 0.0;
 }
@@ -906,4 +930,5 @@ const em_model dual_link_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:39e60f85e6f5c9138edbea7b5f97cbd3c8cf4aaad2f86d8dfe5ab9121ba1fa69 */
-/* body sha256:05808cd2b9e9b6ef85afef2cabf87a1d1d41a4d538b3529876e3ae1aedcb926c */
+/* body sha256:d4903bd2be18c44f8d24f43ee1d63e6d3495a1103b474e51de898db90fcc958a */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -56,6 +56,8 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* M of single coordinates */
 EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
 {
@@ -68,19 +70,19 @@ EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real f2[N2])
 {
+    const real c_0 = c[8];
+    const real r_dot = v[1];
+    const real r = x[1];
+    Mdot1[0][0] = c_0*(r_dot*r);
+    const real c_1 = c[9];
+    const real theta = x[0];
+    const real sin_theta = em_sin(theta);
+    f1[0] = -r*c_1*sin_theta;
     const real m = c[0];
+    const real theta_dot = v[0];
+    const real cos_theta = em_cos(theta);
     const real k = c[1];
     const real L = c[3];
-    const real c_0 = c[8];
-    const real c_1 = c[9];
-    const real theta_dot = v[0];
-    const real r_dot = v[1];
-    const real theta = x[0];
-    const real r = x[1];
-    const real sin_theta = em_sin(theta);
-    const real cos_theta = em_cos(theta);
-    Mdot1[0][0] = c_0*(r_dot*r);
-    f1[0] = -r*c_1*sin_theta;
     f2[0] = m*r*(theta_dot*theta_dot) + cos_theta*c_1 - k*(r - L);
 }
 
@@ -158,6 +160,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -180,6 +183,86 @@ em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NU
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double r = x[1];
+    const double c_0 = c[8];
+    dM[4] = r*c_0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double r = x[1];
+    const double c_1 = c[9];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double c_0 = c[8];
+    const double theta_dot = v[0];
+    const double r_dot = v[1];
+    bias[0] = -(r*c_1*sin_theta + r*c_0*(theta_dot*r_dot));
+    const double m = c[0];
+    const double cos_theta = em_cos(theta);
+    const double k = c[1];
+    const double L = c[3];
+    bias[1] = theta_dot*theta_dot*(m*r) + cos_theta*c_1 - k*(r - L);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double m = c[0];
+    const double r_dot = v[1];
+    const double theta_dot = v[0];
+    const double r = x[1];
+    e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double k = c[1];
+    const double L = c[3];
+    const double z_0 = r - L;
+    const double c_2 = c[10];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    e[3] = 0.5*(k*(z_0*z_0) - c_2*(r*cos_theta));
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes elastic_pendulum_lanes;
 EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL, NULL};
@@ -201,10 +284,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double g = parameters[2];
-    const double z_0 = m*g;
     M2[0][0] = m;
     prepared[8] = 2.0*m;
+    const double g = parameters[2];
+    const double z_0 = m*g;
     prepared[9] = z_0;
     prepared[10] = 2.0*z_0;
 }
@@ -231,17 +314,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = m;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[8];
-    const double r = x[1];
-    dM[4] = r*c_0;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -257,54 +329,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double m = c[0];
-    const double k = c[1];
-    const double L = c[3];
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double theta_dot = v[0];
-    const double r_dot = v[1];
-    const double theta = x[0];
-    const double r = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    bias[0] = -(r*c_1*sin_theta + r*c_0*(theta_dot*r_dot));
-    bias[1] = theta_dot*theta_dot*(m*r) + cos_theta*c_1 - k*(r - L);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m = c[0];
-    const double k = c[1];
-    const double L = c[3];
-    const double c_2 = c[10];
-    const double theta_dot = v[0];
-    const double r_dot = v[1];
-    const double theta = x[0];
-    const double r = x[1];
-    const double z_0 = r - L;
-    const double cos_theta = em_cos(theta);
-    e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = 0.5*(k*(z_0*z_0) - c_2*(r*cos_theta));
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -489,4 +513,5 @@ const em_model elastic_pendulum_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:9fe7bdb78b834e7e8475b88925014a030ceb5850e7b22ac03d9a6ab39c8b7da4 */
-/* body sha256:28099d142797fedc2fd6c2c1e40ee153875961a35e25ac8861b028b9ac12eb8a */
+/* body sha256:34dcfb1b12150219d7f692b791e508178398eaed8e4896a8f08d9417da11534d */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -58,54 +58,56 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_UNUSED static const int coordinate2[N2] = { 2 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real f2[N2], real A1[N_ROWS][N1],
                                   real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
-    const real a_ = c[0];
-    const real b = c[1];
-    const real c_ = c[2];
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[10];
-    const real c_1 = c[11];
-    const real c_2 = c[12];
-    const real c_3 = c[13];
     const real q1_dot = v[0];
-    const real q2_dot = v[1];
-    const real q3_dot = v[2];
-    const real q1 = x[0];
     const real q2 = x[1];
-    const real q3 = x[2];
     const real cos_q2 = em_cos(q2);
+    const real q1 = x[0];
     const real sin_q1 = em_sin(q1);
     const real z_2 = cos_q2*sin_q1;
+    const real q2_dot = v[1];
     const real cos_q1 = em_cos(q1);
     const real sin_q2 = em_sin(q2);
     const real z_5 = cos_q1*sin_q2;
-    const real z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
-    const real cos_q3 = em_cos(q3);
-    const real z_8 = a_*sin_q1;
-    const real z_9 = b*sin_q2;
-    const real z_10 = a_*cos_q1;
-    const real z_11 = b*cos_q2;
-    const real sin_q3 = em_sin(q3);
-    const real z_13 = c_*sin_q3;
-    const real z_14 = c_*cos_q3;
-    const real z_15 = q1_dot*q1_dot;
-    const real z_16 = q2_dot*q2_dot;
-    const real z_17 = q3_dot*q3_dot;
-    Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2));
     Mdot1[1][1] = em_real(0.0);
+    const real z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
+    const real c_1 = c[11];
     f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
+    const real c_2 = c[12];
     f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    const real q3 = x[2];
+    const real cos_q3 = em_cos(q3);
+    const real c_3 = c[13];
     f2[0] = -cos_q3*c_3;
+    const real a_ = c[0];
+    const real z_8 = a_*sin_q1;
     A1[0][0] = -z_8;
+    const real b = c[1];
+    const real z_9 = b*sin_q2;
     A1[0][1] = -z_9;
+    const real z_10 = a_*cos_q1;
     A1[1][0] = z_10;
+    const real z_11 = b*cos_q2;
     A1[1][1] = z_11;
+    const real c_ = c[2];
+    const real sin_q3 = em_sin(q3);
+    const real z_13 = c_*sin_q3;
     A2[0][0] = z_13;
+    const real z_14 = c_*cos_q3;
     A2[1][0] = -z_14;
+    const real z_15 = q1_dot*q1_dot;
+    const real z_16 = q2_dot*q2_dot;
+    const real q3_dot = v[2];
+    const real z_17 = q3_dot*q3_dot;
     gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
     gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
 }
@@ -208,17 +210,17 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[4])
 {
-    const real c_0 = c[10];
     const real c_4 = c[14];
-    const real c_5 = c[15];
+    M1[0][0] = c_4;
+    const real c_0 = c[10];
     const real q1 = x[0];
-    const real q2 = x[1];
     const real cos_q1 = em_cos(q1);
+    const real q2 = x[1];
     const real cos_q2 = em_cos(q2);
     const real sin_q1 = em_sin(q1);
     const real sin_q2 = em_sin(q2);
-    M1[0][0] = c_4;
     M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    const real c_5 = c[15];
     M1[1][1] = c_5;
     shared[0] = cos_q2;
     shared[1] = sin_q1;
@@ -231,47 +233,47 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
                                  const real shared[4], real Mdot1[N1][N1], real f1[N1], real f2[N2],
                                  real A1[N_ROWS][N1], real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
-    const real a_ = c[0];
-    const real b = c[1];
-    const real c_ = c[2];
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[10];
-    const real c_1 = c[11];
-    const real c_2 = c[12];
-    const real c_3 = c[13];
+    const real q1_dot = v[0];
     const real cos_q2 = shared[0];
     const real sin_q1 = shared[1];
+    const real z_4 = cos_q2*sin_q1;
+    const real q2_dot = v[1];
     const real cos_q1 = shared[2];
     const real sin_q2 = shared[3];
-    const real q1_dot = v[0];
-    const real q2_dot = v[1];
-    const real q3_dot = v[2];
-    const real q3 = x[2];
-    const real z_4 = cos_q2*sin_q1;
     const real z_5 = cos_q1*sin_q2;
-    const real z_6 = q1_dot*q2_dot*(c_0*(z_4 - z_5));
-    const real cos_q3 = em_cos(q3);
-    const real z_8 = a_*sin_q1;
-    const real z_9 = b*sin_q2;
-    const real z_10 = a_*cos_q1;
-    const real z_11 = b*cos_q2;
-    const real sin_q3 = em_sin(q3);
-    const real z_13 = c_*sin_q3;
-    const real z_14 = c_*cos_q3;
-    const real z_15 = q1_dot*q1_dot;
-    const real z_16 = q2_dot*q2_dot;
-    const real z_17 = q3_dot*q3_dot;
-    Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_4 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_4));
     Mdot1[1][1] = em_real(0.0);
+    const real z_6 = q1_dot*q2_dot*(c_0*(z_4 - z_5));
+    const real c_1 = c[11];
     f1[0] = (-0.5)*(z_6 + cos_q1*c_1);
+    const real c_2 = c[12];
     f1[1] = 0.5*(z_6 - cos_q2*c_2);
+    const real q3 = x[2];
+    const real cos_q3 = em_cos(q3);
+    const real c_3 = c[13];
     f2[0] = -cos_q3*c_3;
+    const real a_ = c[0];
+    const real z_8 = a_*sin_q1;
     A1[0][0] = -z_8;
+    const real b = c[1];
+    const real z_9 = b*sin_q2;
     A1[0][1] = -z_9;
+    const real z_10 = a_*cos_q1;
     A1[1][0] = z_10;
+    const real z_11 = b*cos_q2;
     A1[1][1] = z_11;
+    const real c_ = c[2];
+    const real sin_q3 = em_sin(q3);
+    const real z_13 = c_*sin_q3;
     A2[0][0] = z_13;
+    const real z_14 = c_*cos_q3;
     A2[1][0] = -z_14;
+    const real z_15 = q1_dot*q1_dot;
+    const real z_16 = q2_dot*q2_dot;
+    const real q3_dot = v[2];
+    const real z_17 = q3_dot*q3_dot;
     gamma[0] = -(z_10*z_15 + z_11*z_16 - z_14*z_17);
     gamma[1] = -(z_8*z_15 + z_9*z_16 - z_13*z_17);
 }
@@ -353,6 +355,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -375,6 +378,123 @@ em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[10];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = c_0*(cos_q2*sin_q1 - cos_q1*sin_q2);
+    dM[3] = dM[1] = (-0.5)*z_4;
+    dM[12] = dM[10] = 0.5*z_4;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double c_0 = c[10];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    const double z_2 = cos_q2*sin_q1;
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_5 = cos_q1*sin_q2;
+    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
+    const double c_1 = c[11];
+    const double z_7 = c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2);
+    bias[0] = (-0.5)*((z_6 + cos_q1*c_1) - q2_dot*z_7);
+    const double c_2 = c[12];
+    bias[1] = 0.5*((z_6 - cos_q2*c_2) + q1_dot*z_7);
+    const double q3 = x[2];
+    const double cos_q3 = em_cos(q3);
+    const double c_3 = c[13];
+    bias[2] = -cos_q3*c_3;
+    const double a_ = c[0];
+    const double z_9 = a_*(q1_dot*q1_dot);
+    const double b = c[1];
+    const double z_10 = b*(q2_dot*q2_dot);
+    const double c_ = c[2];
+    const double q3_dot = v[2];
+    const double z_11 = c_*(q3_dot*q3_dot);
+    gamma[0] = -(cos_q1*z_9 + cos_q2*z_10 - cos_q3*z_11);
+    const double sin_q3 = em_sin(q3);
+    gamma[1] = -(sin_q1*z_9 + sin_q2*z_10 - sin_q3*z_11);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double c_0 = c[10];
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_4 = c_0*(cos_q1*cos_q2 + sin_q1*sin_q2);
+    const double c_11 = c[21];
+    const double c_12 = c[22];
+    const double c_13 = c[23];
+    const double q3_dot = v[2];
+    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_4 + q1_dot*c_11) + q2_dot*(3.0*q1_dot*z_4 + q2_dot*c_12) +
+        c_13*(q3_dot*q3_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double b = c[1];
+    const double c_14 = c[24];
+    const double c_15 = c[25];
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    const double c_16 = c[26];
+    const double c_17 = c[27];
+    e[3] = (b*(b*sin_q2 + sin_q1*c_14) + c_15*sin_q1 + sin_q3*c_16)*c_17;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
 EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL};
@@ -395,32 +515,32 @@ static const em_block *const blocks[] = { &block1, &block2, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
-    const double a_ = parameters[0];
-    const double b = parameters[1];
-    const double c_ = parameters[2];
-    const double d = parameters[3];
     const double density = parameters[4];
-    const double g = parameters[5];
+    const double c_ = parameters[2];
     const double z_0 = c_*c_;
     const double z_1 = density*c_*z_0;
+    M2[0][0] = (1.0/3.0)*z_1;
+    const double b = parameters[1];
     const double z_2 = b*b;
+    const double a_ = parameters[0];
     const double z_3 = density*a_;
+    prepared[10] = z_2*z_3;
+    const double g = parameters[5];
     const double z_4 = density*g;
     const double z_5 = a_*a_;
-    const double z_6 = density*b;
-    const double z_7 = z_5*z_3 + 3.0*z_5*z_6;
-    const double z_8 = z_2*z_6;
-    M2[0][0] = (1.0/3.0)*z_1;
-    prepared[10] = z_2*z_3;
     prepared[11] = z_4*z_5 + 2.0*a_*b*z_4;
     prepared[12] = z_4*z_2;
     prepared[13] = 0.5*(z_4*z_0);
+    const double z_6 = density*b;
+    const double z_7 = z_5*z_3 + 3.0*z_5*z_6;
     prepared[14] = (1.0/3.0)*z_7;
+    const double z_8 = z_2*z_6;
     prepared[15] = (1.0/3.0)*z_8;
     prepared[16] = (1.0/3.0)*z_1;
     prepared[17] = fabs(a_);
     prepared[18] = fabs(b);
     prepared[19] = fabs(c_);
+    const double d = parameters[3];
     prepared[20] = fabs(d);
     prepared[21] = 2.0*z_7;
     prepared[22] = 2.0*z_8;
@@ -446,40 +566,22 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double c_0 = c[10];
     const double c_4 = c[14];
-    const double c_5 = c[15];
-    const double c_6 = c[16];
+    M[0] = c_4;
+    const double c_0 = c[10];
     const double q1 = x[0];
-    const double q2 = x[1];
     const double cos_q1 = em_cos(q1);
+    const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double sin_q1 = em_sin(q1);
     const double sin_q2 = em_sin(q2);
-    M[0] = c_4;
     M[3] = M[1] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    const double c_5 = c[15];
     M[4] = c_5;
     M[6] = M[2] = 0.0;
     M[7] = M[5] = 0.0;
+    const double c_6 = c[16];
     M[8] = c_6;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[10];
-    const double q1 = x[0];
-    const double q2 = x[1];
-    const double cos_q2 = em_cos(q2);
-    const double sin_q1 = em_sin(q1);
-    const double cos_q1 = em_cos(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_4 = c_0*(cos_q2*sin_q1 - cos_q1*sin_q2);
-    dM[3] = dM[1] = (-0.5)*z_4;
-    dM[12] = dM[10] = 0.5*z_4;
 }
 
 /* What is factored, of which motion_bias is */
@@ -491,22 +593,22 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
                      double *restrict A, double *restrict b)
 {
     const double a_ = c[0];
-    const double b_ = c[1];
-    const double c_ = c[2];
     const double q1 = x[0];
-    const double q2 = x[1];
-    const double q3 = x[2];
     const double sin_q1 = em_sin(q1);
-    const double sin_q2 = em_sin(q2);
-    const double sin_q3 = em_sin(q3);
-    const double cos_q1 = em_cos(q1);
-    const double cos_q2 = em_cos(q2);
-    const double cos_q3 = em_cos(q3);
     A[0] = -a_*sin_q1;
+    const double b_ = c[1];
+    const double q2 = x[1];
+    const double sin_q2 = em_sin(q2);
     A[1] = -b_*sin_q2;
+    const double c_ = c[2];
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
     A[2] = c_*sin_q3;
+    const double cos_q1 = em_cos(q1);
     A[3] = a_*cos_q1;
+    const double cos_q2 = em_cos(q2);
     A[4] = b_*cos_q2;
+    const double cos_q3 = em_cos(q3);
     A[5] = -c_*cos_q3;
     b[0] = 0.0;
     b[1] = 0.0;
@@ -517,106 +619,28 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
                      double *restrict phi, double *restrict terms)
 {
     const double a_ = c[0];
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
     const double b = c[1];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
     const double c_ = c[2];
+    const double q3 = x[2];
+    const double cos_q3 = em_cos(q3);
     const double d = c[3];
+    phi[0] = a_*cos_q1 + b*cos_q2 - c_*cos_q3 - d;
+    const double sin_q1 = em_sin(q1);
+    const double sin_q2 = em_sin(q2);
+    const double sin_q3 = em_sin(q3);
+    phi[1] = a_*sin_q1 + b*sin_q2 - c_*sin_q3;
     const double c_7 = c[17];
     const double c_8 = c[18];
     const double c_9 = c[19];
     const double c_10 = c[20];
-    const double q1 = x[0];
-    const double q2 = x[1];
-    const double q3 = x[2];
-    const double cos_q1 = em_cos(q1);
-    const double cos_q2 = em_cos(q2);
-    const double cos_q3 = em_cos(q3);
-    const double sin_q1 = em_sin(q1);
-    const double sin_q2 = em_sin(q2);
-    const double sin_q3 = em_sin(q3);
-    phi[0] = a_*cos_q1 + b*cos_q2 - c_*cos_q3 - d;
-    phi[1] = a_*sin_q1 + b*sin_q2 - c_*sin_q3;
     terms[0] = c_7*(fabs(cos_q1) + fabs(q1*sin_q1)) + c_8*(fabs(cos_q2) + fabs(q2*sin_q2)) + c_9*(fabs(cos_q3) +
         fabs(q3*sin_q3)) + c_10;
     terms[1] = c_7*(fabs(sin_q1) + fabs(q1*cos_q1)) + c_8*(fabs(sin_q2) + fabs(q2*cos_q2)) + c_9*(fabs(sin_q3) +
         fabs(q3*cos_q3));
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double a_ = c[0];
-    const double b = c[1];
-    const double c_ = c[2];
-    const double c_0 = c[10];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double c_3 = c[13];
-    const double q1_dot = v[0];
-    const double q2_dot = v[1];
-    const double q3_dot = v[2];
-    const double q1 = x[0];
-    const double q2 = x[1];
-    const double q3 = x[2];
-    const double cos_q2 = em_cos(q2);
-    const double sin_q1 = em_sin(q1);
-    const double z_2 = cos_q2*sin_q1;
-    const double cos_q1 = em_cos(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_5 = cos_q1*sin_q2;
-    const double z_6 = q1_dot*q2_dot*(c_0*(z_2 - z_5));
-    const double z_7 = c_0*(q1_dot*z_2 + q2_dot*z_5) - c_0*(q1_dot*z_5 + q2_dot*z_2);
-    const double cos_q3 = em_cos(q3);
-    const double z_9 = a_*(q1_dot*q1_dot);
-    const double z_10 = b*(q2_dot*q2_dot);
-    const double z_11 = c_*(q3_dot*q3_dot);
-    const double sin_q3 = em_sin(q3);
-    bias[0] = (-0.5)*((z_6 + cos_q1*c_1) - q2_dot*z_7);
-    bias[1] = 0.5*((z_6 - cos_q2*c_2) + q1_dot*z_7);
-    bias[2] = -cos_q3*c_3;
-    gamma[0] = -(cos_q1*z_9 + cos_q2*z_10 - cos_q3*z_11);
-    gamma[1] = -(sin_q1*z_9 + sin_q2*z_10 - sin_q3*z_11);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double b = c[1];
-    const double c_0 = c[10];
-    const double c_11 = c[21];
-    const double c_12 = c[22];
-    const double c_13 = c[23];
-    const double c_14 = c[24];
-    const double c_15 = c[25];
-    const double c_16 = c[26];
-    const double c_17 = c[27];
-    const double q1_dot = v[0];
-    const double q2_dot = v[1];
-    const double q3_dot = v[2];
-    const double q1 = x[0];
-    const double q2 = x[1];
-    const double q3 = x[2];
-    const double cos_q1 = em_cos(q1);
-    const double cos_q2 = em_cos(q2);
-    const double sin_q1 = em_sin(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_4 = c_0*(cos_q1*cos_q2 + sin_q1*sin_q2);
-    const double sin_q3 = em_sin(q3);
-    e[0] = (1.0/12.0)*(q1_dot*(3.0*q2_dot*z_4 + q1_dot*c_11) + q2_dot*(3.0*q1_dot*z_4 + q2_dot*c_12) +
-        c_13*(q3_dot*q3_dot));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = (b*(b*sin_q2 + sin_q1*c_14) + c_15*sin_q1 + sin_q3*c_16)*c_17;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -633,29 +657,29 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS],
                               double shared[4])
 {
-    const double a_ = c[0];
-    const double b_ = c[1];
-    const double c_ = c[2];
-    const double c_0 = c[10];
     const double c_4 = c[14];
-    const double c_5 = c[15];
+    M1[0][0] = c_4;
+    const double c_0 = c[10];
     const double q1 = x[0];
-    const double q2 = x[1];
-    const double q3 = x[2];
     const double cos_q1 = em_cos(q1);
+    const double q2 = x[1];
     const double cos_q2 = em_cos(q2);
     const double sin_q1 = em_sin(q1);
     const double sin_q2 = em_sin(q2);
-    const double sin_q3 = em_sin(q3);
-    const double cos_q3 = em_cos(q3);
-    M1[0][0] = c_4;
     M1[0][1] = M1[1][0] = 0.5*(c_0*(cos_q1*cos_q2 + sin_q1*sin_q2));
+    const double c_5 = c[15];
     M1[1][1] = c_5;
+    const double a_ = c[0];
     A1[0][0] = -a_*sin_q1;
+    const double b_ = c[1];
     A1[0][1] = -b_*sin_q2;
     A1[1][0] = a_*cos_q1;
     A1[1][1] = b_*cos_q2;
+    const double c_ = c[2];
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
     A2[0][0] = c_*sin_q3;
+    const double cos_q3 = em_cos(q3);
     A2[1][0] = -c_*cos_q3;
     b[0] = 0.0;
     b[1] = 0.0;
@@ -669,16 +693,16 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
                              double Mdot1[N1][N1])
 {
+    Mdot1[0][0] = 0.0;
     const double c_0 = c[10];
+    const double q1_dot = v[0];
     const double cos_q2 = shared[0];
     const double sin_q1 = shared[1];
+    const double z_6 = cos_q2*sin_q1;
+    const double q2_dot = v[1];
     const double cos_q1 = shared[2];
     const double sin_q2 = shared[3];
-    const double q1_dot = v[0];
-    const double q2_dot = v[1];
-    const double z_6 = cos_q2*sin_q1;
     const double z_7 = cos_q1*sin_q2;
-    Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = (-0.5)*(c_0*(q1_dot*z_6 + q2_dot*z_7) - c_0*(q1_dot*z_7 + q2_dot*z_6));
     Mdot1[1][1] = 0.0;
 }
@@ -904,4 +928,5 @@ const em_model four_bar_model = {
     .event = model_events,
 };
 
+#endif
 #endif

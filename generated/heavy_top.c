@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:0e18cb0496acfee18350f5d57ff9526a230712937b3ad18789bf499d91e5dec6 */
-/* body sha256:15e25a03126c11cb1db8e6e1790994e17044d7015cb51ca9573aa407afb402ee */
+/* body sha256:6e68b0740cdedc439f607818ae5972242ded38058a53bcbfb70429960c8dec7a */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -58,26 +58,28 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 2 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real f2[N2])
 {
-    const real J3 = c[4];
-    const real c_0 = c[9];
-    const real c_1 = c[10];
-    const real c_2 = c[11];
-    const real phi_dot = v[0];
-    const real theta_dot = v[1];
-    const real psi_dot = v[2];
     const real theta = x[1];
     const real cos_theta = em_cos(theta);
+    const real c_0 = c[9];
+    const real theta_dot = v[1];
     const real sin_theta = em_sin(theta);
     const real z_2 = theta_dot*sin_theta;
     Mdot1[0][0] = cos_theta*c_0*z_2;
+    const real J3 = c[4];
     Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
     Mdot1[1][1] = em_real(0.0);
     f1[0] = em_real(0.0);
     f1[1] = em_real(0.0);
+    const real phi_dot = v[0];
+    const real c_1 = c[10];
+    const real psi_dot = v[2];
+    const real c_2 = c[11];
     f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
 }
 
@@ -156,9 +158,9 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
                                  real shared[2])
 {
     const real J = c[3];
-    const real J3 = c[4];
     const real theta = x[1];
     const real sin_theta = em_sin(theta);
+    const real J3 = c[4];
     const real cos_theta = em_cos(theta);
     M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M1[1][0] = J3*cos_theta;
@@ -171,21 +173,21 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[2],
                                  real Mdot1[N1][N1], real f1[N1], real f2[N2])
 {
-    const real J3 = c[4];
-    const real c_0 = c[9];
-    const real c_1 = c[10];
-    const real c_2 = c[11];
     const real cos_theta = shared[0];
-    const real sin_theta = shared[1];
-    const real phi_dot = v[0];
+    const real c_0 = c[9];
     const real theta_dot = v[1];
-    const real psi_dot = v[2];
+    const real sin_theta = shared[1];
     const real z_2 = theta_dot*sin_theta;
     Mdot1[0][0] = cos_theta*c_0*z_2;
+    const real J3 = c[4];
     Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
     Mdot1[1][1] = em_real(0.0);
     f1[0] = em_real(0.0);
     f1[1] = em_real(0.0);
+    const real phi_dot = v[0];
+    const real c_1 = c[10];
+    const real psi_dot = v[2];
+    const real c_2 = c[11];
     f2[0] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - phi_dot*psi_dot*sin_theta*J3) + sin_theta*c_2;
 }
 
@@ -244,6 +246,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -266,6 +269,93 @@ em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[9];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    dM[9] = c_0*(sin_theta*cos_theta);
+    const double J3 = c[4];
+    dM[15] = dM[11] = -sin_theta*J3;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta_dot = v[1];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double psi_dot = v[2];
+    const double J3 = c[4];
+    const double z_1 = psi_dot*J3;
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[9];
+    const double phi_dot = v[0];
+    const double z_3 = phi_dot*sin_theta;
+    const double z_4 = theta_dot*z_3;
+    bias[0] = -(cos_theta*c_0*z_4 - theta_dot*sin_theta*z_1);
+    const double c_1 = c[10];
+    const double c_2 = c[11];
+    bias[1] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - z_3*z_1) + sin_theta*c_2;
+    bias[2] = J3*z_4;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double phi_dot = v[0];
+    const double J = c[3];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double J3 = c[4];
+    const double cos_theta = em_cos(theta);
+    const double psi_dot = v[2];
+    const double theta_dot = v[1];
+    e[0] = 0.5*(phi_dot*(phi_dot*(J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
+        J*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_2 = c[11];
+    e[3] = cos_theta*c_2;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes heavy_top_lanes;
 EM_WEAK em_lanes heavy_top_lanes = {0, NULL, NULL, NULL};
@@ -286,15 +376,15 @@ static const em_block *const blocks[] = { &block1, &block2, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
-    const double m = parameters[0];
-    const double l = parameters[1];
-    const double g = parameters[2];
     const double J = parameters[3];
+    M2[0][0] = J;
     const double J3 = parameters[4];
     const double z_0 = J - J3;
-    M2[0][0] = J;
     prepared[9] = 2.0*z_0;
     prepared[10] = z_0;
+    const double g = parameters[2];
+    const double l = parameters[1];
+    const double m = parameters[0];
     prepared[11] = g*l*m;
 }
 
@@ -314,9 +404,9 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
                         double *restrict M)
 {
     const double J = c[3];
-    const double J3 = c[4];
     const double theta = x[1];
     const double sin_theta = em_sin(theta);
+    const double J3 = c[4];
     const double cos_theta = em_cos(theta);
     M[0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M[3] = M[1] = 0.0;
@@ -324,21 +414,6 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[6] = M[2] = J3*cos_theta;
     M[7] = M[5] = 0.0;
     M[8] = J3;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double J3 = c[4];
-    const double c_0 = c[9];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    dM[9] = c_0*(sin_theta*cos_theta);
-    dM[15] = dM[11] = -sin_theta*J3;
 }
 
 /* What is factored, of which motion_bias is */
@@ -359,57 +434,6 @@ static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double J3 = c[4];
-    const double c_0 = c[9];
-    const double c_1 = c[10];
-    const double c_2 = c[11];
-    const double phi_dot = v[0];
-    const double theta_dot = v[1];
-    const double psi_dot = v[2];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double z_1 = psi_dot*J3;
-    const double cos_theta = em_cos(theta);
-    const double z_3 = phi_dot*sin_theta;
-    const double z_4 = theta_dot*z_3;
-    bias[0] = -(cos_theta*c_0*z_4 - theta_dot*sin_theta*z_1);
-    bias[1] = (sin_theta*(phi_dot*phi_dot)*(cos_theta*c_1) - z_3*z_1) + sin_theta*c_2;
-    bias[2] = J3*z_4;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double J = c[3];
-    const double J3 = c[4];
-    const double c_2 = c[11];
-    const double phi_dot = v[0];
-    const double theta_dot = v[1];
-    const double psi_dot = v[2];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    e[0] = 0.5*(phi_dot*(phi_dot*(J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta)) + cos_theta*(psi_dot*J3)) +
-        J*(theta_dot*theta_dot) + psi_dot*(J3*(psi_dot + phi_dot*cos_theta)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = cos_theta*c_2;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
-}
-
 /* crossing (n_events): an event happens where its number passes through zero */
 static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
@@ -424,9 +448,9 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double shared[2])
 {
     const double J = c[3];
-    const double J3 = c[4];
     const double theta = x[1];
     const double sin_theta = em_sin(theta);
+    const double J3 = c[4];
     const double cos_theta = em_cos(theta);
     M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
     M1[0][1] = M1[1][0] = J3*cos_theta;
@@ -439,13 +463,13 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[2],
                              double Mdot1[N1][N1])
 {
-    const double J3 = c[4];
     const double c_0 = c[9];
     const double cos_theta = shared[0];
-    const double sin_theta = shared[1];
     const double theta_dot = v[1];
+    const double sin_theta = shared[1];
     const double z_2 = theta_dot*sin_theta;
     Mdot1[0][0] = c_0*(cos_theta*z_2);
+    const double J3 = c[4];
     Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
     Mdot1[1][1] = 0.0;
 }
@@ -644,4 +668,5 @@ const em_model heavy_top_model = {
     .event = model_events,
 };
 
+#endif
 #endif

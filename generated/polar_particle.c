@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:ed5cf79bd8522a8ce3241ac845364961f899831169ae8ec52c04780226a388fd */
-/* body sha256:28cf9d56b62a49d2408d30398940613e98d305a6411b7db8040b1dab22823d12 */
+/* body sha256:c09c3aa1950772c98ca21798f094eb1cf268c0a4b2eee483191740a80ae9691b */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -56,6 +56,8 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* M of single coordinates */
 EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M2[N2][N2],
                                   real shared[1])
@@ -71,14 +73,14 @@ EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   const real shared[1], real Mdot2[N2][N2], real f1[N1], real f2[N2])
 {
-    const real m = c[0];
     const real c_0 = c[6];
-    const real c_1 = c[7];
-    const real z_0 = shared[0];
     const real r_dot = v[0];
-    const real theta_dot = v[1];
     const real r = x[0];
     Mdot2[0][0] = c_0*(r_dot*r);
+    const real m = c[0];
+    const real theta_dot = v[1];
+    const real c_1 = c[7];
+    const real z_0 = shared[0];
     f1[0] = m*r*(theta_dot*theta_dot) - c_1/z_0;
     f2[0] = em_real(0.0);
 }
@@ -157,6 +159,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -179,6 +182,76 @@ em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double r = x[0];
+    const double c_0 = c[6];
+    dM[3] = r*c_0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta_dot = v[1];
+    const double m = c[0];
+    const double r = x[0];
+    const double c_1 = c[7];
+    bias[0] = theta_dot*theta_dot*(m*r) - c_1/(r*r);
+    const double c_0 = c[6];
+    const double r_dot = v[0];
+    bias[1] = -r*c_0*(r_dot*theta_dot);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double m = c[0];
+    const double r_dot = v[0];
+    const double theta_dot = v[1];
+    const double r = x[0];
+    e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_1 = c[7];
+    e[3] = -c_1/r;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes polar_particle_lanes;
 EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL, NULL};
@@ -200,9 +273,9 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double mu = parameters[1];
     M1[0][0] = m;
     prepared[6] = 2.0*m;
+    const double mu = parameters[1];
     prepared[7] = m*mu;
 }
 
@@ -222,21 +295,10 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
                         double *restrict M)
 {
     const double m = c[0];
-    const double r = x[0];
     M[0] = m;
     M[2] = M[1] = 0.0;
-    M[3] = m*(r*r);
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[6];
     const double r = x[0];
-    dM[3] = r*c_0;
+    M[3] = m*(r*r);
 }
 
 /* What is factored, of which motion_bias is */
@@ -254,44 +316,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double m = c[0];
-    const double c_0 = c[6];
-    const double c_1 = c[7];
-    const double r_dot = v[0];
-    const double theta_dot = v[1];
-    const double r = x[0];
-    bias[0] = theta_dot*theta_dot*(m*r) - c_1/(r*r);
-    bias[1] = -r*c_0*(r_dot*theta_dot);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m = c[0];
-    const double c_1 = c[7];
-    const double r_dot = v[0];
-    const double theta_dot = v[1];
-    const double r = x[0];
-    e[0] = 0.5*(m*(r_dot*r_dot + theta_dot*theta_dot*(r*r)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = -c_1/r;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -476,4 +500,5 @@ const em_model polar_particle_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:30163433567353babcb044dac2a12363de58f5cd445f61397f42dd8cc2b901e0 */
-/* body sha256:b561c58e795aaf2237a03d0f0bb06c05024be9089362e8979c2c6a54d3258365 */
+/* body sha256:ee7431b7ac00622e22829d9c9ff3fb6bb485fd280bad6ce19ac69803369434d0 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -54,64 +54,66 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real J = c[3];
     const real J3 = c[4];
-    const real c_0 = c[5];
-    const real c_1 = c[6];
-    const real c_2 = c[7];
-    const real c_3 = c[8];
-    const real c_4 = c[9];
-    const real c_5 = c[10];
-    const real c_6 = c[11];
-    const real c_7 = c[12];
-    const real q_0_dot = v[0];
-    const real q_1_dot = v[1];
-    const real q_2_dot = v[2];
     const real q_3_dot = v[3];
-    const real q_0 = x[0];
-    const real q_1 = x[1];
-    const real q_2 = x[2];
     const real q_3 = x[3];
     const real z_0 = q_3_dot*q_3;
+    const real c_0 = c[5];
+    const real q_0_dot = v[0];
+    const real q_0 = x[0];
     const real z_1 = q_0_dot*q_0;
+    const real J = c[3];
+    const real q_1_dot = v[1];
+    const real q_1 = x[1];
     const real z_2 = q_1_dot*q_1;
+    const real q_2_dot = v[2];
+    const real q_2 = x[2];
     const real z_3 = q_2_dot*q_2;
     const real z_4 = J*z_2 + J*z_3;
+    Mdot1[0][0] = 8.0*(J3*z_0 + c_0*z_1 + z_4);
+    const real c_1 = c[6];
     const real z_5 = q_3_dot*q_2;
     const real z_6 = q_2_dot*q_3;
     const real z_7 = z_5 + z_6;
+    const real c_2 = c[7];
     const real z_8 = q_0_dot*q_1;
     const real z_9 = q_1_dot*q_0;
     const real z_10 = z_8 + z_9;
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_7 - c_2*z_10);
     const real z_11 = J*z_1 + J*z_0;
+    Mdot1[1][1] = 8.0*(J3*z_3 + c_0*z_2 + z_11);
     const real z_12 = q_1_dot*q_3;
     const real z_13 = q_3_dot*q_1;
     const real z_14 = z_12 + z_13;
     const real z_15 = q_0_dot*q_2;
     const real z_16 = q_2_dot*q_0;
     const real z_17 = z_15 + z_16;
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_14 + c_2*z_17);
+    const real c_3 = c[8];
     const real z_18 = q_2_dot*q_1;
     const real z_19 = q_1_dot*q_2;
-    const real z_20 = q_0_dot*q_3;
-    const real z_21 = q_3_dot*q_0;
-    const real z_22 = (z_20 + z_18 - z_21 - z_19)*c_5;
-    const real z_23 = (z_15 + z_12 - z_16 - z_13)*c_6;
-    const real z_24 = (z_8 + z_5 - z_9 - z_6)*c_6;
-    const real z_25 = (z_0 + z_2 + z_3 + z_1)*c_7;
-    Mdot1[0][0] = 8.0*(J3*z_0 + c_0*z_1 + z_4);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_7 - c_2*z_10);
-    Mdot1[1][1] = 8.0*(J3*z_3 + c_0*z_2 + z_11);
-    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_14 + c_2*z_17);
     Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_18 + z_19));
     Mdot1[2][2] = 8.0*(J3*z_2 + c_0*z_3 + z_11);
+    const real z_20 = q_0_dot*q_3;
+    const real z_21 = q_3_dot*q_0;
     Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_20 + z_21));
     Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_17 + c_2*z_14);
     Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_10 - c_2*z_7);
     Mdot1[3][3] = 8.0*(J3*z_1 + c_0*z_0 + z_4);
+    const real c_4 = c[9];
+    const real c_5 = c[10];
+    const real z_22 = (z_20 + z_18 - z_21 - z_19)*c_5;
+    const real c_6 = c[11];
+    const real z_23 = (z_15 + z_12 - z_16 - z_13)*c_6;
+    const real z_24 = (z_8 + z_5 - z_9 - z_6)*c_6;
+    const real c_7 = c[12];
+    const real z_25 = (z_0 + z_2 + z_3 + z_1)*c_7;
     f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_22 + q_2_dot*z_23 + q_1_dot*z_24) - q_0_dot*z_25);
     f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_22 + q_0_dot*z_24 - q_3_dot*z_23) + q_1_dot*z_25);
     f1[2] = (-2.0)*((q_1_dot*z_22 - q_2*c_4 - q_0_dot*z_23 - q_3_dot*z_24) - q_2_dot*z_25);
@@ -200,30 +202,30 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 /* M of the blocks that vary: the lower triangle */
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
 {
-    const real J = c[3];
     const real J3 = c[4];
-    const real c_0 = c[5];
-    const real c_1 = c[6];
-    const real c_2 = c[7];
-    const real c_13 = c[18];
-    const real q_0 = x[0];
-    const real q_1 = x[1];
-    const real q_2 = x[2];
     const real q_3 = x[3];
     const real z_0 = q_3*q_3;
+    const real c_0 = c[5];
+    const real q_0 = x[0];
     const real z_1 = q_0*q_0;
+    const real J = c[3];
+    const real q_1 = x[1];
     const real z_2 = q_1*q_1;
+    const real q_2 = x[2];
     const real z_3 = q_2*q_2;
     const real z_4 = J*z_2 + J*z_3;
+    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
+    const real c_1 = c[6];
     const real z_5 = q_2*c_1;
+    const real c_2 = c[7];
     const real z_6 = q_1*c_2;
+    M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
     const real z_7 = J*z_1 + J*z_0;
+    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
     const real z_8 = q_1*c_1;
     const real z_9 = q_2*c_2;
-    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
-    M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
-    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
     M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
+    const real c_13 = c[18];
     M1[2][1] = -c_13*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
     M1[3][0] = -c_13*(q_3*q_0);
@@ -236,60 +238,60 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real J = c[3];
     const real J3 = c[4];
-    const real c_0 = c[5];
-    const real c_1 = c[6];
-    const real c_2 = c[7];
-    const real c_3 = c[8];
-    const real c_4 = c[9];
-    const real c_5 = c[10];
-    const real c_6 = c[11];
-    const real c_7 = c[12];
-    const real q_0_dot = v[0];
-    const real q_1_dot = v[1];
-    const real q_2_dot = v[2];
     const real q_3_dot = v[3];
-    const real q_0 = x[0];
-    const real q_1 = x[1];
-    const real q_2 = x[2];
     const real q_3 = x[3];
     const real z_10 = q_3_dot*q_3;
+    const real c_0 = c[5];
+    const real q_0_dot = v[0];
+    const real q_0 = x[0];
     const real z_11 = q_0_dot*q_0;
+    const real J = c[3];
+    const real q_1_dot = v[1];
+    const real q_1 = x[1];
     const real z_12 = q_1_dot*q_1;
+    const real q_2_dot = v[2];
+    const real q_2 = x[2];
     const real z_13 = q_2_dot*q_2;
     const real z_14 = J*z_12 + J*z_13;
+    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
+    const real c_1 = c[6];
     const real z_15 = q_3_dot*q_2;
     const real z_16 = q_2_dot*q_3;
     const real z_17 = z_15 + z_16;
+    const real c_2 = c[7];
     const real z_18 = q_0_dot*q_1;
     const real z_19 = q_1_dot*q_0;
     const real z_20 = z_18 + z_19;
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_17 - c_2*z_20);
     const real z_21 = J*z_11 + J*z_10;
+    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_21);
     const real z_22 = q_1_dot*q_3;
     const real z_23 = q_3_dot*q_1;
     const real z_24 = z_22 + z_23;
     const real z_25 = q_0_dot*q_2;
     const real z_26 = q_2_dot*q_0;
     const real z_27 = z_25 + z_26;
+    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_24 + c_2*z_27);
+    const real c_3 = c[8];
     const real z_28 = q_2_dot*q_1;
     const real z_29 = q_1_dot*q_2;
-    const real z_30 = q_0_dot*q_3;
-    const real z_31 = q_3_dot*q_0;
-    const real z_32 = (z_30 + z_28 - z_31 - z_29)*c_5;
-    const real z_33 = (z_25 + z_22 - z_26 - z_23)*c_6;
-    const real z_34 = (z_18 + z_15 - z_19 - z_16)*c_6;
-    const real z_35 = (z_10 + z_12 + z_13 + z_11)*c_7;
-    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_17 - c_2*z_20);
-    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_21);
-    Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_24 + c_2*z_27);
     Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(z_28 + z_29));
     Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_21);
+    const real z_30 = q_0_dot*q_3;
+    const real z_31 = q_3_dot*q_0;
     Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(z_30 + z_31));
     Mdot1[1][3] = Mdot1[3][1] = (-4.0)*(c_1*z_27 + c_2*z_24);
     Mdot1[2][3] = Mdot1[3][2] = 4.0*(c_1*z_20 - c_2*z_17);
     Mdot1[3][3] = 8.0*(J3*z_11 + c_0*z_10 + z_14);
+    const real c_4 = c[9];
+    const real c_5 = c[10];
+    const real z_32 = (z_30 + z_28 - z_31 - z_29)*c_5;
+    const real c_6 = c[11];
+    const real z_33 = (z_25 + z_22 - z_26 - z_23)*c_6;
+    const real z_34 = (z_18 + z_15 - z_19 - z_16)*c_6;
+    const real c_7 = c[12];
+    const real z_35 = (z_10 + z_12 + z_13 + z_11)*c_7;
     f1[0] = (-2.0)*((q_0*c_4 + q_3_dot*z_32 + q_2_dot*z_33 + q_1_dot*z_34) - q_0_dot*z_35);
     f1[1] = 2.0*((q_1*c_4 + q_2_dot*z_32 + q_0_dot*z_34 - q_3_dot*z_33) + q_1_dot*z_35);
     f1[2] = (-2.0)*((q_1_dot*z_32 - q_2*c_4 - q_0_dot*z_33 - q_3_dot*z_34) - q_2_dot*z_35);
@@ -364,6 +366,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -386,6 +389,230 @@ em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q_1 = x[1];
+    const double c_9 = c[14];
+    dM[4] = dM[1] = -q_1*c_9;
+    const double q_0 = x[0];
+    const double c_10 = c[15];
+    dM[5] = q_0*c_10;
+    const double q_2 = x[2];
+    dM[8] = dM[2] = -q_2*c_9;
+    dM[10] = q_0*c_10;
+    const double q_3 = x[3];
+    const double c_8 = c[13];
+    dM[12] = dM[3] = -q_3*c_8;
+    const double c_11 = c[16];
+    const double z_0 = q_2*c_11;
+    dM[13] = dM[7] = -z_0;
+    const double z_1 = q_1*c_11;
+    dM[14] = dM[11] = z_1;
+    const double c_12 = c[17];
+    dM[15] = q_0*c_12;
+    dM[16] = q_1*c_10;
+    dM[20] = dM[17] = -q_0*c_9;
+    const double z_2 = q_3*c_11;
+    dM[24] = dM[18] = -z_2;
+    dM[25] = dM[22] = -q_2*c_8;
+    dM[26] = q_1*c_12;
+    dM[29] = dM[23] = -q_3*c_9;
+    const double z_3 = q_0*c_11;
+    dM[30] = dM[27] = z_3;
+    dM[31] = q_1*c_10;
+    dM[32] = q_2*c_10;
+    dM[36] = dM[33] = z_2;
+    dM[37] = q_2*c_12;
+    dM[40] = dM[34] = -q_0*c_9;
+    dM[41] = dM[38] = -q_1*c_8;
+    dM[45] = dM[39] = -z_3;
+    dM[46] = dM[43] = -q_3*c_9;
+    dM[47] = q_2*c_10;
+    dM[48] = q_3*c_12;
+    dM[52] = dM[49] = z_0;
+    dM[53] = q_3*c_10;
+    dM[56] = dM[50] = -z_1;
+    dM[58] = q_3*c_10;
+    dM[60] = dM[51] = -q_0*c_8;
+    dM[61] = dM[55] = -q_1*c_9;
+    dM[62] = dM[59] = -q_2*c_9;
+}
+
+/* dM (n, n, n), of what is factored */
+EM_RARE /* no step calls it */
+EM_ASIDE void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q_0 = x[0];
+    const double c_14 = c[19];
+    dM[0] = q_0*c_14;
+    const double q_1 = x[1];
+    const double c_15 = c[20];
+    dM[4] = dM[1] = -q_1*c_15;
+    const double c_10 = c[15];
+    dM[5] = q_0*c_10;
+    const double q_2 = x[2];
+    dM[8] = dM[2] = -q_2*c_15;
+    dM[10] = q_0*c_10;
+    const double q_3 = x[3];
+    const double c_13 = c[18];
+    dM[12] = dM[3] = -q_3*c_13;
+    const double c_11 = c[16];
+    const double z_0 = q_2*c_11;
+    dM[13] = dM[7] = -z_0;
+    const double z_1 = q_1*c_11;
+    dM[14] = dM[11] = z_1;
+    const double c_12 = c[17];
+    dM[15] = q_0*c_12;
+    dM[16] = q_1*c_10;
+    dM[20] = dM[17] = -q_0*c_15;
+    dM[21] = q_1*c_14;
+    const double z_2 = q_3*c_11;
+    dM[24] = dM[18] = -z_2;
+    dM[25] = dM[22] = -q_2*c_13;
+    dM[26] = q_1*c_12;
+    dM[29] = dM[23] = -q_3*c_15;
+    const double z_3 = q_0*c_11;
+    dM[30] = dM[27] = z_3;
+    dM[31] = q_1*c_10;
+    dM[32] = q_2*c_10;
+    dM[36] = dM[33] = z_2;
+    dM[37] = q_2*c_12;
+    dM[40] = dM[34] = -q_0*c_15;
+    dM[41] = dM[38] = -q_1*c_13;
+    dM[42] = q_2*c_14;
+    dM[45] = dM[39] = -z_3;
+    dM[46] = dM[43] = -q_3*c_15;
+    dM[47] = q_2*c_10;
+    dM[48] = q_3*c_12;
+    dM[52] = dM[49] = z_0;
+    dM[53] = q_3*c_10;
+    dM[56] = dM[50] = -z_1;
+    dM[58] = q_3*c_10;
+    dM[60] = dM[51] = -q_0*c_13;
+    dM[61] = dM[55] = -q_1*c_15;
+    dM[62] = dM[59] = -q_2*c_15;
+    dM[63] = q_3*c_14;
+}
+
+/* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double q_0 = x[0];
+    const double c_4 = c[9];
+    const double q_3_dot = v[3];
+    const double q_0_dot = v[0];
+    const double q_3 = x[3];
+    const double q_2_dot = v[2];
+    const double q_1 = x[1];
+    const double q_1_dot = v[1];
+    const double q_2 = x[2];
+    const double z_0 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
+    const double c_5 = c[10];
+    const double z_1 = z_0*c_5;
+    const double z_2 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
+    const double c_6 = c[11];
+    const double z_3 = z_2*c_6;
+    const double z_4 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
+    const double z_5 = z_4*c_6;
+    const double J3 = c[4];
+    const double z_6 = J3*z_0;
+    const double J = c[3];
+    const double z_7 = J*z_2;
+    const double z_8 = J*z_4;
+    const double z_9 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
+    const double c_7 = c[12];
+    const double z_10 = z_9*c_7;
+    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_1 + q_2_dot*z_3 + q_1_dot*z_5) + 2.0*(q_3_dot*z_6 + q_2_dot*z_7 +
+        q_1_dot*z_8)) + q_0*z_10);
+    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_1 + q_0_dot*z_5 - q_3_dot*z_3) + 2.0*(q_2_dot*z_6 + q_0_dot*z_8 -
+        q_3_dot*z_7)) - q_1*z_10);
+    bias[2] = (-2.0)*(((q_1_dot*z_1 - q_2*c_4 - q_0_dot*z_3 - q_3_dot*z_5) + 2.0*(q_1_dot*z_6 - q_0_dot*z_7 -
+        q_3_dot*z_8)) + q_2*z_10);
+    bias[3] = 2.0*(((q_0_dot*z_1 + q_1_dot*z_3 - q_3*c_4 - q_2_dot*z_5) + 2.0*(q_0_dot*z_6 + q_1_dot*z_7 -
+        q_2_dot*z_8)) - q_3*z_10);
+    gamma[0] = 2.0*z_9;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double q_0_dot = v[0];
+    const double J3 = c[4];
+    const double q_3 = x[3];
+    const double z_0 = q_3*q_3;
+    const double J = c[3];
+    const double q_1 = x[1];
+    const double z_1 = q_1*q_1;
+    const double q_2 = x[2];
+    const double z_2 = q_2*q_2;
+    const double z_3 = J*z_1 + J*z_2;
+    const double q_1_dot = v[1];
+    const double q_0 = x[0];
+    const double z_4 = J*q_1;
+    const double c_1 = c[6];
+    const double z_5 = q_2*c_1;
+    const double z_6 = q_0*z_4 - q_3*z_5;
+    const double q_2_dot = v[2];
+    const double z_7 = J*q_2;
+    const double z_8 = q_1*c_1;
+    const double z_9 = q_0*z_7 + q_3*z_8;
+    const double q_3_dot = v[3];
+    const double z_10 = q_0*(J3*q_3);
+    const double z_11 = q_0*q_0;
+    const double z_12 = J*z_11 + J*z_0;
+    const double z_13 = J3*(q_1*q_2);
+    const double z_14 = q_0*z_5 + q_3*z_4;
+    const double z_15 = q_3*z_7 - q_0*z_8;
+    e[0] = 2.0*(q_0_dot*(q_0_dot*(J3*z_0 + z_3) - q_1_dot*z_6 - q_2_dot*z_9 - q_3_dot*z_10) - q_1_dot*(q_0_dot*z_6
+        + q_2_dot*z_13 + q_3_dot*z_14 - q_1_dot*(J3*z_2 + z_12)) - q_2_dot*(q_0_dot*z_9 + q_1_dot*z_13 +
+        q_3_dot*z_15 - q_2_dot*(J3*z_1 + z_12)) - q_3_dot*(q_0_dot*z_10 + q_1_dot*z_14 + q_2_dot*z_15 -
+        q_3_dot*(J3*z_11 + z_3)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_4 = c[9];
+    e[3] = -(z_1 + z_2 - z_0 - z_11)*c_4;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes quaternion_top_lanes;
 EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL};
@@ -404,22 +631,22 @@ static const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double m = parameters[0];
-    const double l = parameters[1];
-    const double g = parameters[2];
     const double J = parameters[3];
     const double J3 = parameters[4];
     const double z_0 = 1.0/(0.390625*1.0/(1.8587375025371702*J + 2.4974634188618468*J3) +
         0.765625*1.0/(2.8880884188618468*J + 1.0931125025371702*J3) + 10.546220166818202*1.0/J +
         1.0931125025371702*1.0/(2.8880884188618468*J + 0.765625*J3) + 2.4974634188618468*1.0/(1.8587375025371702*J
         + 0.390625*J3));
-    const double z_1 = J - J3;
-    const double z_2 = J - z_0;
-    const double z_3 = J3 - z_0;
     prepared[5] = z_0;
+    const double z_1 = J - J3;
     prepared[6] = z_1;
+    const double z_2 = J - z_0;
     prepared[7] = z_2;
+    const double z_3 = J3 - z_0;
     prepared[8] = z_3;
+    const double g = parameters[2];
+    const double l = parameters[1];
+    const double m = parameters[0];
     prepared[9] = g*l*m;
     prepared[10] = 2.0*J3;
     prepared[11] = 2.0*J;
@@ -447,28 +674,28 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double J = c[3];
     const double J3 = c[4];
-    const double c_1 = c[6];
-    const double c_8 = c[13];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
     const double q_3 = x[3];
     const double z_0 = q_3*q_3;
+    const double J = c[3];
+    const double q_1 = x[1];
     const double z_1 = q_1*q_1;
+    const double q_2 = x[2];
     const double z_2 = q_2*q_2;
     const double z_3 = J*z_1 + J*z_2;
+    M[0] = 4.0*(J3*z_0 + z_3);
+    const double q_0 = x[0];
     const double z_4 = J*q_1;
+    const double c_1 = c[6];
     const double z_5 = q_2*c_1;
+    M[4] = M[1] = (-4.0)*(q_0*z_4 - q_3*z_5);
     const double z_6 = q_0*q_0;
     const double z_7 = J*z_6 + J*z_0;
+    M[5] = 4.0*(J3*z_2 + z_7);
     const double z_8 = J*q_2;
     const double z_9 = q_1*c_1;
-    M[0] = 4.0*(J3*z_0 + z_3);
-    M[4] = M[1] = (-4.0)*(q_0*z_4 - q_3*z_5);
-    M[5] = 4.0*(J3*z_2 + z_7);
     M[8] = M[2] = (-4.0)*(q_0*z_8 + q_3*z_9);
+    const double c_8 = c[13];
     M[9] = M[6] = -c_8*(q_1*q_2);
     M[10] = 4.0*(J3*z_1 + z_7);
     M[12] = M[3] = -c_8*(q_3*q_0);
@@ -477,151 +704,40 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[15] = 4.0*(J3*z_6 + z_3);
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_8 = c[13];
-    const double c_9 = c[14];
-    const double c_10 = c[15];
-    const double c_11 = c[16];
-    const double c_12 = c[17];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
-    const double z_0 = q_2*c_11;
-    const double z_1 = q_1*c_11;
-    const double z_2 = q_3*c_11;
-    const double z_3 = q_0*c_11;
-    dM[4] = dM[1] = -q_1*c_9;
-    dM[5] = q_0*c_10;
-    dM[8] = dM[2] = -q_2*c_9;
-    dM[10] = q_0*c_10;
-    dM[12] = dM[3] = -q_3*c_8;
-    dM[13] = dM[7] = -z_0;
-    dM[14] = dM[11] = z_1;
-    dM[15] = q_0*c_12;
-    dM[16] = q_1*c_10;
-    dM[20] = dM[17] = -q_0*c_9;
-    dM[24] = dM[18] = -z_2;
-    dM[25] = dM[22] = -q_2*c_8;
-    dM[26] = q_1*c_12;
-    dM[29] = dM[23] = -q_3*c_9;
-    dM[30] = dM[27] = z_3;
-    dM[31] = q_1*c_10;
-    dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_2;
-    dM[37] = q_2*c_12;
-    dM[40] = dM[34] = -q_0*c_9;
-    dM[41] = dM[38] = -q_1*c_8;
-    dM[45] = dM[39] = -z_3;
-    dM[46] = dM[43] = -q_3*c_9;
-    dM[47] = q_2*c_10;
-    dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_0;
-    dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_1;
-    dM[58] = q_3*c_10;
-    dM[60] = dM[51] = -q_0*c_8;
-    dM[61] = dM[55] = -q_1*c_9;
-    dM[62] = dM[59] = -q_2*c_9;
-}
-
 /* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
 static void factored_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                             double *restrict M)
 {
-    const double J = c[3];
     const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_13 = c[18];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
     const double q_3 = x[3];
     const double z_0 = q_3*q_3;
+    const double c_0 = c[5];
+    const double q_0 = x[0];
     const double z_1 = q_0*q_0;
+    const double J = c[3];
+    const double q_1 = x[1];
     const double z_2 = q_1*q_1;
+    const double q_2 = x[2];
     const double z_3 = q_2*q_2;
     const double z_4 = J*z_2 + J*z_3;
+    M[0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
+    const double c_1 = c[6];
     const double z_5 = q_2*q_3;
+    const double c_2 = c[7];
     const double z_6 = q_1*q_0;
+    M[4] = M[1] = 4.0*(c_1*z_5 - c_2*z_6);
     const double z_7 = J*z_1 + J*z_0;
+    M[5] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
     const double z_8 = q_1*q_3;
     const double z_9 = q_2*q_0;
-    M[0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
-    M[4] = M[1] = 4.0*(c_1*z_5 - c_2*z_6);
-    M[5] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
     M[8] = M[2] = (-4.0)*(c_1*z_8 + c_2*z_9);
+    const double c_13 = c[18];
     M[9] = M[6] = -c_13*(q_1*q_2);
     M[10] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
     M[12] = M[3] = -c_13*(q_3*q_0);
     M[13] = M[7] = (-4.0)*(c_1*z_9 + c_2*z_8);
     M[14] = M[11] = 4.0*(c_1*z_6 - c_2*z_5);
     M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
-}
-
-/* dM (n, n, n), of that */
-EM_RARE /* no step calls it */
-static void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                              double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_10 = c[15];
-    const double c_11 = c[16];
-    const double c_12 = c[17];
-    const double c_13 = c[18];
-    const double c_14 = c[19];
-    const double c_15 = c[20];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
-    const double z_0 = q_2*c_11;
-    const double z_1 = q_1*c_11;
-    const double z_2 = q_3*c_11;
-    const double z_3 = q_0*c_11;
-    dM[0] = q_0*c_14;
-    dM[4] = dM[1] = -q_1*c_15;
-    dM[5] = q_0*c_10;
-    dM[8] = dM[2] = -q_2*c_15;
-    dM[10] = q_0*c_10;
-    dM[12] = dM[3] = -q_3*c_13;
-    dM[13] = dM[7] = -z_0;
-    dM[14] = dM[11] = z_1;
-    dM[15] = q_0*c_12;
-    dM[16] = q_1*c_10;
-    dM[20] = dM[17] = -q_0*c_15;
-    dM[21] = q_1*c_14;
-    dM[24] = dM[18] = -z_2;
-    dM[25] = dM[22] = -q_2*c_13;
-    dM[26] = q_1*c_12;
-    dM[29] = dM[23] = -q_3*c_15;
-    dM[30] = dM[27] = z_3;
-    dM[31] = q_1*c_10;
-    dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_2;
-    dM[37] = q_2*c_12;
-    dM[40] = dM[34] = -q_0*c_15;
-    dM[41] = dM[38] = -q_1*c_13;
-    dM[42] = q_2*c_14;
-    dM[45] = dM[39] = -z_3;
-    dM[46] = dM[43] = -q_3*c_15;
-    dM[47] = q_2*c_10;
-    dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_0;
-    dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_1;
-    dM[58] = q_3*c_10;
-    dM[60] = dM[51] = -q_0*c_13;
-    dM[61] = dM[55] = -q_1*c_15;
-    dM[62] = dM[59] = -q_2*c_15;
-    dM[63] = q_3*c_14;
 }
 
 /* What is factored, of which motion_bias is */
@@ -633,12 +749,12 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
                      double *restrict A, double *restrict b)
 {
     const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
     A[0] = 2.0*q_0;
+    const double q_1 = x[1];
     A[1] = 2.0*q_1;
+    const double q_2 = x[2];
     A[2] = 2.0*q_2;
+    const double q_3 = x[3];
     A[3] = 2.0*q_3;
     b[0] = 0.0;
 }
@@ -647,103 +763,13 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 static void position(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
                      double *restrict phi, double *restrict terms)
 {
-    const double q_0 = x[0];
     const double q_1 = x[1];
     const double q_2 = x[2];
     const double q_3 = x[3];
+    const double q_0 = x[0];
     const double z_0 = (q_1*q_1 + q_2*q_2) + (q_3*q_3 + q_0*q_0);
     phi[0] = -(1.0 - z_0);
     terms[0] = 1.0 + 2.0*z_0;
-}
-
-/* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double J = c[3];
-    const double J3 = c[4];
-    const double c_4 = c[9];
-    const double c_5 = c[10];
-    const double c_6 = c[11];
-    const double c_7 = c[12];
-    const double q_0_dot = v[0];
-    const double q_1_dot = v[1];
-    const double q_2_dot = v[2];
-    const double q_3_dot = v[3];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
-    const double z_0 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
-    const double z_1 = z_0*c_5;
-    const double z_2 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
-    const double z_3 = z_2*c_6;
-    const double z_4 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
-    const double z_5 = z_4*c_6;
-    const double z_6 = J3*z_0;
-    const double z_7 = J*z_2;
-    const double z_8 = J*z_4;
-    const double z_9 = q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot;
-    const double z_10 = z_9*c_7;
-    bias[0] = (-2.0)*(((q_0*c_4 + q_3_dot*z_1 + q_2_dot*z_3 + q_1_dot*z_5) + 2.0*(q_3_dot*z_6 + q_2_dot*z_7 +
-        q_1_dot*z_8)) + q_0*z_10);
-    bias[1] = 2.0*(((q_1*c_4 + q_2_dot*z_1 + q_0_dot*z_5 - q_3_dot*z_3) + 2.0*(q_2_dot*z_6 + q_0_dot*z_8 -
-        q_3_dot*z_7)) - q_1*z_10);
-    bias[2] = (-2.0)*(((q_1_dot*z_1 - q_2*c_4 - q_0_dot*z_3 - q_3_dot*z_5) + 2.0*(q_1_dot*z_6 - q_0_dot*z_7 -
-        q_3_dot*z_8)) + q_2*z_10);
-    bias[3] = 2.0*(((q_0_dot*z_1 + q_1_dot*z_3 - q_3*c_4 - q_2_dot*z_5) + 2.0*(q_0_dot*z_6 + q_1_dot*z_7 -
-        q_2_dot*z_8)) - q_3*z_10);
-    gamma[0] = 2.0*z_9;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double J = c[3];
-    const double J3 = c[4];
-    const double c_1 = c[6];
-    const double c_4 = c[9];
-    const double q_0_dot = v[0];
-    const double q_1_dot = v[1];
-    const double q_2_dot = v[2];
-    const double q_3_dot = v[3];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
-    const double q_3 = x[3];
-    const double z_0 = q_3*q_3;
-    const double z_1 = q_1*q_1;
-    const double z_2 = q_2*q_2;
-    const double z_3 = J*z_1 + J*z_2;
-    const double z_4 = J*q_1;
-    const double z_5 = q_2*c_1;
-    const double z_6 = q_0*z_4 - q_3*z_5;
-    const double z_7 = J*q_2;
-    const double z_8 = q_1*c_1;
-    const double z_9 = q_0*z_7 + q_3*z_8;
-    const double z_10 = q_0*(J3*q_3);
-    const double z_11 = q_0*q_0;
-    const double z_12 = J*z_11 + J*z_0;
-    const double z_13 = J3*(q_1*q_2);
-    const double z_14 = q_0*z_5 + q_3*z_4;
-    const double z_15 = q_3*z_7 - q_0*z_8;
-    e[0] = 2.0*(q_0_dot*(q_0_dot*(J3*z_0 + z_3) - q_1_dot*z_6 - q_2_dot*z_9 - q_3_dot*z_10) - q_1_dot*(q_0_dot*z_6
-        + q_2_dot*z_13 + q_3_dot*z_14 - q_1_dot*(J3*z_2 + z_12)) - q_2_dot*(q_0_dot*z_9 + q_1_dot*z_13 +
-        q_3_dot*z_15 - q_2_dot*(J3*z_1 + z_12)) - q_3_dot*(q_0_dot*z_10 + q_1_dot*z_14 + q_2_dot*z_15 -
-        q_3_dot*(J3*z_11 + z_3)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = -(z_1 + z_2 - z_0 - z_11)*c_4;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -759,30 +785,30 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
                               double A1[N_ROWS][N1], double b[N_ROWS])
 {
-    const double J = c[3];
     const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_13 = c[18];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
     const double q_3 = x[3];
     const double z_0 = q_3*q_3;
+    const double c_0 = c[5];
+    const double q_0 = x[0];
     const double z_1 = q_0*q_0;
+    const double J = c[3];
+    const double q_1 = x[1];
     const double z_2 = q_1*q_1;
+    const double q_2 = x[2];
     const double z_3 = q_2*q_2;
     const double z_4 = J*z_2 + J*z_3;
+    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
+    const double c_1 = c[6];
     const double z_5 = q_2*c_1;
+    const double c_2 = c[7];
     const double z_6 = q_1*c_2;
+    M1[0][1] = M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
     const double z_7 = J*z_1 + J*z_0;
+    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
     const double z_8 = q_1*c_1;
     const double z_9 = q_2*c_2;
-    M1[0][0] = 4.0*(J3*z_0 + c_0*z_1 + z_4);
-    M1[0][1] = M1[1][0] = 4.0*(q_3*z_5 - q_0*z_6);
-    M1[1][1] = 4.0*(J3*z_3 + c_0*z_2 + z_7);
     M1[0][2] = M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
+    const double c_13 = c[18];
     M1[1][2] = M1[2][1] = -c_13*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
     M1[0][3] = M1[3][0] = -c_13*(q_3*q_0);
@@ -800,34 +826,34 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict x, const double *restrict v, const double *restrict c,
                              double Mdot1[N1][N1])
 {
-    const double J = c[3];
     const double J3 = c[4];
-    const double c_0 = c[5];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double c_3 = c[8];
-    const double q_0_dot = v[0];
-    const double q_1_dot = v[1];
-    const double q_2_dot = v[2];
     const double q_3_dot = v[3];
-    const double q_0 = x[0];
-    const double q_1 = x[1];
-    const double q_2 = x[2];
     const double q_3 = x[3];
     const double z_10 = q_3_dot*q_3;
+    const double c_0 = c[5];
+    const double q_0_dot = v[0];
+    const double q_0 = x[0];
     const double z_11 = q_0_dot*q_0;
+    const double J = c[3];
+    const double q_1_dot = v[1];
+    const double q_1 = x[1];
     const double z_12 = q_1_dot*q_1;
+    const double q_2_dot = v[2];
+    const double q_2 = x[2];
     const double z_13 = q_2_dot*q_2;
     const double z_14 = J*z_12 + J*z_13;
+    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
+    const double c_1 = c[6];
     const double z_15 = q_3_dot*q_2 + q_2_dot*q_3;
+    const double c_2 = c[7];
     const double z_16 = q_0_dot*q_1 + q_1_dot*q_0;
+    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_15 - c_2*z_16);
     const double z_17 = J*z_11 + J*z_10;
+    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_17);
     const double z_18 = q_1_dot*q_3 + q_3_dot*q_1;
     const double z_19 = q_0_dot*q_2 + q_2_dot*q_0;
-    Mdot1[0][0] = 8.0*(J3*z_10 + c_0*z_11 + z_14);
-    Mdot1[0][1] = Mdot1[1][0] = 4.0*(c_1*z_15 - c_2*z_16);
-    Mdot1[1][1] = 8.0*(J3*z_13 + c_0*z_12 + z_17);
     Mdot1[0][2] = Mdot1[2][0] = (-4.0)*(c_1*z_18 + c_2*z_19);
+    const double c_3 = c[8];
     Mdot1[1][2] = Mdot1[2][1] = (-4.0)*(c_3*(q_2_dot*q_1 + q_1_dot*q_2));
     Mdot1[2][2] = 8.0*(J3*z_12 + c_0*z_13 + z_17);
     Mdot1[0][3] = Mdot1[3][0] = (-4.0)*(c_3*(q_0_dot*q_3 + q_3_dot*q_0));
@@ -1048,4 +1074,5 @@ const em_model quaternion_top_model = {
     .factored_gradient = factored_gradient,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:276c660397e2ef4679bd5a8f04ffbe6e44cccaf28dd659ac5f5d4d48735d7f33 */
-/* body sha256:e22453e9830effb82a709f73cfd12d24b8d5c99d02856b3ab040f65dabb88221 */
+/* body sha256:df07c985cba44bcba38eea6034751dc03c11eeeb196af1a086f7220547a92605 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -54,42 +54,44 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1])
 {
-    const real J1 = c[0];
-    const real J2 = c[1];
     const real J3 = c[2];
-    const real c_0 = c[3];
-    const real c_1 = c[4];
-    const real psi_dot = v[0];
-    const real theta_dot = v[1];
-    const real phi_dot = v[2];
     const real theta = x[1];
-    const real phi = x[2];
     const real sin_theta = em_sin(theta);
+    const real theta_dot = v[1];
     const real cos_theta = em_cos(theta);
     const real z_2 = theta_dot*cos_theta;
     const real z_3 = sin_theta*z_2;
+    const real J1 = c[0];
+    const real phi_dot = v[2];
+    const real phi = x[2];
     const real sin_phi = em_sin(phi);
     const real cos_phi = em_cos(phi);
     const real z_6 = sin_phi*cos_phi;
     const real z_7 = phi_dot*z_6;
     const real z_8 = sin_theta*sin_theta*z_7;
     const real z_9 = sin_phi*sin_phi;
+    const real J2 = c[1];
     const real z_10 = cos_phi*cos_phi;
-    const real z_11 = phi_dot*sin_theta;
-    const real z_12 = psi_dot*sin_theta;
-    const real z_13 = J2*(theta_dot*sin_phi - cos_phi*z_12);
-    const real z_14 = J1*(theta_dot*cos_phi + sin_phi*z_12);
     Mdot1[0][0] = (-2.0)*(J3*z_3 - J1*(z_8 + z_9*z_3) - J2*(-(z_8 - z_10*z_3)));
+    const real c_0 = c[3];
+    const real z_11 = phi_dot*sin_theta;
     Mdot1[0][1] = Mdot1[1][0] = c_0*(z_10*z_11 + z_2*z_6 - z_9*z_11);
+    const real c_1 = c[4];
     Mdot1[1][1] = -c_1*z_7;
     Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
     f1[0] = em_real(0.0);
+    const real psi_dot = v[0];
+    const real z_12 = psi_dot*sin_theta;
+    const real z_13 = J2*(theta_dot*sin_phi - cos_phi*z_12);
+    const real z_14 = J1*(theta_dot*cos_phi + sin_phi*z_12);
     f1[1] = -(cos_theta*(psi_dot*cos_phi*z_13 - psi_dot*sin_phi*z_14) + J3*(phi_dot + psi_dot*cos_theta)*z_12);
     f1[2] = sin_phi*(z_12*z_13 - theta_dot*z_14) + cos_phi*(theta_dot*z_13 + z_12*z_14);
 }
@@ -152,21 +154,21 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[8])
 {
-    const real J1 = c[0];
-    const real J2 = c[1];
     const real J3 = c[2];
-    const real c_0 = c[3];
     const real theta = x[1];
-    const real phi = x[2];
     const real cos_theta = em_cos(theta);
     const real sin_theta = em_sin(theta);
     const real z_2 = sin_theta*sin_theta;
+    const real J1 = c[0];
+    const real phi = x[2];
     const real sin_phi = em_sin(phi);
     const real z_4 = sin_phi*sin_phi;
+    const real J2 = c[1];
     const real cos_phi = em_cos(phi);
     const real z_6 = cos_phi*cos_phi;
-    const real z_7 = sin_phi*cos_phi;
     M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
+    const real c_0 = c[3];
+    const real z_7 = sin_phi*cos_phi;
     M1[1][0] = sin_theta*(c_0*z_7);
     M1[1][1] = J1*z_6 + J2*z_4;
     M1[2][0] = J3*cos_theta;
@@ -186,37 +188,37 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[8],
                                  real Mdot1[N1][N1], real f1[N1])
 {
-    const real J1 = c[0];
-    const real J2 = c[1];
     const real J3 = c[2];
-    const real c_0 = c[3];
-    const real c_1 = c[4];
     const real sin_theta = shared[0];
-    const real cos_theta = shared[1];
-    const real z_2 = shared[2];
-    const real z_7 = shared[3];
-    const real z_4 = shared[4];
-    const real z_6 = shared[5];
-    const real cos_phi = shared[6];
-    const real sin_phi = shared[7];
-    const real psi_dot = v[0];
     const real theta_dot = v[1];
-    const real phi_dot = v[2];
+    const real cos_theta = shared[1];
     const real z_8 = theta_dot*cos_theta;
     const real z_9 = sin_theta*z_8;
+    const real J1 = c[0];
+    const real z_2 = shared[2];
+    const real phi_dot = v[2];
+    const real z_7 = shared[3];
     const real z_10 = phi_dot*z_7;
     const real z_11 = z_2*z_10;
-    const real z_12 = phi_dot*sin_theta;
-    const real z_13 = psi_dot*sin_theta;
-    const real z_14 = J2*(theta_dot*sin_phi - cos_phi*z_13);
-    const real z_15 = J1*(theta_dot*cos_phi + sin_phi*z_13);
+    const real z_4 = shared[4];
+    const real J2 = c[1];
+    const real z_6 = shared[5];
     Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
+    const real c_0 = c[3];
+    const real z_12 = phi_dot*sin_theta;
     Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
+    const real c_1 = c[4];
     Mdot1[1][1] = -c_1*z_10;
     Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
     Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
     Mdot1[2][2] = em_real(0.0);
     f1[0] = em_real(0.0);
+    const real psi_dot = v[0];
+    const real cos_phi = shared[6];
+    const real sin_phi = shared[7];
+    const real z_13 = psi_dot*sin_theta;
+    const real z_14 = J2*(theta_dot*sin_phi - cos_phi*z_13);
+    const real z_15 = J1*(theta_dot*cos_phi + sin_phi*z_13);
     f1[1] = -(cos_theta*(psi_dot*cos_phi*z_14 - psi_dot*sin_phi*z_15) + J3*(phi_dot + psi_dot*cos_theta)*z_13);
     f1[2] = sin_phi*(z_13*z_14 - theta_dot*z_15) + cos_phi*(theta_dot*z_14 + z_13*z_15);
 }
@@ -266,6 +268,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -287,6 +290,154 @@ extern em_lanes rigid_body_lanes;
 em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                    EM_UNUSED const double *restrict c, double *restrict y);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double J3 = c[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double z_2 = cos_theta*sin_theta;
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*sin_phi;
+    const double J2 = c[1];
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    dM[9] = (-2.0)*(J3*z_2 - J1*z_4*z_2 - J2*z_6*z_2);
+    const double c_0 = c[3];
+    const double z_7 = sin_phi*cos_phi;
+    dM[12] = dM[10] = cos_theta*(c_0*z_7);
+    dM[15] = dM[11] = -J3*sin_theta;
+    const double c_1 = c[4];
+    const double z_8 = c_1*z_7;
+    dM[18] = sin_theta*sin_theta*z_8;
+    dM[21] = dM[19] = c_0*(sin_theta*z_6 - sin_theta*z_4);
+    dM[22] = -z_8;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double psi_dot = v[0];
+    const double J3 = c[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double theta_dot = v[1];
+    const double sin_theta = em_sin(theta);
+    const double z_2 = theta_dot*sin_theta;
+    const double z_3 = cos_theta*z_2;
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    const double z_6 = sin_phi*cos_phi;
+    const double phi_dot = v[2];
+    const double z_7 = z_6*(phi_dot*(sin_theta*sin_theta));
+    const double z_8 = sin_phi*sin_phi;
+    const double J2 = c[1];
+    const double z_9 = cos_phi*cos_phi;
+    const double c_0 = c[3];
+    const double z_10 = phi_dot*z_2;
+    bias[0] = 2.0*psi_dot*(J3*z_3 - J1*(z_7 + z_8*z_3) - J2*(-(z_7 - z_9*z_3))) + J3*z_10 - c_0*(z_9*z_10 +
+        z_6*(cos_theta*(theta_dot*theta_dot)) - z_8*z_10);
+    const double z_11 = psi_dot*sin_theta;
+    const double z_12 = J2*(theta_dot*sin_phi - cos_phi*z_11);
+    const double z_13 = J1*(theta_dot*cos_phi + sin_phi*z_11);
+    const double z_14 = psi_dot*cos_theta;
+    const double z_15 = theta_dot*z_6;
+    const double z_16 = phi_dot*z_11;
+    const double c_1 = c[4];
+    bias[1] = -((cos_theta*(psi_dot*cos_phi*z_12 - psi_dot*sin_phi*z_13) + J3*(phi_dot + z_14)*z_11) +
+        (c_0*(z_14*z_15 + z_9*z_16 - z_8*z_16) - phi_dot*c_1*z_15));
+    bias[2] = (sin_phi*(z_11*z_12 - theta_dot*z_13) + cos_phi*(theta_dot*z_12 + z_11*z_13)) + psi_dot*J3*z_2;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double psi_dot = v[0];
+    const double J3 = c[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double z_2 = sin_phi*sin_phi;
+    const double sin_theta = em_sin(theta);
+    const double z_4 = sin_theta*sin_theta;
+    const double J2 = c[1];
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    const double theta_dot = v[1];
+    const double c_0 = c[3];
+    const double z_7 = sin_phi*sin_theta*(cos_phi*c_0);
+    const double phi_dot = v[2];
+    e[0] = 0.5*(psi_dot*(psi_dot*(J3*(cos_theta*cos_theta) + J1*z_2*z_4 + J2*z_4*z_6) + theta_dot*z_7 +
+        cos_theta*(phi_dot*J3)) + theta_dot*(psi_dot*z_7 + theta_dot*(J1*z_6 + J2*z_2)) + phi_dot*(J3*(phi_dot +
+        psi_dot*cos_theta)));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    e[3] = 0.0;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
+EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                    EM_UNUSED const double *restrict c, double *restrict y)
+{
+    const double theta_dot = v[1];
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double sin_phi = em_sin(phi);
+    const double psi_dot = v[0];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double z_3 = psi_dot*sin_theta;
+    y[0] = theta_dot*cos_phi + sin_phi*z_3;
+    y[1] = -(theta_dot*sin_phi - cos_phi*z_3);
+    const double phi_dot = v[2];
+    const double cos_theta = em_cos(theta);
+    y[2] = phi_dot + psi_dot*cos_theta;
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rigid_body_lanes;
@@ -326,55 +477,25 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double J1 = c[0];
-    const double J2 = c[1];
     const double J3 = c[2];
-    const double c_0 = c[3];
     const double theta = x[1];
-    const double phi = x[2];
     const double cos_theta = em_cos(theta);
+    const double J1 = c[0];
+    const double phi = x[2];
     const double sin_phi = em_sin(phi);
     const double z_2 = sin_phi*sin_phi;
     const double sin_theta = em_sin(theta);
     const double z_4 = sin_theta*sin_theta;
+    const double J2 = c[1];
     const double cos_phi = em_cos(phi);
     const double z_6 = cos_phi*cos_phi;
     M[0] = J3*(cos_theta*cos_theta) + J1*z_2*z_4 + J2*z_4*z_6;
+    const double c_0 = c[3];
     M[3] = M[1] = sin_phi*sin_theta*cos_phi*c_0;
     M[4] = J1*z_6 + J2*z_2;
     M[6] = M[2] = J3*cos_theta;
     M[7] = M[5] = 0.0;
     M[8] = J3;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double theta = x[1];
-    const double phi = x[2];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_2 = cos_theta*sin_theta;
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*sin_phi;
-    const double cos_phi = em_cos(phi);
-    const double z_6 = cos_phi*cos_phi;
-    const double z_7 = sin_phi*cos_phi;
-    const double z_8 = c_1*z_7;
-    dM[9] = (-2.0)*(J3*z_2 - J1*z_4*z_2 - J2*z_6*z_2);
-    dM[12] = dM[10] = cos_theta*(c_0*z_7);
-    dM[15] = dM[11] = -J3*sin_theta;
-    dM[18] = sin_theta*sin_theta*z_8;
-    dM[21] = dM[19] = c_0*(sin_theta*z_6 - sin_theta*z_4);
-    dM[22] = -z_8;
 }
 
 /* What is factored, of which motion_bias is */
@@ -395,106 +516,11 @@ static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double psi_dot = v[0];
-    const double theta_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta = x[1];
-    const double phi = x[2];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_2 = theta_dot*sin_theta;
-    const double z_3 = cos_theta*z_2;
-    const double sin_phi = em_sin(phi);
-    const double cos_phi = em_cos(phi);
-    const double z_6 = sin_phi*cos_phi;
-    const double z_7 = z_6*(phi_dot*(sin_theta*sin_theta));
-    const double z_8 = sin_phi*sin_phi;
-    const double z_9 = cos_phi*cos_phi;
-    const double z_10 = phi_dot*z_2;
-    const double z_11 = psi_dot*sin_theta;
-    const double z_12 = J2*(theta_dot*sin_phi - cos_phi*z_11);
-    const double z_13 = J1*(theta_dot*cos_phi + sin_phi*z_11);
-    const double z_14 = psi_dot*cos_theta;
-    const double z_15 = theta_dot*z_6;
-    const double z_16 = phi_dot*z_11;
-    bias[0] = 2.0*psi_dot*(J3*z_3 - J1*(z_7 + z_8*z_3) - J2*(-(z_7 - z_9*z_3))) + J3*z_10 - c_0*(z_9*z_10 +
-        z_6*(cos_theta*(theta_dot*theta_dot)) - z_8*z_10);
-    bias[1] = -((cos_theta*(psi_dot*cos_phi*z_12 - psi_dot*sin_phi*z_13) + J3*(phi_dot + z_14)*z_11) +
-        (c_0*(z_14*z_15 + z_9*z_16 - z_8*z_16) - phi_dot*c_1*z_15));
-    bias[2] = (sin_phi*(z_11*z_12 - theta_dot*z_13) + cos_phi*(theta_dot*z_12 + z_11*z_13)) + psi_dot*J3*z_2;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double J1 = c[0];
-    const double J2 = c[1];
-    const double J3 = c[2];
-    const double c_0 = c[3];
-    const double psi_dot = v[0];
-    const double theta_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta = x[1];
-    const double phi = x[2];
-    const double cos_theta = em_cos(theta);
-    const double sin_phi = em_sin(phi);
-    const double z_2 = sin_phi*sin_phi;
-    const double sin_theta = em_sin(theta);
-    const double z_4 = sin_theta*sin_theta;
-    const double cos_phi = em_cos(phi);
-    const double z_6 = cos_phi*cos_phi;
-    const double z_7 = sin_phi*sin_theta*(cos_phi*c_0);
-    e[0] = 0.5*(psi_dot*(psi_dot*(J3*(cos_theta*cos_theta) + J1*z_2*z_4 + J2*z_4*z_6) + theta_dot*z_7 +
-        cos_theta*(phi_dot*J3)) + theta_dot*(psi_dot*z_7 + theta_dot*(J1*z_6 + J2*z_2)) + phi_dot*(J3*(phi_dot +
-        psi_dot*cos_theta)));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = 0.0;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
-}
-
 /* crossing (n_events): an event happens where its number passes through zero */
 static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
-static void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                  EM_UNUSED const double *restrict c, double *restrict y)
-{
-    const double psi_dot = v[0];
-    const double theta_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta = x[1];
-    const double phi = x[2];
-    const double cos_phi = em_cos(phi);
-    const double sin_phi = em_sin(phi);
-    const double sin_theta = em_sin(theta);
-    const double z_3 = psi_dot*sin_theta;
-    const double cos_theta = em_cos(theta);
-    y[0] = theta_dot*cos_phi + sin_phi*z_3;
-    y[1] = -(theta_dot*sin_phi - cos_phi*z_3);
-    y[2] = phi_dot + psi_dot*cos_theta;
 }
 
 #include "em_mechanics.h"
@@ -503,21 +529,21 @@ static void quasi(EM_UNUSED double t, const double *restrict x, const double *re
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
                               double shared[6])
 {
-    const double J1 = c[0];
-    const double J2 = c[1];
     const double J3 = c[2];
-    const double c_0 = c[3];
     const double theta = x[1];
-    const double phi = x[2];
     const double cos_theta = em_cos(theta);
     const double sin_theta = em_sin(theta);
     const double z_2 = sin_theta*sin_theta;
+    const double J1 = c[0];
+    const double phi = x[2];
     const double sin_phi = em_sin(phi);
     const double z_4 = sin_phi*sin_phi;
+    const double J2 = c[1];
     const double cos_phi = em_cos(phi);
     const double z_6 = cos_phi*cos_phi;
-    const double z_7 = sin_phi*cos_phi;
     M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
+    const double c_0 = c[3];
+    const double z_7 = sin_phi*cos_phi;
     M1[0][1] = M1[1][0] = sin_theta*(c_0*z_7);
     M1[1][1] = J1*z_6 + J2*z_4;
     M1[0][2] = M1[2][0] = J3*cos_theta;
@@ -535,26 +561,26 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[6],
                              double Mdot1[N1][N1])
 {
-    const double J1 = c[0];
-    const double J2 = c[1];
     const double J3 = c[2];
-    const double c_0 = c[3];
-    const double c_1 = c[4];
     const double sin_theta = shared[0];
-    const double cos_theta = shared[1];
-    const double z_2 = shared[2];
-    const double z_7 = shared[3];
-    const double z_4 = shared[4];
-    const double z_6 = shared[5];
     const double theta_dot = v[1];
-    const double phi_dot = v[2];
+    const double cos_theta = shared[1];
     const double z_8 = theta_dot*cos_theta;
     const double z_9 = sin_theta*z_8;
+    const double J1 = c[0];
+    const double z_2 = shared[2];
+    const double phi_dot = v[2];
+    const double z_7 = shared[3];
     const double z_10 = phi_dot*z_7;
     const double z_11 = z_2*z_10;
-    const double z_12 = phi_dot*sin_theta;
+    const double z_4 = shared[4];
+    const double J2 = c[1];
+    const double z_6 = shared[5];
     Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
+    const double c_0 = c[3];
+    const double z_12 = phi_dot*sin_theta;
     Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
+    const double c_1 = c[4];
     Mdot1[1][1] = -c_1*z_10;
     Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
     Mdot1[1][2] = Mdot1[2][1] = 0.0;
@@ -757,4 +783,5 @@ const em_model rigid_body_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:3f0531d46c92721d28c96849a9efaa2bd4564a5e64984ea08e3c5e0763af2068 */
-/* body sha256:eda26184f9c94770e2038b33852317098457eae035a1b9d8e9fc6d15f98ecce5 */
+/* body sha256:35afc4a45c9f145d6ff854961a331b5e5b4991e59c906acba369e1f52a385b36 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -53,56 +53,55 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real r = c[1];
-    const real c_0 = c[3];
-    const real c_1 = c[4];
-    const real c_2 = c[5];
-    const real c_3 = c[6];
-    const real c_4 = c[7];
-    const real c_5 = c[8];
-    const real c_6 = c[9];
-    const real c_7 = c[10];
-    const real x_dot = v[0];
-    const real y_dot = v[1];
-    const real phi_dot = v[2];
-    const real theta_dot = v[3];
-    const real psi_dot = v[4];
-    const real phi = x[2];
-    const real theta = x[3];
-    const real cos_phi = em_cos(phi);
-    const real cos_theta = em_cos(theta);
-    const real z_2 = theta_dot*cos_theta;
-    const real sin_phi = em_sin(phi);
-    const real sin_theta = em_sin(theta);
-    const real z_5 = phi_dot*sin_theta;
-    const real z_6 = theta_dot*sin_theta;
-    const real z_7 = phi_dot*cos_theta;
-    const real z_8 = phi_dot*phi_dot;
-    const real z_9 = phi_dot*psi_dot;
-    const real z_10 = r*cos_phi;
-    const real z_11 = r*sin_phi;
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = em_real(0.0);
+    const real c_0 = c[3];
+    const real phi = x[2];
+    const real cos_phi = em_cos(phi);
+    const real theta_dot = v[3];
+    const real theta = x[3];
+    const real cos_theta = em_cos(theta);
+    const real z_2 = theta_dot*cos_theta;
+    const real sin_phi = em_sin(phi);
+    const real phi_dot = v[2];
+    const real sin_theta = em_sin(theta);
+    const real z_5 = phi_dot*sin_theta;
     Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_2 - sin_phi*z_5));
     Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_5 + sin_phi*z_2);
+    const real c_1 = c[4];
     Mdot1[2][2] = sin_theta*c_1*z_2;
+    const real z_6 = theta_dot*sin_theta;
+    const real z_7 = phi_dot*cos_theta;
     Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_6 - cos_phi*z_7);
     Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_7 + cos_phi*z_6);
     Mdot1[2][3] = Mdot1[3][2] = em_real(0.0);
     Mdot1[3][3] = em_real(0.0);
     Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
     Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
+    const real c_2 = c[5];
     Mdot1[2][4] = Mdot1[4][2] = -c_2*z_2;
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     f1[0] = em_real(0.0);
     f1[1] = em_real(0.0);
+    const real x_dot = v[0];
+    const real y_dot = v[1];
     f1[2] = -(cos_phi*(c_0*(x_dot*z_2 + y_dot*z_5)) + sin_phi*(c_0*(y_dot*z_2 - x_dot*z_5)));
+    const real c_3 = c[6];
+    const real z_8 = phi_dot*phi_dot;
+    const real c_4 = c[7];
+    const real c_5 = c[8];
+    const real psi_dot = v[4];
+    const real z_9 = phi_dot*psi_dot;
+    const real c_6 = c[9];
+    const real c_7 = c[10];
     f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_8 -
         cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_9 + sin_phi*c_6*(y_dot*phi_dot) +
         cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_8));
@@ -111,11 +110,14 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     A1[0][1] = em_real(0.0);
     A1[0][2] = em_real(0.0);
     A1[0][3] = em_real(0.0);
+    const real r = c[1];
+    const real z_10 = r*cos_phi;
     A1[0][4] = -z_10;
     A1[1][0] = em_real(0.0);
     A1[1][1] = em_real(1.0);
     A1[1][2] = em_real(0.0);
     A1[1][3] = em_real(0.0);
+    const real z_11 = r*sin_phi;
     A1[1][4] = -z_11;
     gamma[0] = z_11*z_9;
     gamma[1] = -z_10*z_9;
@@ -203,30 +205,30 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
                                  real shared[4])
 {
     const real m = c[0];
-    const real c_0 = c[3];
-    const real c_2 = c[5];
-    const real c_3 = c[6];
-    const real c_8 = c[11];
-    const real phi = x[2];
-    const real theta = x[3];
-    const real sin_theta = em_sin(theta);
-    const real cos_phi = em_cos(phi);
-    const real z_2 = cos_phi*c_0;
-    const real sin_phi = em_sin(phi);
-    const real z_4 = sin_phi*c_0;
-    const real cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[1][0] = em_real(0.0);
     M1[1][1] = m;
+    const real theta = x[3];
+    const real sin_theta = em_sin(theta);
+    const real phi = x[2];
+    const real cos_phi = em_cos(phi);
+    const real c_0 = c[3];
+    const real z_2 = cos_phi*c_0;
     M1[2][0] = -sin_theta*z_2;
+    const real sin_phi = em_sin(phi);
+    const real z_4 = sin_phi*c_0;
     M1[2][1] = -sin_theta*z_4;
+    const real c_3 = c[6];
+    const real cos_theta = em_cos(theta);
     M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M1[3][0] = -cos_theta*z_4;
     M1[3][1] = cos_theta*z_2;
     M1[3][2] = em_real(0.0);
+    const real c_8 = c[11];
     M1[3][3] = c_8;
     M1[4][0] = em_real(0.0);
     M1[4][1] = em_real(0.0);
+    const real c_2 = c[5];
     M1[4][2] = -sin_theta*c_2;
     M1[4][3] = em_real(0.0);
     M1[4][4] = c_2;
@@ -240,50 +242,47 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[4],
                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
-    const real r = c[1];
-    const real c_0 = c[3];
-    const real c_1 = c[4];
-    const real c_2 = c[5];
-    const real c_3 = c[6];
-    const real c_4 = c[7];
-    const real c_5 = c[8];
-    const real c_6 = c[9];
-    const real c_7 = c[10];
-    const real cos_phi = shared[0];
-    const real cos_theta = shared[1];
-    const real sin_phi = shared[2];
-    const real sin_theta = shared[3];
-    const real x_dot = v[0];
-    const real y_dot = v[1];
-    const real phi_dot = v[2];
-    const real theta_dot = v[3];
-    const real psi_dot = v[4];
-    const real z_6 = theta_dot*cos_theta;
-    const real z_7 = phi_dot*sin_theta;
-    const real z_8 = theta_dot*sin_theta;
-    const real z_9 = phi_dot*cos_theta;
-    const real z_10 = phi_dot*phi_dot;
-    const real z_11 = phi_dot*psi_dot;
-    const real z_12 = r*cos_phi;
-    const real z_13 = r*sin_phi;
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = em_real(0.0);
+    const real c_0 = c[3];
+    const real cos_phi = shared[0];
+    const real theta_dot = v[3];
+    const real cos_theta = shared[1];
+    const real z_6 = theta_dot*cos_theta;
+    const real sin_phi = shared[2];
+    const real phi_dot = v[2];
+    const real sin_theta = shared[3];
+    const real z_7 = phi_dot*sin_theta;
     Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
     Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
+    const real c_1 = c[4];
     Mdot1[2][2] = sin_theta*c_1*z_6;
+    const real z_8 = theta_dot*sin_theta;
+    const real z_9 = phi_dot*cos_theta;
     Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
     Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
     Mdot1[2][3] = Mdot1[3][2] = em_real(0.0);
     Mdot1[3][3] = em_real(0.0);
     Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
     Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
+    const real c_2 = c[5];
     Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
     Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
     Mdot1[4][4] = em_real(0.0);
     f1[0] = em_real(0.0);
     f1[1] = em_real(0.0);
+    const real x_dot = v[0];
+    const real y_dot = v[1];
     f1[2] = -(cos_phi*(c_0*(x_dot*z_6 + y_dot*z_7)) + sin_phi*(c_0*(y_dot*z_6 - x_dot*z_7)));
+    const real c_3 = c[6];
+    const real z_10 = phi_dot*phi_dot;
+    const real c_4 = c[7];
+    const real c_5 = c[8];
+    const real psi_dot = v[4];
+    const real z_11 = phi_dot*psi_dot;
+    const real c_6 = c[9];
+    const real c_7 = c[10];
     f1[3] = 0.25*(sin_theta*(c_4 + sin_phi*c_5*(x_dot*theta_dot) - cos_theta*c_3*z_10 -
         cos_phi*c_5*(y_dot*theta_dot)) - 2.0*cos_theta*(c_3*z_11 + sin_phi*c_6*(y_dot*phi_dot) +
         cos_phi*c_6*(x_dot*phi_dot) - sin_theta*c_7*z_10));
@@ -292,11 +291,14 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
     A1[0][1] = em_real(0.0);
     A1[0][2] = em_real(0.0);
     A1[0][3] = em_real(0.0);
+    const real r = c[1];
+    const real z_12 = r*cos_phi;
     A1[0][4] = -z_12;
     A1[1][0] = em_real(0.0);
     A1[1][1] = em_real(1.0);
     A1[1][2] = em_real(0.0);
     A1[1][3] = em_real(0.0);
+    const real z_13 = r*sin_phi;
     A1[1][4] = -z_13;
     gamma[0] = z_13*z_11;
     gamma[1] = -z_12*z_11;
@@ -367,6 +369,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -389,6 +392,153 @@ em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double c_0 = c[3];
+    const double z_2 = sin_phi*c_0;
+    dM[60] = dM[52] = sin_theta*z_2;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = cos_phi*c_0;
+    dM[61] = dM[57] = -sin_theta*z_4;
+    const double cos_theta = em_cos(theta);
+    dM[65] = dM[53] = -cos_theta*z_4;
+    dM[66] = dM[58] = -cos_theta*z_2;
+    dM[85] = dM[77] = -cos_theta*z_4;
+    dM[86] = dM[82] = -cos_theta*z_2;
+    const double c_1 = c[4];
+    dM[87] = c_1*(sin_theta*cos_theta);
+    dM[90] = dM[78] = sin_theta*z_2;
+    dM[91] = dM[83] = -sin_theta*z_4;
+    const double c_2 = c[5];
+    dM[97] = dM[89] = -cos_theta*c_2;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double c_0 = c[3];
+    const double phi_dot = v[2];
+    const double z_0 = phi_dot*phi_dot;
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double z_3 = sin_theta*sin_phi;
+    const double cos_phi = em_cos(phi);
+    const double theta_dot = v[3];
+    const double cos_theta = em_cos(theta);
+    const double z_6 = phi_dot*cos_theta;
+    const double z_7 = theta_dot*z_6;
+    const double z_8 = cos_phi*z_7;
+    const double z_9 = theta_dot*theta_dot;
+    bias[0] = -(c_0*(z_0*z_3 - z_8) - c_0*(z_8 - z_9*z_3));
+    const double z_10 = sin_phi*z_7;
+    const double z_11 = cos_phi*sin_theta;
+    bias[1] = c_0*(z_10 + z_0*z_11) + c_0*(z_10 + z_9*z_11);
+    const double x_dot = v[0];
+    const double z_12 = x_dot*theta_dot;
+    const double z_13 = z_3*(x_dot*phi_dot) - z_12*(cos_phi*cos_theta);
+    const double y_dot = v[1];
+    const double z_14 = y_dot*theta_dot;
+    const double z_15 = z_11*(y_dot*phi_dot) + z_14*(cos_theta*sin_phi);
+    const double psi_dot = v[4];
+    const double c_3 = c[6];
+    const double c_9 = c[12];
+    bias[2] = 0.5*(2.0*c_0*(z_13 - z_15) - (2.0*c_0*z_13 + c_9*(sin_theta*z_7) - 2.0*c_0*z_15 -
+        theta_dot*cos_theta*(psi_dot*c_3)));
+    const double z_16 = z_6*(x_dot*cos_phi);
+    const double c_5 = c[8];
+    const double z_17 = z_6*(y_dot*sin_phi);
+    const double z_18 = z_3*z_12;
+    const double z_19 = z_11*z_14;
+    const double c_10 = c[13];
+    const double c_4 = c[7];
+    bias[3] = (-0.25)*(((z_16*c_5 + z_17*c_5 + z_19*c_5 + psi_dot*c_10*z_6 - c_9*(z_0*(sin_theta*cos_theta)) -
+        z_18*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_16 - z_18) + c_0*(z_17 + z_19)));
+    const double c_2 = c[5];
+    bias[4] = c_2*z_7;
+    const double r = c[1];
+    const double z_20 = r*(phi_dot*psi_dot);
+    gamma[0] = sin_phi*z_20;
+    gamma[1] = -cos_phi*z_20;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double x_dot = v[0];
+    const double m = c[0];
+    const double phi_dot = v[2];
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = phi_dot*sin_theta;
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double c_0 = c[3];
+    const double z_3 = cos_phi*c_0;
+    const double sin_phi = em_sin(phi);
+    const double z_5 = sin_phi*c_0;
+    const double theta_dot = v[3];
+    const double cos_theta = em_cos(theta);
+    const double z_7 = theta_dot*cos_theta;
+    const double y_dot = v[1];
+    const double c_3 = c[6];
+    const double c_5 = c[8];
+    const double z_8 = cos_phi*c_5;
+    const double z_9 = sin_phi*c_5;
+    const double c_10 = c[13];
+    const double psi_dot = v[4];
+    const double c_9 = c[12];
+    e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_1*z_3 - z_5*z_7) + 4.0*y_dot*(y_dot*m + z_3*z_7 - z_1*z_5) -
+        phi_dot*(x_dot*sin_theta*z_8 + y_dot*sin_theta*z_9 + c_10*(psi_dot*sin_theta) -
+        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_9 -
+        y_dot*cos_theta*z_8 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_1))));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_11 = c[14];
+    e[3] = cos_theta*c_11;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
 EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL, NULL};
@@ -409,14 +559,14 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 {
     const double m = parameters[0];
     const double r = parameters[1];
-    const double g = parameters[2];
     const double z_0 = m*r;
-    const double z_1 = m*(r*r);
-    const double z_2 = g*z_0;
     prepared[3] = z_0;
+    const double z_1 = m*(r*r);
     prepared[4] = 2.5*z_1;
     prepared[5] = 0.5*z_1;
     prepared[6] = z_1;
+    const double g = parameters[2];
+    const double z_2 = g*z_0;
     prepared[7] = 4.0*z_2;
     prepared[8] = 4.0*z_0;
     prepared[9] = 2.0*z_0;
@@ -441,62 +591,33 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
                         double *restrict M)
 {
     const double m = c[0];
-    const double c_0 = c[3];
-    const double c_2 = c[5];
-    const double c_3 = c[6];
-    const double c_8 = c[11];
-    const double phi = x[2];
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    const double z_2 = cos_phi*c_0;
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*c_0;
-    const double cos_theta = em_cos(theta);
     M[0] = m;
     M[5] = M[1] = 0.0;
     M[6] = m;
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double c_0 = c[3];
+    const double z_2 = cos_phi*c_0;
     M[10] = M[2] = -sin_theta*z_2;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*c_0;
     M[11] = M[7] = -sin_theta*z_4;
+    const double c_3 = c[6];
+    const double cos_theta = em_cos(theta);
     M[12] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M[15] = M[3] = -cos_theta*z_4;
     M[16] = M[8] = cos_theta*z_2;
     M[17] = M[13] = 0.0;
+    const double c_8 = c[11];
     M[18] = c_8;
     M[20] = M[4] = 0.0;
     M[21] = M[9] = 0.0;
+    const double c_2 = c[5];
     M[22] = M[14] = -sin_theta*c_2;
     M[23] = M[19] = 0.0;
     M[24] = c_2;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double c_2 = c[5];
-    const double phi = x[2];
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double sin_phi = em_sin(phi);
-    const double z_2 = sin_phi*c_0;
-    const double cos_phi = em_cos(phi);
-    const double z_4 = cos_phi*c_0;
-    const double cos_theta = em_cos(theta);
-    dM[60] = dM[52] = sin_theta*z_2;
-    dM[61] = dM[57] = -sin_theta*z_4;
-    dM[65] = dM[53] = -cos_theta*z_4;
-    dM[66] = dM[58] = -cos_theta*z_2;
-    dM[85] = dM[77] = -cos_theta*z_4;
-    dM[86] = dM[82] = -cos_theta*z_2;
-    dM[87] = c_1*(sin_theta*cos_theta);
-    dM[90] = dM[78] = sin_theta*z_2;
-    dM[91] = dM[83] = -sin_theta*z_4;
-    dM[97] = dM[89] = -cos_theta*c_2;
 }
 
 /* What is factored, of which motion_bias is */
@@ -507,19 +628,19 @@ static void (*const factored)(double t, const double *restrict x, const double *
 static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                      double *restrict A, double *restrict b)
 {
-    const double r = c[1];
-    const double phi = x[2];
-    const double cos_phi = em_cos(phi);
-    const double sin_phi = em_sin(phi);
     A[0] = 1.0;
     A[1] = 0.0;
     A[2] = 0.0;
     A[3] = 0.0;
+    const double r = c[1];
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
     A[4] = -r*cos_phi;
     A[5] = 0.0;
     A[6] = 1.0;
     A[7] = 0.0;
     A[8] = 0.0;
+    const double sin_phi = em_sin(phi);
     A[9] = -r*sin_phi;
     b[0] = 0.0;
     b[1] = 0.0;
@@ -529,103 +650,6 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double r = c[1];
-    const double c_0 = c[3];
-    const double c_2 = c[5];
-    const double c_3 = c[6];
-    const double c_4 = c[7];
-    const double c_5 = c[8];
-    const double c_9 = c[12];
-    const double c_10 = c[13];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta_dot = v[3];
-    const double psi_dot = v[4];
-    const double phi = x[2];
-    const double theta = x[3];
-    const double z_0 = phi_dot*phi_dot;
-    const double sin_theta = em_sin(theta);
-    const double sin_phi = em_sin(phi);
-    const double z_3 = sin_theta*sin_phi;
-    const double cos_phi = em_cos(phi);
-    const double cos_theta = em_cos(theta);
-    const double z_6 = phi_dot*cos_theta;
-    const double z_7 = theta_dot*z_6;
-    const double z_8 = cos_phi*z_7;
-    const double z_9 = theta_dot*theta_dot;
-    const double z_10 = sin_phi*z_7;
-    const double z_11 = cos_phi*sin_theta;
-    const double z_12 = x_dot*theta_dot;
-    const double z_13 = z_3*(x_dot*phi_dot) - z_12*(cos_phi*cos_theta);
-    const double z_14 = y_dot*theta_dot;
-    const double z_15 = z_11*(y_dot*phi_dot) + z_14*(cos_theta*sin_phi);
-    const double z_16 = z_6*(x_dot*cos_phi);
-    const double z_17 = z_6*(y_dot*sin_phi);
-    const double z_18 = z_3*z_12;
-    const double z_19 = z_11*z_14;
-    const double z_20 = r*(phi_dot*psi_dot);
-    bias[0] = -(c_0*(z_0*z_3 - z_8) - c_0*(z_8 - z_9*z_3));
-    bias[1] = c_0*(z_10 + z_0*z_11) + c_0*(z_10 + z_9*z_11);
-    bias[2] = 0.5*(2.0*c_0*(z_13 - z_15) - (2.0*c_0*z_13 + c_9*(sin_theta*z_7) - 2.0*c_0*z_15 -
-        theta_dot*cos_theta*(psi_dot*c_3)));
-    bias[3] = (-0.25)*(((z_16*c_5 + z_17*c_5 + z_19*c_5 + psi_dot*c_10*z_6 - c_9*(z_0*(sin_theta*cos_theta)) -
-        z_18*c_5) - sin_theta*c_4) - 4.0*(c_0*(z_16 - z_18) + c_0*(z_17 + z_19)));
-    bias[4] = c_2*z_7;
-    gamma[0] = sin_phi*z_20;
-    gamma[1] = -cos_phi*z_20;
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m = c[0];
-    const double c_0 = c[3];
-    const double c_3 = c[6];
-    const double c_5 = c[8];
-    const double c_9 = c[12];
-    const double c_10 = c[13];
-    const double c_11 = c[14];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double phi_dot = v[2];
-    const double theta_dot = v[3];
-    const double psi_dot = v[4];
-    const double phi = x[2];
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double z_1 = phi_dot*sin_theta;
-    const double cos_phi = em_cos(phi);
-    const double z_3 = cos_phi*c_0;
-    const double sin_phi = em_sin(phi);
-    const double z_5 = sin_phi*c_0;
-    const double cos_theta = em_cos(theta);
-    const double z_7 = theta_dot*cos_theta;
-    const double z_8 = cos_phi*c_5;
-    const double z_9 = sin_phi*c_5;
-    e[0] = 0.125*(4.0*x_dot*(x_dot*m - z_1*z_3 - z_5*z_7) + 4.0*y_dot*(y_dot*m + z_3*z_7 - z_1*z_5) -
-        phi_dot*(x_dot*sin_theta*z_8 + y_dot*sin_theta*z_9 + c_10*(psi_dot*sin_theta) -
-        phi_dot*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta))) - theta_dot*(x_dot*cos_theta*z_9 -
-        y_dot*cos_theta*z_8 - theta_dot*c_9) - 2.0*psi_dot*(c_3*(-(psi_dot - z_1))));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = cos_theta*c_11;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -643,31 +667,30 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double A1[N_ROWS][N1], double b[N_ROWS], double shared[4])
 {
     const double m = c[0];
-    const double r = c[1];
-    const double c_0 = c[3];
-    const double c_2 = c[5];
-    const double c_3 = c[6];
-    const double c_8 = c[11];
-    const double phi = x[2];
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    const double z_2 = cos_phi*c_0;
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*c_0;
-    const double cos_theta = em_cos(theta);
     M1[0][0] = m;
     M1[0][1] = M1[1][0] = 0.0;
     M1[1][1] = m;
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double c_0 = c[3];
+    const double z_2 = cos_phi*c_0;
     M1[0][2] = M1[2][0] = -sin_theta*z_2;
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*c_0;
     M1[1][2] = M1[2][1] = -sin_theta*z_4;
+    const double c_3 = c[6];
+    const double cos_theta = em_cos(theta);
     M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
     M1[0][3] = M1[3][0] = -cos_theta*z_4;
     M1[1][3] = M1[3][1] = cos_theta*z_2;
     M1[2][3] = M1[3][2] = 0.0;
+    const double c_8 = c[11];
     M1[3][3] = c_8;
     M1[0][4] = M1[4][0] = 0.0;
     M1[1][4] = M1[4][1] = 0.0;
+    const double c_2 = c[5];
     M1[2][4] = M1[4][2] = -sin_theta*c_2;
     M1[3][4] = M1[4][3] = 0.0;
     M1[4][4] = c_2;
@@ -675,6 +698,7 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     A1[0][1] = 0.0;
     A1[0][2] = 0.0;
     A1[0][3] = 0.0;
+    const double r = c[1];
     A1[0][4] = -r*cos_phi;
     A1[1][0] = 0.0;
     A1[1][1] = 1.0;
@@ -693,31 +717,31 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
                              double Mdot1[N1][N1])
 {
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double c_2 = c[5];
-    const double cos_phi = shared[0];
-    const double cos_theta = shared[1];
-    const double sin_phi = shared[2];
-    const double sin_theta = shared[3];
-    const double phi_dot = v[2];
-    const double theta_dot = v[3];
-    const double z_6 = theta_dot*cos_theta;
-    const double z_7 = phi_dot*sin_theta;
-    const double z_8 = theta_dot*sin_theta;
-    const double z_9 = phi_dot*cos_theta;
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.0;
     Mdot1[1][1] = 0.0;
+    const double c_0 = c[3];
+    const double cos_phi = shared[0];
+    const double theta_dot = v[3];
+    const double cos_theta = shared[1];
+    const double z_6 = theta_dot*cos_theta;
+    const double sin_phi = shared[2];
+    const double phi_dot = v[2];
+    const double sin_theta = shared[3];
+    const double z_7 = phi_dot*sin_theta;
     Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
     Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
+    const double c_1 = c[4];
     Mdot1[2][2] = sin_theta*c_1*z_6;
+    const double z_8 = theta_dot*sin_theta;
+    const double z_9 = phi_dot*cos_theta;
     Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
     Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
     Mdot1[2][3] = Mdot1[3][2] = 0.0;
     Mdot1[3][3] = 0.0;
     Mdot1[0][4] = Mdot1[4][0] = 0.0;
     Mdot1[1][4] = Mdot1[4][1] = 0.0;
+    const double c_2 = c[5];
     Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
     Mdot1[3][4] = Mdot1[4][3] = 0.0;
     Mdot1[4][4] = 0.0;
@@ -931,4 +955,5 @@ const em_model rolling_disk_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:27c9b161d2897126bbb058401d1b419c4a8abb4619b4a198898b8f5f4d863812 */
-/* body sha256:d8829be1b250d304d7ef71a08007bdb7208445f8e9e1c4615301b47e1a693a65 */
+/* body sha256:6ea947850f212e15b330b1e64a2a5d448545ef7a0fe6d664719c2c3e8040a82c */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -49,14 +49,16 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1])
 {
-    const real c_0 = c[8];
-    const real c_1 = c[9];
     const real theta = x[0];
     const real sin_theta = em_sin(theta);
+    const real c_0 = c[8];
     const real cos_theta = em_cos(theta);
+    const real c_1 = c[9];
     f1[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
 }
 
@@ -109,6 +111,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -131,6 +134,74 @@ em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL}
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double c_0 = c[8];
+    const double cos_theta = em_cos(theta);
+    const double c_1 = c[9];
+    bias[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double c_3 = c[11];
+    const double theta_dot = v[0];
+    e[0] = c_3*(theta_dot*theta_dot);
+    e[1] = 0.0;
+    const double c_4 = c[12];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    e[2] = c_4*(sin_theta*sin_theta);
+    const double cos_theta = em_cos(theta);
+    const double c_0 = c[8];
+    e[3] = -cos_theta*c_0;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_hoop_lanes;
 EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL, NULL};
@@ -152,12 +223,12 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 {
     const double m = parameters[0];
     const double R = parameters[1];
-    const double Omega = parameters[2];
-    const double g = parameters[3];
     const double z_0 = m*(R*R);
-    const double z_1 = z_0*(Omega*Omega);
     M1[0][0] = z_0;
+    const double g = parameters[3];
     prepared[8] = m*R*g;
+    const double Omega = parameters[2];
+    const double z_1 = z_0*(Omega*Omega);
     prepared[9] = z_1;
     prepared[10] = z_0;
     prepared[11] = 0.5*z_0;
@@ -183,15 +254,6 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[0] = c_2;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                 EM_UNUSED const double *restrict c, double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -207,44 +269,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double c_0 = c[8];
-    const double c_1 = c[9];
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    bias[0] = -(sin_theta*c_0 - sin_theta*cos_theta*c_1);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double c_0 = c[8];
-    const double c_3 = c[11];
-    const double c_4 = c[12];
-    const double theta_dot = v[0];
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    e[0] = c_3*(theta_dot*theta_dot);
-    e[1] = 0.0;
-    e[2] = c_4*(sin_theta*sin_theta);
-    e[3] = -cos_theta*c_0;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -411,4 +435,5 @@ const em_model rotating_hoop_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:1a07572f289ff6b7f9e6d9fd78f4908fca44ebfff9dfb47a11d63b694d6aa118 */
-/* body sha256:a92155b8b49976521ca48fcb853c6d317b744bd18eada5142cf8f4cedac9b035 */
+/* body sha256:9be52b5d845afaf55f78e33b4cd5e0417179e98f801fa20b6a7a6da19afa7d81 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -53,20 +53,22 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real f1[N1], real f2[N2])
 {
-    const real c_0 = c[12];
-    const real c_1 = c[13];
-    const real c_2 = c[14];
-    const real x_dot = v[0];
     const real y_dot = v[1];
-    const real x_ = x[0];
-    const real y = x[1];
+    const real c_0 = c[12];
     const real z_0 = y_dot*c_0;
-    const real z_1 = x_dot*c_0;
+    const real x_ = x[0];
+    const real c_1 = c[13];
     f1[0] = z_0 + (z_0 - x_*c_1);
+    const real x_dot = v[0];
+    const real z_1 = x_dot*c_0;
+    const real y = x[1];
+    const real c_2 = c[14];
     f2[0] = -(z_1 + (z_1 + y*c_2));
 }
 
@@ -138,6 +140,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -160,6 +163,84 @@ em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NUL
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double y_dot = v[1];
+    const double c_0 = c[12];
+    const double z_0 = y_dot*c_0;
+    const double x_ = x[0];
+    const double c_1 = c[13];
+    bias[0] = z_0 + (z_0 - x_*c_1);
+    const double x_dot = v[0];
+    const double z_1 = x_dot*c_0;
+    const double y = x[1];
+    const double c_2 = c[14];
+    bias[1] = -(z_1 + (z_1 + y*c_2));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double m = c[0];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
+    const double c_0 = c[12];
+    const double y = x[1];
+    const double x_ = x[0];
+    e[1] = -c_0*(x_dot*y - y_dot*x_);
+    const double c_3 = c[15];
+    const double z_0 = x_*x_;
+    const double z_1 = y*y;
+    const double c_4 = c[16];
+    e[2] = c_3*(z_0 + z_1)*c_4;
+    const double k_x = c[1];
+    const double k_y = c[2];
+    e[3] = 0.5*(k_x*z_0 + k_y*z_1);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_spring_lanes;
 EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL, NULL};
@@ -181,15 +262,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double k_x = parameters[1];
-    const double k_y = parameters[2];
-    const double Omega = parameters[3];
-    const double z_0 = Omega*Omega;
-    const double z_1 = m*z_0;
     M1[0][0] = m;
     M2[0][0] = m;
+    const double Omega = parameters[3];
     prepared[12] = m*Omega;
+    const double k_x = parameters[1];
+    const double z_0 = Omega*Omega;
+    const double z_1 = m*z_0;
     prepared[13] = k_x - z_1;
+    const double k_y = parameters[2];
     prepared[14] = k_y - z_1;
     prepared[15] = z_0;
     prepared[16] = 0.5*m;
@@ -217,15 +298,6 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[3] = m;
 }
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                 EM_UNUSED const double *restrict c, double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
-}
-
 /* What is factored, of which motion_bias is */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
@@ -241,54 +313,6 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
                      EM_UNUSED double *restrict terms)
-{
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_2 = c[14];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double x_ = x[0];
-    const double y = x[1];
-    const double z_0 = y_dot*c_0;
-    const double z_1 = x_dot*c_0;
-    bias[0] = z_0 + (z_0 - x_*c_1);
-    bias[1] = -(z_1 + (z_1 + y*c_2));
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double m = c[0];
-    const double k_x = c[1];
-    const double k_y = c[2];
-    const double c_0 = c[12];
-    const double c_3 = c[15];
-    const double c_4 = c[16];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double x_ = x[0];
-    const double y = x[1];
-    const double z_0 = x_*x_;
-    const double z_1 = y*y;
-    e[0] = 0.5*(m*(x_dot*x_dot + y_dot*y_dot));
-    e[1] = -c_0*(x_dot*y - y_dot*x_);
-    e[2] = c_3*(z_0 + z_1)*c_4;
-    e[3] = 0.5*(k_x*z_0 + k_y*z_1);
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
@@ -458,4 +482,5 @@ const em_model rotating_spring_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:079df517fdc6f2d3f404d5dd758d5cbf813e088173c8cf4c4fae6d88d9586fc6 */
-/* body sha256:2df7a0f3edc15715c723f3c4db3a8ae8be517be90572ea1a6b13cc126e6cba8c */
+/* body sha256:d5716791c0827aa7a6fd5e50ba9bd8c7bbaf0210591bfd24ce2356f6967e4a6b */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -58,45 +58,47 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_UNUSED static const int coordinate2[N2] = { 2 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1], real f2[N2], real A1[N_ROWS][N1],
                                   real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
-    const real r = c[0];
-    const real l = c[1];
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[10];
-    const real c_1 = c[11];
-    const real c_2 = c[12];
-    const real theta_dot = v[0];
     const real phi_dot = v[1];
     const real theta = x[0];
-    const real phi = x[1];
     const real sin_theta = em_sin(theta);
+    const real phi = x[1];
     const real cos_phi = em_cos(phi);
     const real z_2 = sin_theta*cos_phi;
+    const real theta_dot = v[0];
     const real sin_phi = em_sin(phi);
     const real cos_theta = em_cos(theta);
     const real z_5 = sin_phi*cos_theta;
-    const real z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_2));
-    const real z_7 = r*sin_theta;
-    const real z_8 = l*sin_phi;
-    const real z_9 = r*cos_theta;
-    const real z_10 = l*cos_phi;
-    const real z_11 = theta_dot*theta_dot;
-    const real z_12 = phi_dot*phi_dot;
-    Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_2 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_2));
     Mdot1[1][1] = em_real(0.0);
+    const real z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_2));
+    const real c_1 = c[11];
     f1[0] = 0.5*(z_6 - cos_theta*c_1);
+    const real c_2 = c[12];
     f1[1] = 0.5*(z_6 + cos_phi*c_2);
     f2[0] = em_real(0.0);
+    const real r = c[0];
+    const real z_7 = r*sin_theta;
     A1[0][0] = z_7;
+    const real l = c[1];
+    const real z_8 = l*sin_phi;
     A1[0][1] = z_8;
+    const real z_9 = r*cos_theta;
     A1[1][0] = z_9;
+    const real z_10 = l*cos_phi;
     A1[1][1] = -z_10;
     A2[0][0] = em_real(1.0);
     A2[1][0] = em_real(0.0);
+    const real z_11 = theta_dot*theta_dot;
+    const real z_12 = phi_dot*phi_dot;
     gamma[0] = z_9*z_11 + z_10*z_12;
     gamma[1] = -(z_7*z_11 - z_8*z_12);
 }
@@ -199,17 +201,17 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[4])
 {
-    const real c_0 = c[10];
     const real c_3 = c[13];
-    const real c_4 = c[14];
-    const real theta = x[0];
+    M1[0][0] = c_3;
+    const real c_0 = c[10];
     const real phi = x[1];
     const real sin_phi = em_sin(phi);
+    const real theta = x[0];
     const real sin_theta = em_sin(theta);
     const real cos_phi = em_cos(phi);
     const real cos_theta = em_cos(theta);
-    M1[0][0] = c_3;
     M1[1][0] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
+    const real c_4 = c[14];
     M1[1][1] = c_4;
     shared[0] = sin_theta;
     shared[1] = cos_phi;
@@ -222,38 +224,38 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
                                  real Mdot1[N1][N1], real f1[N1], real f2[N2], real A1[N_ROWS][N1],
                                  real A2[N_ROWS][N2], real gamma[N_ROWS])
 {
-    const real r = c[0];
-    const real l = c[1];
+    Mdot1[0][0] = em_real(0.0);
     const real c_0 = c[10];
-    const real c_1 = c[11];
-    const real c_2 = c[12];
+    const real phi_dot = v[1];
     const real sin_theta = shared[0];
     const real cos_phi = shared[1];
+    const real z_4 = sin_theta*cos_phi;
+    const real theta_dot = v[0];
     const real sin_phi = shared[2];
     const real cos_theta = shared[3];
-    const real theta_dot = v[0];
-    const real phi_dot = v[1];
-    const real z_4 = sin_theta*cos_phi;
     const real z_5 = sin_phi*cos_theta;
-    const real z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_4));
-    const real z_7 = r*sin_theta;
-    const real z_8 = l*sin_phi;
-    const real z_9 = r*cos_theta;
-    const real z_10 = l*cos_phi;
-    const real z_11 = theta_dot*theta_dot;
-    const real z_12 = phi_dot*phi_dot;
-    Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_4 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_4));
     Mdot1[1][1] = em_real(0.0);
+    const real z_6 = theta_dot*phi_dot*(c_0*(z_5 + z_4));
+    const real c_1 = c[11];
     f1[0] = 0.5*(z_6 - cos_theta*c_1);
+    const real c_2 = c[12];
     f1[1] = 0.5*(z_6 + cos_phi*c_2);
     f2[0] = em_real(0.0);
+    const real r = c[0];
+    const real z_7 = r*sin_theta;
     A1[0][0] = z_7;
+    const real l = c[1];
+    const real z_8 = l*sin_phi;
     A1[0][1] = z_8;
+    const real z_9 = r*cos_theta;
     A1[1][0] = z_9;
+    const real z_10 = l*cos_phi;
     A1[1][1] = -z_10;
     A2[0][0] = em_real(1.0);
     A2[1][0] = em_real(0.0);
+    const real z_11 = theta_dot*theta_dot;
+    const real z_12 = phi_dot*phi_dot;
     gamma[0] = z_9*z_11 + z_10*z_12;
     gamma[1] = -(z_7*z_11 - z_8*z_12);
 }
@@ -335,6 +337,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -357,6 +360,113 @@ em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[10];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    dM[3] = dM[1] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
+    dM[12] = dM[10] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double c_0 = c[10];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double z_2 = sin_phi*cos_theta;
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    const double z_5 = sin_theta*cos_phi;
+    const double z_6 = theta_dot*phi_dot*(c_0*(z_2 + z_5));
+    const double c_1 = c[11];
+    const double z_7 = c_0*(phi_dot*z_5 + theta_dot*z_2) + c_0*(phi_dot*z_2 + theta_dot*z_5);
+    bias[0] = 0.5*((z_6 - cos_theta*c_1) - phi_dot*z_7);
+    const double c_2 = c[12];
+    bias[1] = 0.5*((z_6 + cos_phi*c_2) - theta_dot*z_7);
+    bias[2] = 0.0;
+    const double r = c[0];
+    const double z_8 = r*(theta_dot*theta_dot);
+    const double l = c[1];
+    const double z_9 = l*(phi_dot*phi_dot);
+    gamma[0] = cos_theta*z_8 + cos_phi*z_9;
+    gamma[1] = -(sin_theta*z_8 - sin_phi*z_9);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double c_0 = c[10];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    const double cos_theta = em_cos(theta);
+    const double z_4 = c_0*(sin_phi*sin_theta - cos_phi*cos_theta);
+    const double c_7 = c[17];
+    const double c_8 = c[18];
+    const double c_9 = c[19];
+    const double x_dot = v[2];
+    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_4 + theta_dot*c_7) + phi_dot*(3.0*theta_dot*z_4 + phi_dot*c_8) +
+        c_9*(x_dot*x_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double m_r = c[3];
+    const double l = c[1];
+    const double c_10 = c[20];
+    const double c_11 = c[21];
+    const double c_12 = c[22];
+    e[3] = (m_r*(sin_theta*c_10 - l*sin_phi) + sin_theta*c_11)*c_12;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
 EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL};
@@ -377,22 +487,22 @@ static const em_block *const blocks[] = { &block1, &block2, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
                                   double prepared[N_PREPARED])
 {
-    const double r = parameters[0];
-    const double l = parameters[1];
-    const double m_c = parameters[2];
-    const double m_r = parameters[3];
     const double m_s = parameters[4];
-    const double g = parameters[5];
-    const double z_0 = m_r*r;
-    const double z_1 = r*m_c;
-    const double z_2 = r*r;
-    const double z_3 = 3.0*m_r*z_2 + m_c*z_2;
-    const double z_4 = m_r*(l*l);
     M2[0][0] = m_s;
+    const double l = parameters[1];
+    const double m_r = parameters[3];
+    const double r = parameters[0];
+    const double z_0 = m_r*r;
     prepared[10] = l*z_0;
+    const double g = parameters[5];
+    const double m_c = parameters[2];
+    const double z_1 = r*m_c;
     prepared[11] = g*z_1 + 2.0*g*z_0;
     prepared[12] = m_r*l*g;
+    const double z_2 = r*r;
+    const double z_3 = 3.0*m_r*z_2 + m_c*z_2;
     prepared[13] = (1.0/3.0)*z_3;
+    const double z_4 = m_r*(l*l);
     prepared[14] = (1.0/3.0)*z_4;
     prepared[15] = fabs(r);
     prepared[16] = fabs(l);
@@ -419,39 +529,22 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double m_s = c[4];
-    const double c_0 = c[10];
     const double c_3 = c[13];
-    const double c_4 = c[14];
-    const double theta = x[0];
+    M[0] = c_3;
+    const double c_0 = c[10];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
+    const double theta = x[0];
     const double sin_theta = em_sin(theta);
     const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
-    M[0] = c_3;
     M[3] = M[1] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
+    const double c_4 = c[14];
     M[4] = c_4;
     M[6] = M[2] = 0.0;
     M[7] = M[5] = 0.0;
+    const double m_s = c[4];
     M[8] = m_s;
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[10];
-    const double theta = x[0];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    dM[3] = dM[1] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
-    dM[12] = dM[10] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
 }
 
 /* What is factored, of which motion_bias is */
@@ -463,17 +556,17 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
                      double *restrict A, double *restrict b)
 {
     const double r = c[0];
-    const double l = c[1];
     const double theta = x[0];
-    const double phi = x[1];
     const double sin_theta = em_sin(theta);
-    const double sin_phi = em_sin(phi);
-    const double cos_theta = em_cos(theta);
-    const double cos_phi = em_cos(phi);
     A[0] = r*sin_theta;
+    const double l = c[1];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
     A[1] = l*sin_phi;
     A[2] = 1.0;
+    const double cos_theta = em_cos(theta);
     A[3] = r*cos_theta;
+    const double cos_phi = em_cos(phi);
     A[4] = -l*cos_phi;
     A[5] = 0.0;
     b[0] = 0.0;
@@ -485,90 +578,21 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
                      double *restrict phi, double *restrict terms)
 {
     const double r = c[0];
-    const double l = c[1];
-    const double c_5 = c[15];
-    const double c_6 = c[16];
     const double theta = x[0];
-    const double phi_ = x[1];
-    const double x_ = x[2];
     const double cos_theta = em_cos(theta);
+    const double l = c[1];
+    const double phi_ = x[1];
     const double cos_phi_ = em_cos(phi_);
+    const double x_ = x[2];
+    phi[0] = -(r*cos_theta + l*cos_phi_ - x_);
     const double sin_theta = em_sin(theta);
     const double sin_phi_ = em_sin(phi_);
-    phi[0] = -(r*cos_theta + l*cos_phi_ - x_);
     phi[1] = r*sin_theta - l*sin_phi_;
+    const double c_5 = c[15];
+    const double c_6 = c[16];
     terms[0] = c_5*(fabs(cos_theta) + fabs(theta*sin_theta)) + c_6*(fabs(cos_phi_) + fabs(phi_*sin_phi_)) +
         fabs(x_);
     terms[1] = c_5*(fabs(sin_theta) + fabs(theta*cos_theta)) + c_6*(fabs(sin_phi_) + fabs(phi_*cos_phi_));
-}
-
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double r = c[0];
-    const double l = c[1];
-    const double c_0 = c[10];
-    const double c_1 = c[11];
-    const double c_2 = c[12];
-    const double theta_dot = v[0];
-    const double phi_dot = v[1];
-    const double theta = x[0];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double cos_theta = em_cos(theta);
-    const double z_2 = sin_phi*cos_theta;
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    const double z_5 = sin_theta*cos_phi;
-    const double z_6 = theta_dot*phi_dot*(c_0*(z_2 + z_5));
-    const double z_7 = c_0*(phi_dot*z_5 + theta_dot*z_2) + c_0*(phi_dot*z_2 + theta_dot*z_5);
-    const double z_8 = r*(theta_dot*theta_dot);
-    const double z_9 = l*(phi_dot*phi_dot);
-    bias[0] = 0.5*((z_6 - cos_theta*c_1) - phi_dot*z_7);
-    bias[1] = 0.5*((z_6 + cos_phi*c_2) - theta_dot*z_7);
-    bias[2] = 0.0;
-    gamma[0] = cos_theta*z_8 + cos_phi*z_9;
-    gamma[1] = -(sin_theta*z_8 - sin_phi*z_9);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double l = c[1];
-    const double m_r = c[3];
-    const double c_0 = c[10];
-    const double c_7 = c[17];
-    const double c_8 = c[18];
-    const double c_9 = c[19];
-    const double c_10 = c[20];
-    const double c_11 = c[21];
-    const double c_12 = c[22];
-    const double theta_dot = v[0];
-    const double phi_dot = v[1];
-    const double x_dot = v[2];
-    const double theta = x[0];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    const double cos_theta = em_cos(theta);
-    const double z_4 = c_0*(sin_phi*sin_theta - cos_phi*cos_theta);
-    e[0] = (1.0/12.0)*(theta_dot*(3.0*phi_dot*z_4 + theta_dot*c_7) + phi_dot*(3.0*theta_dot*z_4 + phi_dot*c_8) +
-        c_9*(x_dot*x_dot));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = (m_r*(sin_theta*c_10 - l*sin_phi) + sin_theta*c_11)*c_12;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -585,21 +609,21 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double A1[N_ROWS][N1], double A2[N_ROWS][N2], double b[N_ROWS],
                               double shared[4])
 {
-    const double r = c[0];
-    const double l = c[1];
-    const double c_0 = c[10];
     const double c_3 = c[13];
-    const double c_4 = c[14];
-    const double theta = x[0];
+    M1[0][0] = c_3;
+    const double c_0 = c[10];
     const double phi = x[1];
     const double sin_phi = em_sin(phi);
+    const double theta = x[0];
     const double sin_theta = em_sin(theta);
     const double cos_phi = em_cos(phi);
     const double cos_theta = em_cos(theta);
-    M1[0][0] = c_3;
     M1[0][1] = M1[1][0] = 0.5*(c_0*(sin_phi*sin_theta - cos_phi*cos_theta));
+    const double c_4 = c[14];
     M1[1][1] = c_4;
+    const double r = c[0];
     A1[0][0] = r*sin_theta;
+    const double l = c[1];
     A1[0][1] = l*sin_phi;
     A1[1][0] = r*cos_theta;
     A1[1][1] = -l*cos_phi;
@@ -617,16 +641,16 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
                              double Mdot1[N1][N1])
 {
+    Mdot1[0][0] = 0.0;
     const double c_0 = c[10];
+    const double phi_dot = v[1];
     const double sin_theta = shared[0];
     const double cos_phi = shared[1];
+    const double z_4 = sin_theta*cos_phi;
+    const double theta_dot = v[0];
     const double sin_phi = shared[2];
     const double cos_theta = shared[3];
-    const double theta_dot = v[0];
-    const double phi_dot = v[1];
-    const double z_4 = sin_theta*cos_phi;
     const double z_5 = sin_phi*cos_theta;
-    Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.5*(c_0*(phi_dot*z_4 + theta_dot*z_5) + c_0*(phi_dot*z_5 + theta_dot*z_4));
     Mdot1[1][1] = 0.0;
 }
@@ -852,4 +876,5 @@ const em_model slider_crank_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:fbd5f25b368f8e9a515de98d41a0d309d988e20f65c0862d1dd5d5e53c4ea918 */
-/* body sha256:da770db78dd1b8de9ec330124198e557d559edcb4c78ceaf95caa2b0c95860ce */
+/* body sha256:828eabe26155d18ed2426174f2239d30cd621e1b1e381e12ea991bed6b82a7cc */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -62,39 +62,47 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 EM_UNUSED static const int coordinate3[N3] = { 2, 3, 4 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot3[N3][N3], real f1[N1], real f2[N2], real f3[N3],
                                   real A1[N_ROWS][N1], real A2[N_ROWS][N2], real A3[N_ROWS][N3],
                                   real gamma[N_ROWS])
 {
-    const real R = c[1];
     const real c_0 = c[12];
-    const real c_1 = c[13];
-    const real c_2 = c[14];
-    const real c_3 = c[15];
-    const real p_1_dot = v[2];
-    const real p_2_dot = v[3];
+    const real p_3 = x[4];
     const real p_3_dot = v[4];
     const real p_1 = x[2];
-    const real p_2 = x[3];
-    const real p_3 = x[4];
     const real z_0 = p_1*p_1;
+    const real p_2 = x[3];
     const real z_1 = p_2*p_2;
     const real z_2 = p_3*p_3;
     const real z_3 = 1.0 + z_0 + z_1 + z_2;
     const real z_4 = z_3*z_3;
     const real z_5 = 1.0/z_4;
     const real z_6 = p_3_dot*z_5;
+    const real p_1_dot = v[2];
+    const real p_2_dot = v[3];
     const real z_7 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
     const real z_8 = 1.0/(z_3*z_4);
     const real z_9 = z_7*z_8;
     const real z_10 = c_0*(p_3*z_6 - 2.0*z_2*z_9);
     const real z_11 = p_2_dot*z_5;
+    const real c_1 = c[13];
     const real z_12 = c_1*z_9;
     const real z_13 = c_0*(p_2*z_11 - 2.0*z_1*z_9) - z_12;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_10 - z_13);
     const real z_14 = p_1_dot*z_5;
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_2*z_14 + p_1*z_11 - 4.0*z_9*(p_1*p_2)));
     const real z_15 = c_0*(p_1*z_14 - 2.0*z_0*z_9);
+    Mdot3[1][1] = ((-16.0/5.0))*(z_12 - z_10 - z_15);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_14 + p_1*z_6 - 4.0*z_9*(p_1*p_3)));
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_11 + p_2*z_6 - 4.0*z_9*(p_2*p_3)));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_15 - z_13);
+    const real c_2 = c[14];
+    f1[0] = c_2;
+    f2[0] = em_real(0.0);
     const real z_16 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
     const real z_17 = c_0*z_5;
     const real z_18 = p_2_dot*z_17;
@@ -102,33 +110,27 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
     const real z_20 = p_3_dot*z_17;
     const real z_21 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
     const real z_22 = c_0*(z_8*(z_16*z_16) + z_8*(z_19*z_19) + z_8*(z_21*z_21));
-    const real z_23 = p_1_dot*z_17;
-    const real z_24 = 1.0/z_3;
-    const real z_25 = c_3*z_24;
-    const real z_26 = z_7*z_5;
-    const real z_27 = R*(p_3_dot*z_24 - 2.0*p_3*z_26);
-    const real z_28 = c_3*z_26;
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_10 - z_13);
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_2*z_14 + p_1*z_11 - 4.0*z_9*(p_1*p_2)));
-    Mdot3[1][1] = ((-16.0/5.0))*(z_12 - z_10 - z_15);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_3*z_14 + p_1*z_6 - 4.0*z_9*(p_1*p_3)));
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_3*z_11 + p_2*z_6 - 4.0*z_9*(p_2*p_3)));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_15 - z_13);
-    f1[0] = c_2;
-    f2[0] = em_real(0.0);
     f3[0] = (8.0/5.0)*(z_16*z_18 - z_19*z_20 - 2.0*p_1*z_22);
+    const real z_23 = p_1_dot*z_17;
     f3[1] = ((-8.0/5.0))*(z_16*z_23 + 2.0*p_2*z_22 - z_21*z_20);
     f3[2] = (8.0/5.0)*(z_19*z_23 - z_21*z_18 - 2.0*p_3*z_22);
     A1[0][0] = em_real(1.0);
     A1[1][0] = em_real(0.0);
     A2[0][0] = em_real(0.0);
     A2[1][0] = em_real(1.0);
+    const real c_3 = c[15];
+    const real z_24 = 1.0/z_3;
+    const real z_25 = c_3*z_24;
     A3[0][0] = -p_3*z_25;
     A3[0][1] = -z_25;
     A3[0][2] = p_1*z_25;
     A3[1][0] = z_25;
     A3[1][1] = -p_3*z_25;
     A3[1][2] = p_2*z_25;
+    const real R = c[1];
+    const real z_26 = z_7*z_5;
+    const real z_27 = R*(p_3_dot*z_24 - 2.0*p_3*z_26);
+    const real z_28 = c_3*z_26;
     gamma[0] = (-2.0)*(p_1_dot*z_27 - p_3_dot*(R*(p_1_dot*z_24 - 2.0*p_1*z_26)) - p_2_dot*z_28);
     gamma[1] = (-2.0)*(p_2_dot*z_27 + p_1_dot*z_28 - p_3_dot*(R*(p_2_dot*z_24 - 2.0*p_2*z_26)));
 }
@@ -261,12 +263,11 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
                                  real shared[8])
 {
     const real c_0 = c[12];
-    const real c_4 = c[16];
-    const real p_1 = x[2];
-    const real p_2 = x[3];
     const real p_3 = x[4];
     const real z_0 = p_3*p_3;
+    const real p_1 = x[2];
     const real z_1 = p_1*p_1;
+    const real p_2 = x[3];
     const real z_2 = p_2*p_2;
     const real z_3 = 1.0 + z_1 + z_2 + z_0;
     const real z_4 = z_3*z_3;
@@ -274,14 +275,15 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_6 = z_0*z_5;
     const real z_7 = z_5;
     const real z_8 = z_7 + z_2*z_5;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
+    const real c_4 = c[16];
     const real z_9 = p_1*z_5;
     const real z_10 = c_4*z_9;
-    const real z_11 = z_1*z_5;
-    const real z_12 = p_2*p_3;
-    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
     M3[1][0] = -p_2*z_10;
+    const real z_11 = z_1*z_5;
     M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
     M3[2][0] = -p_3*z_10;
+    const real z_12 = p_2*p_3;
     M3[2][1] = -c_4*z_5*z_12;
     M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
     shared[0] = z_5;
@@ -300,34 +302,40 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
                                  real f3[N3], real A1[N_ROWS][N1], real A2[N_ROWS][N2], real A3[N_ROWS][N3],
                                  real gamma[N_ROWS])
 {
-    const real R = c[1];
     const real c_0 = c[12];
-    const real c_1 = c[13];
-    const real c_2 = c[14];
-    const real c_3 = c[15];
+    const real p_3_dot = v[4];
+    const real p_3 = x[4];
     const real z_5 = shared[0];
+    const real z_13 = p_3*z_5;
     const real z_0 = shared[1];
+    const real p_1_dot = v[2];
+    const real p_1 = x[2];
+    const real p_2_dot = v[3];
+    const real p_2 = x[3];
+    const real z_14 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
     const real z_3 = shared[2];
     const real z_4 = shared[3];
-    const real z_2 = shared[4];
-    const real z_9 = shared[5];
-    const real z_1 = shared[6];
-    const real z_12 = shared[7];
-    const real p_1_dot = v[2];
-    const real p_2_dot = v[3];
-    const real p_3_dot = v[4];
-    const real p_1 = x[2];
-    const real p_2 = x[3];
-    const real p_3 = x[4];
-    const real z_13 = p_3*z_5;
-    const real z_14 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
     const real z_15 = 1.0/(z_3*z_4);
     const real z_16 = z_14*z_15;
     const real z_17 = c_0*(p_3_dot*z_13 - 2.0*z_0*z_16);
     const real z_18 = p_2*z_5;
+    const real z_2 = shared[4];
+    const real c_1 = c[13];
     const real z_19 = c_1*z_16;
     const real z_20 = c_0*(p_2_dot*z_18 - 2.0*z_2*z_16) - z_19;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_20);
+    const real z_9 = shared[5];
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_18 + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
+    const real z_1 = shared[6];
     const real z_21 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
+    Mdot3[1][1] = ((-16.0/5.0))*(z_19 - z_17 - z_21);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_13 + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
+    const real z_12 = shared[7];
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_13 + p_3_dot*z_18 - 4.0*z_16*z_12));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_21 - z_20);
+    const real c_2 = c[14];
+    f1[0] = c_2;
+    f2[0] = em_real(0.0);
     const real z_22 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
     const real z_23 = c_0*z_5;
     const real z_24 = p_2_dot*z_23;
@@ -335,33 +343,27 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
     const real z_26 = p_3_dot*z_23;
     const real z_27 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
     const real z_28 = c_0*(z_15*(z_22*z_22) + z_15*(z_25*z_25) + z_15*(z_27*z_27));
-    const real z_29 = p_1_dot*z_23;
-    const real z_30 = 1.0/z_3;
-    const real z_31 = c_3*z_30;
-    const real z_32 = z_14*z_5;
-    const real z_33 = R*(p_3_dot*z_30 - 2.0*p_3*z_32);
-    const real z_34 = c_3*z_32;
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_20);
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_18 + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
-    Mdot3[1][1] = ((-16.0/5.0))*(z_19 - z_17 - z_21);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(p_1_dot*z_13 + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(p_2_dot*z_13 + p_3_dot*z_18 - 4.0*z_16*z_12));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_21 - z_20);
-    f1[0] = c_2;
-    f2[0] = em_real(0.0);
     f3[0] = (8.0/5.0)*(z_22*z_24 - z_25*z_26 - 2.0*p_1*z_28);
+    const real z_29 = p_1_dot*z_23;
     f3[1] = ((-8.0/5.0))*(z_22*z_29 + 2.0*p_2*z_28 - z_27*z_26);
     f3[2] = (8.0/5.0)*(z_25*z_29 - z_27*z_24 - 2.0*p_3*z_28);
     A1[0][0] = em_real(1.0);
     A1[1][0] = em_real(0.0);
     A2[0][0] = em_real(0.0);
     A2[1][0] = em_real(1.0);
+    const real c_3 = c[15];
+    const real z_30 = 1.0/z_3;
+    const real z_31 = c_3*z_30;
     A3[0][0] = -p_3*z_31;
     A3[0][1] = -z_31;
     A3[0][2] = p_1*z_31;
     A3[1][0] = z_31;
     A3[1][1] = -p_3*z_31;
     A3[1][2] = p_2*z_31;
+    const real R = c[1];
+    const real z_32 = z_14*z_5;
+    const real z_33 = R*(p_3_dot*z_30 - 2.0*p_3*z_32);
+    const real z_34 = c_3*z_32;
     gamma[0] = (-2.0)*(p_1_dot*z_33 - p_3_dot*(R*(p_1_dot*z_30 - 2.0*p_1*z_32)) - p_2_dot*z_34);
     gamma[1] = (-2.0)*(p_2_dot*z_33 + p_1_dot*z_34 - p_3_dot*(R*(p_2_dot*z_30 - 2.0*p_2*z_32)));
 }
@@ -463,6 +465,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -484,6 +487,204 @@ extern em_lanes sphere_lanes;
 em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                    EM_UNUSED const double *restrict c, double *restrict y);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[12];
+    const double p_1 = x[2];
+    const double z_0 = p_1*p_1;
+    const double p_2 = x[3];
+    const double z_1 = p_2*p_2;
+    const double p_3 = x[4];
+    const double z_2 = p_3*p_3;
+    const double z_3 = 1.0 + z_0 + z_1 + z_2;
+    const double z_4 = z_3*z_3;
+    const double z_5 = 1.0/(z_3*z_4);
+    const double z_6 = p_1*z_5;
+    const double z_7 = z_6*z_1;
+    const double z_8 = z_6*z_2;
+    dM[62] = ((-32.0/5.0))*(c_0*(z_6 + z_7 + z_8));
+    const double z_9 = 1.0/z_4;
+    const double z_10 = p_2*z_9;
+    const double z_11 = p_2*z_5;
+    const double z_12 = z_11*z_0;
+    dM[67] = dM[63] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_12));
+    const double c_1 = c[13];
+    const double z_13 = z_6*c_1;
+    const double z_14 = p_1*z_9;
+    const double z_15 = c_0*(z_14 - 2.0*z_6*z_0) - z_13;
+    dM[68] = ((-16.0/5.0))*(z_2*z_13 - z_15);
+    const double z_16 = p_3*z_9;
+    const double z_17 = p_3*z_5;
+    const double z_18 = z_17*z_0;
+    dM[72] = dM[64] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_18));
+    const double c_5 = c[17];
+    dM[73] = dM[69] = z_6*c_5*(p_2*p_3);
+    dM[74] = ((-16.0/5.0))*(z_1*z_13 - z_15);
+    const double z_19 = z_11*c_1;
+    const double z_20 = c_0*(z_10 - 2.0*z_11*z_1) - z_19;
+    dM[87] = ((-16.0/5.0))*(z_2*z_19 - z_20);
+    dM[92] = dM[88] = ((-8.0/5.0))*(c_0*(-(4.0*z_7 - z_14)));
+    const double z_21 = z_11*z_2;
+    dM[93] = ((-32.0/5.0))*(c_0*(z_12 + z_11 + z_21));
+    dM[97] = dM[89] = z_6*c_5*(p_2*p_3);
+    const double z_22 = z_17*z_1;
+    dM[98] = dM[94] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_22));
+    dM[99] = ((-16.0/5.0))*(z_0*z_19 - z_20);
+    const double z_23 = z_17*c_1;
+    const double z_24 = c_0*(z_16 - 2.0*z_17*z_2) - z_23;
+    dM[112] = ((-16.0/5.0))*(z_1*z_23 - z_24);
+    dM[117] = dM[113] = z_6*c_5*(p_2*p_3);
+    dM[118] = ((-16.0/5.0))*(z_0*z_23 - z_24);
+    dM[122] = dM[114] = ((-8.0/5.0))*(c_0*(-(4.0*z_8 - z_14)));
+    dM[123] = dM[119] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_21));
+    dM[124] = ((-32.0/5.0))*(c_0*(z_18 + z_22 + z_17));
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double c_2 = c[14];
+    bias[0] = c_2;
+    bias[1] = 0.0;
+    const double c_0 = c[12];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_0 = 1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3;
+    const double z_1 = z_0*z_0;
+    const double z_2 = 1.0/z_1;
+    const double z_3 = c_0*z_2;
+    const double p_2_dot = v[3];
+    const double p_3_dot = v[4];
+    const double p_1_dot = v[2];
+    const double z_4 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_5 = p_2_dot*z_4;
+    const double z_6 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_7 = p_3_dot*z_6;
+    const double z_8 = 1.0/(z_0*z_1);
+    const double z_9 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_10 = c_0*(z_8*(z_4*z_4) + z_8*(z_6*z_6) + z_8*(z_9*z_9));
+    const double z_11 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_12 = z_11*z_8;
+    const double z_13 = z_4*z_12;
+    const double z_14 = z_6*z_12;
+    const double c_6 = c[18];
+    const double z_15 = z_9*z_12;
+    bias[2] = (8.0/5.0)*((z_3*z_5 - z_3*z_7 - 2.0*p_1*z_10) + (c_0*(z_2*z_5 - 4.0*p_2*z_13) + c_6*z_15 -
+        c_0*(z_2*z_7 - 4.0*p_3*z_14)));
+    const double z_16 = p_1_dot*z_4;
+    const double z_17 = p_3_dot*z_9;
+    bias[3] = ((-8.0/5.0))*((z_3*z_16 + 2.0*p_2*z_10 - z_3*z_17) - (c_0*(z_2*z_17 - 4.0*p_3*z_15) + c_6*z_14 -
+        c_0*(z_2*z_16 - 4.0*p_1*z_13)));
+    const double z_18 = p_1_dot*z_6;
+    const double z_19 = p_2_dot*z_9;
+    bias[4] = (8.0/5.0)*((z_3*z_18 - z_3*z_19 - 2.0*p_3*z_10) + (c_0*(z_2*z_18 - 4.0*p_1*z_14) + c_6*z_13 -
+        c_0*(z_2*z_19 - 4.0*p_2*z_15)));
+    const double R = c[1];
+    const double z_20 = 1.0/z_0;
+    const double z_21 = z_11*z_2;
+    const double z_22 = R*(p_3_dot*z_20 - 2.0*p_3*z_21);
+    const double c_3 = c[15];
+    const double z_23 = c_3*z_21;
+    gamma[0] = (-2.0)*(p_1_dot*z_22 - p_3_dot*(R*(p_1_dot*z_20 - 2.0*p_1*z_21)) - p_2_dot*z_23);
+    gamma[1] = (-2.0)*(p_2_dot*z_22 + p_1_dot*z_23 - p_3_dot*(R*(p_2_dot*z_20 - 2.0*p_2*z_21)));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double p_1_dot = v[2];
+    const double c_0 = c[12];
+    const double p_3 = x[4];
+    const double z_0 = p_3*p_3;
+    const double p_1 = x[2];
+    const double z_1 = p_1*p_1;
+    const double p_2 = x[3];
+    const double z_2 = p_2*p_2;
+    const double z_3 = 1.0 + z_1 + z_2 + z_0;
+    const double z_4 = 1.0/(z_3*z_3);
+    const double z_5 = z_0*z_4;
+    const double z_6 = z_4;
+    const double z_7 = z_6 + z_2*z_4;
+    const double z_8 = c_0*z_4;
+    const double z_9 = p_1*z_8;
+    const double p_2_dot = v[3];
+    const double z_10 = p_2_dot*p_2;
+    const double p_3_dot = v[4];
+    const double z_11 = p_3_dot*p_3;
+    const double z_12 = p_1_dot*z_9;
+    const double z_13 = z_1*z_4;
+    const double c_7 = c[19];
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    e[0] = (1.0/10.0)*(8.0*p_1_dot*(p_1_dot*(c_0*(z_5 + z_7)) - z_9*z_10 - z_9*z_11) + c_7*(x_dot*x_dot) +
+        c_7*(y_dot*y_dot) - 8.0*p_2_dot*(p_2*z_12 + p_2*z_8*z_11 - p_2_dot*(c_0*(z_6 + z_5 + z_13))) -
+        8.0*p_3_dot*(p_3*z_12 + p_3*z_8*z_10 - p_3_dot*(c_0*(z_13 + z_7))));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double x_ = x[0];
+    const double c_2 = c[14];
+    e[3] = -x_*c_2;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
+EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                    EM_UNUSED const double *restrict c, double *restrict y)
+{
+    const double x_dot = v[0];
+    y[0] = x_dot;
+    const double y_dot = v[1];
+    y[1] = y_dot;
+    const double p_1_dot = v[2];
+    const double p_3_dot = v[4];
+    const double p_2 = x[3];
+    const double p_2_dot = v[3];
+    const double p_3 = x[4];
+    const double p_1 = x[2];
+    const double z_0 = 1.0/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
+    y[2] = 2.0*((p_1_dot + p_3_dot*p_2 - p_2_dot*p_3)*z_0);
+    y[3] = 2.0*((p_2_dot + p_1_dot*p_3 - p_3_dot*p_1)*z_0);
+    y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_0);
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes sphere_lanes;
@@ -507,15 +708,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
                                   double prepared[N_PREPARED])
 {
     const double m = parameters[0];
-    const double R = parameters[1];
-    const double g = parameters[2];
-    const double alpha = parameters[3];
-    const double z_0 = m*(R*R);
-    const double sin_alpha = em_sin(alpha);
     M1[0][0] = m;
     M2[0][0] = m;
+    const double R = parameters[1];
+    const double z_0 = m*(R*R);
     prepared[12] = z_0;
     prepared[13] = 2.0*z_0;
+    const double g = parameters[2];
+    const double alpha = parameters[3];
+    const double sin_alpha = em_sin(alpha);
     prepared[14] = m*g*sin_alpha;
     prepared[15] = 2.0*R;
     prepared[16] = (8.0/5.0)*z_0;
@@ -541,93 +742,36 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
                         double *restrict M)
 {
     const double m = c[0];
+    M[0] = m;
+    M[5] = M[1] = 0.0;
+    M[6] = m;
+    M[10] = M[2] = 0.0;
+    M[11] = M[7] = 0.0;
     const double c_0 = c[12];
-    const double c_4 = c[16];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
     const double p_3 = x[4];
     const double z_0 = p_3*p_3;
+    const double p_1 = x[2];
     const double z_1 = p_1*p_1;
+    const double p_2 = x[3];
     const double z_2 = p_2*p_2;
     const double z_3 = 1.0 + z_1 + z_2 + z_0;
     const double z_4 = 1.0/(z_3*z_3);
     const double z_5 = z_0*z_4;
     const double z_6 = z_4;
     const double z_7 = z_6 + z_2*z_4;
-    const double z_8 = c_4*z_4;
-    const double z_9 = z_1*z_4;
-    M[0] = m;
-    M[5] = M[1] = 0.0;
-    M[6] = m;
-    M[10] = M[2] = 0.0;
-    M[11] = M[7] = 0.0;
     M[12] = (8.0/5.0)*(c_0*(z_5 + z_7));
     M[15] = M[3] = 0.0;
     M[16] = M[8] = 0.0;
+    const double c_4 = c[16];
+    const double z_8 = c_4*z_4;
     M[17] = M[13] = -z_8*(p_1*p_2);
+    const double z_9 = z_1*z_4;
     M[18] = (8.0/5.0)*(c_0*(z_6 + z_5 + z_9));
     M[20] = M[4] = 0.0;
     M[21] = M[9] = 0.0;
     M[22] = M[14] = -z_8*(p_1*p_3);
     M[23] = M[19] = -z_8*(p_2*p_3);
     M[24] = (8.0/5.0)*(c_0*(z_9 + z_7));
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double c_5 = c[17];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
-    const double p_3 = x[4];
-    const double z_0 = p_1*p_1;
-    const double z_1 = p_2*p_2;
-    const double z_2 = p_3*p_3;
-    const double z_3 = 1.0 + z_0 + z_1 + z_2;
-    const double z_4 = z_3*z_3;
-    const double z_5 = 1.0/(z_3*z_4);
-    const double z_6 = p_1*z_5;
-    const double z_7 = z_6*z_1;
-    const double z_8 = z_6*z_2;
-    const double z_9 = 1.0/z_4;
-    const double z_10 = p_2*z_9;
-    const double z_11 = p_2*z_5;
-    const double z_12 = z_11*z_0;
-    const double z_13 = z_6*c_1;
-    const double z_14 = p_1*z_9;
-    const double z_15 = c_0*(z_14 - 2.0*z_6*z_0) - z_13;
-    const double z_16 = p_3*z_9;
-    const double z_17 = p_3*z_5;
-    const double z_18 = z_17*z_0;
-    const double z_19 = z_11*c_1;
-    const double z_20 = c_0*(z_10 - 2.0*z_11*z_1) - z_19;
-    const double z_21 = z_11*z_2;
-    const double z_22 = z_17*z_1;
-    const double z_23 = z_17*c_1;
-    const double z_24 = c_0*(z_16 - 2.0*z_17*z_2) - z_23;
-    dM[62] = ((-32.0/5.0))*(c_0*(z_6 + z_7 + z_8));
-    dM[67] = dM[63] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_12));
-    dM[68] = ((-16.0/5.0))*(z_2*z_13 - z_15);
-    dM[72] = dM[64] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_18));
-    dM[73] = dM[69] = z_6*c_5*(p_2*p_3);
-    dM[74] = ((-16.0/5.0))*(z_1*z_13 - z_15);
-    dM[87] = ((-16.0/5.0))*(z_2*z_19 - z_20);
-    dM[92] = dM[88] = ((-8.0/5.0))*(c_0*(-(4.0*z_7 - z_14)));
-    dM[93] = ((-32.0/5.0))*(c_0*(z_12 + z_11 + z_21));
-    dM[97] = dM[89] = z_6*c_5*(p_2*p_3);
-    dM[98] = dM[94] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_22));
-    dM[99] = ((-16.0/5.0))*(z_0*z_19 - z_20);
-    dM[112] = ((-16.0/5.0))*(z_1*z_23 - z_24);
-    dM[117] = dM[113] = z_6*c_5*(p_2*p_3);
-    dM[118] = ((-16.0/5.0))*(z_0*z_23 - z_24);
-    dM[122] = dM[114] = ((-8.0/5.0))*(c_0*(-(4.0*z_8 - z_14)));
-    dM[123] = dM[119] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_21));
-    dM[124] = ((-32.0/5.0))*(c_0*(z_18 + z_22 + z_17));
 }
 
 /* What is factored, of which motion_bias is */
@@ -638,13 +782,13 @@ static void (*const factored)(double t, const double *restrict x, const double *
 static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                      double *restrict A, double *restrict b)
 {
+    A[0] = 1.0;
+    A[1] = 0.0;
+    const double p_3 = x[4];
     const double c_3 = c[15];
     const double p_1 = x[2];
     const double p_2 = x[3];
-    const double p_3 = x[4];
     const double z_0 = c_3/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
-    A[0] = 1.0;
-    A[1] = 0.0;
     A[2] = -p_3*z_0;
     A[3] = -z_0;
     A[4] = p_1*z_0;
@@ -664,129 +808,11 @@ static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        double *restrict gamma)
-{
-    const double R = c[1];
-    const double c_0 = c[12];
-    const double c_2 = c[14];
-    const double c_3 = c[15];
-    const double c_6 = c[18];
-    const double p_1_dot = v[2];
-    const double p_2_dot = v[3];
-    const double p_3_dot = v[4];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
-    const double p_3 = x[4];
-    const double z_0 = 1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3;
-    const double z_1 = z_0*z_0;
-    const double z_2 = 1.0/z_1;
-    const double z_3 = c_0*z_2;
-    const double z_4 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
-    const double z_5 = p_2_dot*z_4;
-    const double z_6 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
-    const double z_7 = p_3_dot*z_6;
-    const double z_8 = 1.0/(z_0*z_1);
-    const double z_9 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
-    const double z_10 = c_0*(z_8*(z_4*z_4) + z_8*(z_6*z_6) + z_8*(z_9*z_9));
-    const double z_11 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
-    const double z_12 = z_11*z_8;
-    const double z_13 = z_4*z_12;
-    const double z_14 = z_6*z_12;
-    const double z_15 = z_9*z_12;
-    const double z_16 = p_1_dot*z_4;
-    const double z_17 = p_3_dot*z_9;
-    const double z_18 = p_1_dot*z_6;
-    const double z_19 = p_2_dot*z_9;
-    const double z_20 = 1.0/z_0;
-    const double z_21 = z_11*z_2;
-    const double z_22 = R*(p_3_dot*z_20 - 2.0*p_3*z_21);
-    const double z_23 = c_3*z_21;
-    bias[0] = c_2;
-    bias[1] = 0.0;
-    bias[2] = (8.0/5.0)*((z_3*z_5 - z_3*z_7 - 2.0*p_1*z_10) + (c_0*(z_2*z_5 - 4.0*p_2*z_13) + c_6*z_15 -
-        c_0*(z_2*z_7 - 4.0*p_3*z_14)));
-    bias[3] = ((-8.0/5.0))*((z_3*z_16 + 2.0*p_2*z_10 - z_3*z_17) - (c_0*(z_2*z_17 - 4.0*p_3*z_15) + c_6*z_14 -
-        c_0*(z_2*z_16 - 4.0*p_1*z_13)));
-    bias[4] = (8.0/5.0)*((z_3*z_18 - z_3*z_19 - 2.0*p_3*z_10) + (c_0*(z_2*z_18 - 4.0*p_1*z_14) + c_6*z_13 -
-        c_0*(z_2*z_19 - 4.0*p_2*z_15)));
-    gamma[0] = (-2.0)*(p_1_dot*z_22 - p_3_dot*(R*(p_1_dot*z_20 - 2.0*p_1*z_21)) - p_2_dot*z_23);
-    gamma[1] = (-2.0)*(p_2_dot*z_22 + p_1_dot*z_23 - p_3_dot*(R*(p_2_dot*z_20 - 2.0*p_2*z_21)));
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double c_0 = c[12];
-    const double c_2 = c[14];
-    const double c_7 = c[19];
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double p_1_dot = v[2];
-    const double p_2_dot = v[3];
-    const double p_3_dot = v[4];
-    const double x_ = x[0];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
-    const double p_3 = x[4];
-    const double z_0 = p_3*p_3;
-    const double z_1 = p_1*p_1;
-    const double z_2 = p_2*p_2;
-    const double z_3 = 1.0 + z_1 + z_2 + z_0;
-    const double z_4 = 1.0/(z_3*z_3);
-    const double z_5 = z_0*z_4;
-    const double z_6 = z_4;
-    const double z_7 = z_6 + z_2*z_4;
-    const double z_8 = c_0*z_4;
-    const double z_9 = p_1*z_8;
-    const double z_10 = p_2_dot*p_2;
-    const double z_11 = p_3_dot*p_3;
-    const double z_12 = p_1_dot*z_9;
-    const double z_13 = z_1*z_4;
-    e[0] = (1.0/10.0)*(8.0*p_1_dot*(p_1_dot*(c_0*(z_5 + z_7)) - z_9*z_10 - z_9*z_11) + c_7*(x_dot*x_dot) +
-        c_7*(y_dot*y_dot) - 8.0*p_2_dot*(p_2*z_12 + p_2*z_8*z_11 - p_2_dot*(c_0*(z_6 + z_5 + z_13))) -
-        8.0*p_3_dot*(p_3*z_12 + p_3*z_8*z_10 - p_3_dot*(c_0*(z_13 + z_7))));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = -x_*c_2;
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
-}
-
 /* crossing (n_events): an event happens where its number passes through zero */
 static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                          EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
-}
-
-/* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
-static void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                  EM_UNUSED const double *restrict c, double *restrict y)
-{
-    const double x_dot = v[0];
-    const double y_dot = v[1];
-    const double p_1_dot = v[2];
-    const double p_2_dot = v[3];
-    const double p_3_dot = v[4];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
-    const double p_3 = x[4];
-    const double z_0 = 1.0/(1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3);
-    y[0] = x_dot;
-    y[1] = y_dot;
-    y[2] = 2.0*((p_1_dot + p_3_dot*p_2 - p_2_dot*p_3)*z_0);
-    y[3] = 2.0*((p_2_dot + p_1_dot*p_3 - p_3_dot*p_1)*z_0);
-    y[4] = 2.0*((p_3_dot + p_2_dot*p_1 - p_1_dot*p_2)*z_0);
 }
 
 #include "em_mechanics.h"
@@ -797,13 +823,11 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
                               double b[N_ROWS], double shared[8])
 {
     const double c_0 = c[12];
-    const double c_3 = c[15];
-    const double c_4 = c[16];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
     const double p_3 = x[4];
     const double z_0 = p_3*p_3;
+    const double p_1 = x[2];
     const double z_1 = p_1*p_1;
+    const double p_2 = x[3];
     const double z_2 = p_2*p_2;
     const double z_3 = 1.0 + z_1 + z_2 + z_0;
     const double z_4 = z_3*z_3;
@@ -811,21 +835,23 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double z_6 = z_0*z_5;
     const double z_7 = z_5;
     const double z_8 = z_7 + z_2*z_5;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
+    const double c_4 = c[16];
     const double z_9 = p_1*z_5;
     const double z_10 = c_4*z_9;
-    const double z_11 = z_1*z_5;
-    const double z_12 = p_2*p_3;
-    const double z_13 = c_3/z_3;
-    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
     M3[0][1] = M3[1][0] = -p_2*z_10;
+    const double z_11 = z_1*z_5;
     M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
     M3[0][2] = M3[2][0] = -p_3*z_10;
+    const double z_12 = p_2*p_3;
     M3[1][2] = M3[2][1] = -c_4*z_5*z_12;
     M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
     A1[0][0] = 1.0;
     A1[1][0] = 0.0;
     A2[0][0] = 0.0;
     A2[1][0] = 1.0;
+    const double c_3 = c[15];
+    const double z_13 = c_3/z_3;
     A3[0][0] = -p_3*z_13;
     A3[0][1] = -z_13;
     A3[0][2] = p_1*z_13;
@@ -849,32 +875,32 @@ EM_INLINE void settled_rates(const double *restrict x, const double *restrict v,
                              const double shared[8], double Mdot3[N3][N3])
 {
     const double c_0 = c[12];
-    const double c_1 = c[13];
-    const double z_5 = shared[0];
-    const double z_0 = shared[1];
-    const double z_3 = shared[2];
-    const double z_4 = shared[3];
-    const double z_2 = shared[4];
-    const double z_9 = shared[5];
-    const double z_1 = shared[6];
-    const double z_12 = shared[7];
-    const double p_1_dot = v[2];
-    const double p_2_dot = v[3];
     const double p_3_dot = v[4];
-    const double p_1 = x[2];
-    const double p_2 = x[3];
     const double p_3 = x[4];
     const double z_14 = p_3_dot*p_3;
+    const double z_5 = shared[0];
+    const double z_0 = shared[1];
+    const double p_1_dot = v[2];
+    const double p_1 = x[2];
+    const double p_2_dot = v[3];
+    const double p_2 = x[3];
     const double z_15 = p_2_dot*p_2;
+    const double z_3 = shared[2];
+    const double z_4 = shared[3];
     const double z_16 = (p_1_dot*p_1 + z_15 + z_14)/(z_3*z_4);
     const double z_17 = c_0*(z_14*z_5 - 2.0*z_0*z_16);
+    const double z_2 = shared[4];
+    const double c_1 = c[13];
     const double z_18 = c_1*z_16;
     const double z_19 = c_0*(z_15*z_5 - 2.0*z_2*z_16) - z_18;
-    const double z_20 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
     Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_19);
+    const double z_9 = shared[5];
     Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_2) + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
+    const double z_1 = shared[6];
+    const double z_20 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
     Mdot3[1][1] = ((-16.0/5.0))*(z_18 - z_17 - z_20);
     Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_3) + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
+    const double z_12 = shared[7];
     Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(z_5*(p_2_dot*p_3) + z_5*(p_3_dot*p_2) - 4.0*z_16*z_12));
     Mdot3[2][2] = ((-16.0/5.0))*(-z_20 - z_19);
 }
@@ -1116,4 +1142,5 @@ const em_model sphere_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:c0628f6e11b50e2406d57ef2cd6afc060053c05a03b45712e1c9a6cf369da9c7 */
-/* body sha256:bbde9a364308f6077448e785f446b17eb017a202414382aa52935e15c854c26f */
+/* body sha256:efd67f1b06a7e2272957877dd1657d2904c45fe1c1ed34485d4913e0e65b22dc */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -53,20 +53,22 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 
+#ifndef EM_ASIDE_ALONE
+
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                   real Mdot1[N1][N1], real f1[N1])
 {
-    const real k_z = c[2];
-    const real c_0 = c[3];
     const real x_dot = v[0];
-    const real z_dot = v[1];
-    const real x_ = x[0];
-    const real z = x[1];
     Mdot1[0][0] = 0.5*x_dot;
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = (-0.5)*x_dot;
+    const real z_dot = v[1];
+    const real x_ = x[0];
+    const real c_0 = c[3];
     f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
+    const real k_z = c[2];
+    const real z = x[1];
     f1[1] = -k_z*z;
 }
 
@@ -124,9 +126,9 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 /* M of the blocks that vary: the lower triangle */
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
 {
-    const real gap = c[0];
     const real x_ = x[0];
     M1[0][0] = 0.5*(x_ + 4.0);
+    const real gap = c[0];
     M1[1][0] = gap;
     M1[1][1] = 0.5*(4.0 - x_);
 }
@@ -135,16 +137,16 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
                                  real Mdot1[N1][N1], real f1[N1])
 {
-    const real k_z = c[2];
-    const real c_0 = c[3];
     const real x_dot = v[0];
-    const real z_dot = v[1];
-    const real x_ = x[0];
-    const real z = x[1];
     Mdot1[0][0] = 0.5*x_dot;
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
     Mdot1[1][1] = (-0.5)*x_dot;
+    const real z_dot = v[1];
+    const real x_ = x[0];
+    const real c_0 = c[3];
     f1[0] = 0.25*(x_dot*x_dot - z_dot*z_dot - x_*c_0);
+    const real k_z = c[2];
+    const real z = x[1];
     f1[1] = -k_z*z;
 }
 
@@ -191,6 +193,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
@@ -213,6 +216,78 @@ em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+
+#else
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.5;
+    dM[3] = -0.5;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double x_dot = v[0];
+    const double z_0 = x_dot*x_dot;
+    const double z_dot = v[1];
+    const double x_ = x[0];
+    const double c_0 = c[3];
+    bias[0] = (-0.25)*(2.0*z_0 - (z_0 - z_dot*z_dot - x_*c_0));
+    const double z = x[1];
+    const double c_1 = c[4];
+    bias[1] = 0.5*(x_dot*z_dot - z*c_1);
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double x_dot = v[0];
+    const double x_ = x[0];
+    const double z_dot = v[1];
+    const double c_2 = c[5];
+    e[0] = 0.25*(x_dot*(x_dot*(x_ + 4.0) + z_dot*c_2) + z_dot*(z_dot*(4.0 - x_) + x_dot*c_2));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double k_x = c[1];
+    const double k_z = c[2];
+    const double z = x[1];
+    e[3] = 0.5*(k_x*(x_*x_) + k_z*(z*z));
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
 /* Where the other is linked it takes the place of this. */
 extern em_lanes veering_lanes;
 EM_WEAK em_lanes veering_lanes = {0, NULL, NULL, NULL};
@@ -231,11 +306,11 @@ static const em_block *const blocks[] = { &block1, NULL };
 /* What other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
-    const double gap = parameters[0];
     const double k_x = parameters[1];
-    const double k_z = parameters[2];
     prepared[3] = 4.0*k_x;
+    const double k_z = parameters[2];
     prepared[4] = 2.0*k_z;
+    const double gap = parameters[0];
     prepared[5] = 2.0*gap;
 }
 
@@ -252,21 +327,11 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
                         double *restrict M)
 {
-    const double gap = c[0];
     const double x_ = x[0];
     M[0] = 0.5*(x_ + 4.0);
+    const double gap = c[0];
     M[2] = M[1] = gap;
     M[3] = 0.5*(4.0 - x_);
-}
-
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-static void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                 EM_UNUSED const double *restrict c, double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.5;
-    dM[3] = -0.5;
 }
 
 /* What is factored, of which motion_bias is */
@@ -287,47 +352,6 @@ static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-static void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                        EM_UNUSED double *restrict gamma)
-{
-    const double c_0 = c[3];
-    const double c_1 = c[4];
-    const double x_dot = v[0];
-    const double z_dot = v[1];
-    const double x_ = x[0];
-    const double z = x[1];
-    const double z_0 = x_dot*x_dot;
-    bias[0] = (-0.25)*(2.0*z_0 - (z_0 - z_dot*z_dot - x_*c_0));
-    bias[1] = 0.5*(x_dot*z_dot - z*c_1);
-}
-
-/* e (4): T2, T1, T0, V                                                                                          (4) */
-static void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                   const double *restrict c, double *restrict e)
-{
-    const double k_x = c[1];
-    const double k_z = c[2];
-    const double c_2 = c[5];
-    const double x_dot = v[0];
-    const double z_dot = v[1];
-    const double x_ = x[0];
-    const double z = x[1];
-    e[0] = 0.25*(x_dot*(x_dot*(x_ + 4.0) + z_dot*c_2) + z_dot*(z_dot*(4.0 - x_) + x_dot*c_2));
-    e[1] = 0.0;
-    e[2] = 0.0;
-    e[3] = 0.5*(k_x*(x_*x_) + k_z*(z*z));
-}
-
-/* out (n_outputs), from x, v, a = xddot, lambda */
-static void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                    EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                    EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                    EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
-{
-}
-
 /* crossing (n_events): an event happens where its number passes through zero */
 static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                          EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
@@ -340,9 +364,9 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
 {
-    const double gap = c[0];
     const double x_ = x[0];
     M1[0][0] = 0.5*(x_ + 4.0);
+    const double gap = c[0];
     M1[0][1] = M1[1][0] = gap;
     M1[1][1] = 0.5*(4.0 - x_);
 }
@@ -545,4 +569,5 @@ const em_model veering_model = {
     .event = model_events,
 };
 
+#endif
 #endif

@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import sysconfig
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,7 +18,7 @@ import eigenmotion as em
 from eigenmotion.building.build import cached_sources, compiled, make
 from eigenmotion.building.extension import load
 from eigenmotion.building.request import generator_hash, order
-from eigenmotion.building.toolchain import EXTENSION_SUFFIX, OPTIMISED, Toolchain, toolchain
+from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, OPTIMISED, Toolchain, toolchain
 
 ROOT = Path(__file__).parents[1]
 PENDULUM = ROOT / "models" / "pendulum.py"
@@ -106,6 +107,23 @@ def test_output_gets_sources_and_an_importable_module(tmp_path):
               "print(one.system.name, pickle.loads(text) is one.system, b'generated.pendulum' in text)")  # fmt: skip
     done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout.split() == ["pendulum", "True", "True"]
+
+
+def test_the_cython_source_makes_the_same_module(tmp_path):
+    """For those who build it themselves: NAME.pyx by Cython, with NAME.c beside it."""
+    for file in cached_sources(order(PENDULUM)).files:
+        (tmp_path / file.name).write_text(file.text)
+    (tmp_path / "glue").mkdir()  # NAME.c is there already
+    headers = [f"-I{path}" for path in (INCLUDE, sysconfig.get_path("include"))]
+    target = f"pendulum{EXTENSION_SUFFIX}"
+    for command in (
+        [sys.executable, "-m", "cython", "-3", "--module-name=pendulum", "pendulum.pyx", "-o", "glue/pendulum.c"],
+        ["cc", "-O0", "-fPIC", "-shared", *headers, "glue/pendulum.c", "pendulum.c", "-lm", "-o", target],
+    ):
+        subprocess.run(command, cwd=tmp_path, check=True, capture_output=True)
+    script = "from pendulum import system; print(system.name, system.compiled.recipe.args)"
+    done = subprocess.run([sys.executable, "-c", script], cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "pendulum ('pendulum',)"
 
 
 def test_two_processes_build_the_same_model_at_once(own_cache):
@@ -215,8 +233,8 @@ def test_headers_name_no_file_that_is_not_there():
     assert "eigenmotion.build(<Model swing>, formulation='lagrange'" in first
 
 
-@pytest.mark.parametrize("name", ["Python", "code", "a" * 200])
-def test_a_model_may_be_called_like_a_header_or_a_function(name):
+@pytest.mark.parametrize("name", ["Python", "code", "EOF", "Py_None", "a" * 200])
+def test_a_model_may_be_called_like_a_header_a_function_or_a_macro(name):
     assert em.build(swing(name), formulation="lagrange", flags="-O0").name == name
 
 

@@ -1,6 +1,7 @@
 """A build proves itself: planted faults are found before anything is kept, and what is right passes."""
 
 import logging
+import re
 import shutil
 import sys
 from dataclasses import replace
@@ -154,7 +155,8 @@ def changed(model, function, old, new, formulation="eigenfactor"):
     sources = generate(model, Choices(formulation))
     files = []
     for file in sources.files:
-        before, start, rest = file.text.partition(f" {function}(")
+        head = re.search(rf" {function}\([^;{{]*\n{{", file.text)  # of the definition
+        before, start, rest = file.text.partition(head[0] if head else f" {function}(")
         body, end, after = rest.partition("\n}\n")
         assert not start or body.count(old) == 1
         files.append(replace(file, text=before + start + body.replace(old, new) + end + after))

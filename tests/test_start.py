@@ -9,6 +9,7 @@ from eigenmotion.codegen.model import ModelError
 from sympy import log, sin, sqrt
 
 from eigenmotion.running.start import _first_bad_pivot, _Start, start_state
+from eigenmotion.runtime import forgiven
 
 from .generation import system_for, system_of
 from .hand_written import bead
@@ -30,7 +31,7 @@ def consistent(name: str, formulation: str = "inverse"):
 def refusal(*at: Any) -> str:
     """What the checks in words say; "" where nothing is wrong."""
     try:
-        _Start(*at).examined(10 * RTOL, np.full(at[0].n, 10 * ATOL))
+        _Start(*at).examined(*forgiven(RTOL, np.full(at[0].n, ATOL)))
     except ModelError as error:
         return str(error)
     return ""
@@ -40,11 +41,11 @@ def refusal(*at: Any) -> str:
 def test_both_checks_refuse_the_same_starts(name):
     """Starts moved by 1e-16 to 1 in random directions: on both sides of the tolerance, and never between the checks."""
     model, prepared, t, x0, v0 = consistent(name)
-    random, refused, least = np.random.default_rng(1), 0, np.full(model.n, 10 * ATOL)
+    random, refused, atol = np.random.default_rng(1), 0, np.full(model.n, ATOL)
     for size in 10.0 ** random.uniform(-16, 0, 400):
         dx, dv = random.choice((0.0, size)) * random.normal(size=model.n), size * random.normal(size=model.n)
         at = (model, prepared, t, x0 + dx, v0 + dv)
-        words, y = refusal(*at), model.start(t, x0 + dx, v0 + dv, prepared, 10 * RTOL, least)
+        words, y = refusal(*at), model.start(t, x0 + dx, v0 + dv, prepared, RTOL, atol)
         refused += words != ""
         assert (y is None) == (words != ""), (size, words)
         if y is None:

@@ -44,6 +44,7 @@ class Draft:
     arguments : their names, where others rely on them; else they are what the kernel reads and assigns
     actual : what the caller calls them, where that differs
     on_lanes : whether it computes with `real` (em_real.h) in place of double
+    aside : whether no step calls it, so that it may be compiled beside what steps call
     """
 
     name: str
@@ -51,6 +52,7 @@ class Draft:
     arguments: tuple[str, ...] = ()
     actual: Mapping[str, str] | None = None
     on_lanes: bool = False
+    aside: bool = False
 
     @property
     def number(self) -> str:
@@ -63,15 +65,13 @@ class Kernel:
     """A straight-line function as C text.
 
     head : its first line; declared, call : how its caller declares what it assigns (if it must), and calls it
-    loads, temporaries, outputs : its statements
+    statements : in the order in which they are needed, so that a compiler keeps few values at a time
     """
 
     head: str
     declared: str
     call: str
-    loads: tuple[str, ...]
-    temporaries: tuple[str, ...]
-    outputs: tuple[str, ...]
+    statements: tuple[str, ...]
     cost: Cost
 
 
@@ -107,15 +107,20 @@ class _Scope:
         self.draft = draft
         self.names: dict[int, str] = {}
         self.printer = Printer(plan, self.names, draft.on_lanes)
-        self.read: dict[str, list[tuple[int, str]]] = {}
-        self.temporaries: list[str] = []
+        self.read: set[str] = set()
+        self.statements: list[str] = []
         self.shares: list[str] = []
 
     def load(self, array: str, place: int | None, identifier: str) -> None:
         """Give a number of an array its name here."""
-        loads = self.read.setdefault(array, [])
+        self.read.add(array)
         if place is not None:
-            loads.append((place, f"const {self.draft.number} {identifier} = {array}[{place}];"))
+            self.statements.append(f"const {self.draft.number} {identifier} = {array}[{place}];")
+
+    def assign(self, entry: Entry) -> None:
+        """Write what the kernel is for, of which all parts have their names."""
+        text = self.printer.whole(self.printer.plan.roots[entry.node])
+        self.statements.append(_wrap(f"{_targets(entry)} = {text};"))
 
 
 class _Writer:
@@ -135,6 +140,7 @@ class _Writer:
         self.here = _Scope(draft, self.plan)
         for entry in draft.entries:
             self._need(self.plan.roots[entry.node])
+            self.here.assign(entry)
         return self.here
 
     def _need(self, root: int) -> None:
@@ -191,7 +197,7 @@ class _Writer:
         name = free(self._named_after(value), self.taken)
         self.taken.add(name)
         number = self.here.draft.number
-        self.here.temporaries.append(_wrap(f"const {number} {name} = {self.here.printer.bare(value)};"))
+        self.here.statements.append(_wrap(f"const {number} {name} = {self.here.printer.bare(value)};"))
         self.here.names[value] = name
         self.known[value] = name, self.here
 
@@ -207,22 +213,18 @@ class _Writer:
 
 
 def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
-    draft, plan = scope.draft, scope.printer.plan
+    draft = scope.draft
     results = list(dict.fromkeys(entry.array for entry in draft.entries))
     if scope.shares:
         results.append(Array(SHARED, f"[{handed}]"))
     read = [name for name in (*INPUTS, SHARED) if name in scope.read]
     names = [*read, *(array.name for array in results)]
     actual = draft.actual or {}
-    outputs = tuple(
-        _wrap(f"{_targets(entry)} = {scope.printer.whole(plan.roots[entry.node])};") for entry in draft.entries
-    )
     return Kernel(
         head=_head(draft, names) if draft.arguments else _inner_head(draft, read, results, handed),
         declared=_folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
-        loads=tuple(load for array in sorted(scope.read) for _, load in sorted(scope.read[array])),
-        temporaries=tuple(scope.temporaries), outputs=(*outputs, *scope.shares), cost=cost,
+        statements=(*scope.statements, *scope.shares), cost=cost,
     )  # fmt: skip
 
 
@@ -234,7 +236,7 @@ def _head(draft: Draft, used: Sequence[str]) -> str:
     """Of a function that others call: its arguments are given, and marked where it does not use them."""
     given = [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
     marked = [("" if name in used else "EM_UNUSED ") + text for name, text in zip(draft.arguments, given, strict=True)]
-    return _folded(f"static void {draft.name}(", marked, ")")
+    return _folded(f"{'EM_ASIDE' if draft.aside else 'static'} void {draft.name}(", marked, ")")
 
 
 def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:

@@ -71,9 +71,9 @@ class _Writing:
     def expanded(self, entry: Entry) -> Entry:
         return replace(entry, node=self.terms.expanded(entry.node))
 
-    def one(self, name: str, entries: Sequence[Entry], *arguments: str) -> Kernel:
+    def one(self, name: str, entries: Sequence[Entry], *arguments: str, aside: bool = False) -> Kernel:
         """Write a function that others call by these arguments."""
-        return self.write(Draft(name, entries, arguments))[0]
+        return self.write(Draft(name, entries, arguments, aside=aside))[0]
 
     # -- assignments ---------------------------------------------------------------------------------------------
 
@@ -191,7 +191,7 @@ class _Writing:
         """What is not zero, since the rest is cleared before."""
         zero, square = self.terms.graph.zero, self.scene.n**2
         entries = [entry for k, M in enumerate(dM) for entry in self.whole("dM", k * square, M) if entry.node != zero]
-        return self.one(name, entries or [Entry(Array("dM", ""), ("[0]",), zero)], "t", "x", "c", "dM")
+        return self.one(name, entries or [Entry(Array("dM", ""), ("[0]",), zero)], "t", "x", "c", "dM", aside=True)
 
     def whole(self, name: str, first: int, M: Rows) -> list[Entry]:
         """A symmetric matrix (n, n), both triangles, from the place `first` on."""
@@ -217,15 +217,15 @@ class _Writing:
 
     def bias(self) -> Kernel:
         entries = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma)]
-        return self.one("motion_bias", entries, "t", "x", "v", "c", "u", "bias", "gamma")
+        return self.one("motion_bias", entries, "t", "x", "v", "c", "u", "bias", "gamma", aside=True)
 
     def energy(self) -> Kernel:
         entries = self.column("e", (self.terms.T2, self.terms.T1, self.terms.T0, self.terms.V))
-        return self.one("energy", entries, "t", "x", "v", "c", "e")
+        return self.one("energy", entries, "t", "x", "v", "c", "e", aside=True)
 
     def outputs(self) -> Kernel:
         entries = self.column("out", (self.terms.node(expression) for _, expression in self.mechanics.outputs))
-        return self.one("observe", entries, "t", "x", "v", "a", "lambda", "c", "u", "out")
+        return self.one("observe", entries, "t", "x", "v", "a", "lambda", "c", "u", "out", aside=True)
 
     def events(self) -> Kernel:
         entries = self.column("crossing", (self.terms.node(expression) for _, expression in self.mechanics.events))
@@ -233,7 +233,7 @@ class _Writing:
 
     def quasi(self) -> Kernel:
         entries = self.column("y", (self.terms.node(row) for _, row in self.mechanics.quasi_velocities))
-        return self.one("quasi", entries, "t", "x", "v", "c", "y")
+        return self.one("quasi", entries, "t", "x", "v", "c", "y", aside=True)
 
     def prepared(self) -> Kernel:
         """M of the fixed blocks, then the constants that the other kernels asked for."""

@@ -20,7 +20,6 @@ class Asked:
 
     method : em_method of eigenmotion.h; None where the method is not compiled
     end_only : the one row of a run is where it ends
-    tolerance, least : what a start may be off the constraints
     """
 
     model: CompiledModel
@@ -37,8 +36,6 @@ class Asked:
     max_steps: int
     stabilise: bool
     least_norm: bool
-    tolerance: float
-    least: Vector
 
     def task(self, prepared: Any, inputs: Inputs, y: Vector) -> Task:
         """Return the run of one member."""

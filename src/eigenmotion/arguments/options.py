@@ -8,13 +8,12 @@ from numpy.typing import ArrayLike
 
 from ..codegen.model.normalise import ModelError, number, real, shown
 from ..runtime import CompiledModel, Prepared
+from ..runtime.plain import MOST_STEPS
 from .names import Vector, overlay, unknown, vector
 from .signals import Inputs
 
 DEFAULT_ATOL = 1e-9
-MOST_STEPS = 10**15
-"""Each of them counted exactly as a double; at a nanosecond a step, twelve days."""
-_DEPENDENT = {"refuse": False, "least_norm": True}
+DEPENDENT = {"refuse": False, "least_norm": True}
 
 
 class OptionError(ModelError, TypeError):
@@ -56,6 +55,8 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
     ModelError
         Not one of the known words; lists them.
     """
+    if type(given) is str and given in known:
+        return known[given]
     if not isinstance(given, str):
         raise ModelError(f"{what} is {shown(given)}, not one of the words {', '.join(known)}")
     if given.lower() not in known:
@@ -66,7 +67,7 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
 
 def least_norm_of(dependent_constraints: str) -> bool:
     """Whether dependent constraint rows get multipliers of least norm."""
-    chosen: bool = choice(dependent_constraints, _DEPENDENT, "dependent_constraints")
+    chosen: bool = choice(dependent_constraints, DEPENDENT, "dependent_constraints")
     return chosen
 
 

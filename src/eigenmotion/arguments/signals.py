@@ -3,11 +3,11 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from importlib import import_module
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 
 from ..codegen.model.normalise import ModelError, number, shown
 from .names import Vector, by_name, vector
@@ -64,20 +64,25 @@ class Signal:
             return np.asarray(values[np.searchsorted(times, inside, side="right") - 1])
         if self.kind == "linear":
             return np.asarray(np.interp(inside, times, values))
-        return np.asarray(CubicSpline(times, values)(inside))
+        return np.asarray(_spline(times, values)(inside))
 
     @property
     def compiled(self) -> Compiled:
         """Kind, times and values as `em_signal` has them."""
         times, values = np.asarray(self.times), np.asarray(self.values)
         if self.kind == "cubic":  # (k - 1, 4), highest power first, time from the left sample on
-            values = CubicSpline(times, values).c.T.ravel()
+            values = _spline(times, values).c.T.ravel()
         return _KINDS[self.kind], times, values
 
     @property
     def kinks(self) -> Vector:
         """Times at which u or its rate jumps."""
         return np.empty(0) if self.kind == "cubic" else np.asarray(self.times)
+
+
+def _spline(times: Vector, values: Vector) -> Any:
+    """Return the not-a-knot spline. SciPy's takes a while to import, and few signals are cubic."""
+    return import_module("scipy.interpolate").CubicSpline(times, values)
 
 
 @dataclass(frozen=True, eq=False)

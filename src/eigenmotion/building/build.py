@@ -3,19 +3,21 @@
 import logging
 import sys
 from functools import cache, partial
-from importlib.metadata import version
 from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import SourceFile, Sources, body_hash
 from ..codegen.model import Model
 from ..files import write
-from ..system.system import System
 from .cache import entry, guarded, key
 from .errors import FolderError
 from .extension import compile_in, load
 from .request import Order, order
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
+
+if TYPE_CHECKING:
+    from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
 
@@ -30,7 +32,7 @@ def build(
     compiler: str | None = None,
     flags: str | None = None,
     **keywords: object,
-) -> System:
+) -> "System":
     """Generate, compile and import; what was built before is taken from the cache.
 
     Parameters
@@ -64,7 +66,7 @@ def build(
 
 
 def system_of(wanted: Order, compiler: str | None = None, flags: str | None = None, output: Path | None = None
-              ) -> System:  # fmt: skip
+              ) -> "System":  # fmt: skip
     """Return the System of an order, which pickles as that order."""
     system = load(make(wanted, toolchain(compiler, flags), output))
     system.compiled.recipe = partial(system_of, wanted, compiler, flags)
@@ -125,13 +127,13 @@ def _generate(wanted: Order, folder: Path) -> None:
 
 @cache
 def _abi() -> str:
-    """Hash of the headers that are compiled in."""
-    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.h"))))
+    """Hash of the headers that are compiled in, and of what makes a module of a model."""
+    return key(*(path.read_bytes() for path in sorted(INCLUDE.glob("*.[ch]"))))
 
 
 def _python() -> str:
-    """Interpreter and libraries whose binary interfaces the module uses."""
-    return key(sys.version, EXTENSION_SUFFIX, version("cython"), version("numpy"))
+    """The interpreter, whose binary interface the module uses."""
+    return key(sys.version, EXTENSION_SUFFIX)
 
 
 @cache

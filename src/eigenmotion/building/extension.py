@@ -4,26 +4,25 @@ import logging
 import shutil
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from importlib import import_module
 from importlib.machinery import ExtensionFileLoader, ModuleSpec
 from importlib.util import module_from_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from threading import Lock
 from types import ModuleType
+from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import Sources
 from ..codegen.model import Model
-from ..system.system import System
 from .cache import LOCATION
 from .errors import BuildError
-from .proof import prove
-from .toolchain import EXTENSION_SUFFIX, Toolchain
+from .toolchain import EXTENSION_SUFFIX, UNITS, Toolchain
+
+if TYPE_CHECKING:
+    from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
-_translating = Lock()  # Cython keeps what it knows in modules
-GLUE = "glue"
 
 
 def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None) -> None:
@@ -36,7 +35,10 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
         work = Path(place)
         for file in sources.files:
             (work / file.name).write_text(file.text, encoding="utf-8")
-        compile_and_link(work, sources.name, tools)
+        with ThreadPoolExecutor(max_workers=1) as pool:
+            built = pool.submit(compile_and_link, work, sources.name, tools)
+            from .proof import prove  # noqa: PLC0415, half a second with all that runs a model, while compilers work
+        built.result()
         module = f"{sources.name}{EXTENSION_SUFFIX}"
         if model is not None:
             prove(model, _loaded_apart(work / module, sources.name))
@@ -44,34 +46,17 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
 
 
 def compile_and_link(work: Path, name: str, tools: Toolchain) -> None:
-    """NAME.c, and NAME.pyx -> glue/NAME.c, into one module.
-
-    In a folder of its own, what Cython writes finds Python's headers also where NAME is `Python` or `code`.
-    """
-    glue = f"{GLUE}/{name}"
-    (work / GLUE).mkdir()
-    with ThreadPoolExecutor(max_workers=2) as pool:
-        model = pool.submit(tools.compile_model, work, name)
-        lanes = pool.submit(tools.compile_lanes, work, name)
-        translate(work, name, f"{glue}.c")
-        tools.compile_glue(work, glue)
-        model.result()
-        lanes.result()
-    tools.link(work, (name, f"{name}_lanes", glue), name)
+    """The units of NAME.c, and what makes a module of them, side by side; then the module."""
+    with ThreadPoolExecutor(max_workers=len(UNITS) + 1) as pool:
+        units = [pool.submit(tools.compile_unit, work, name, unit) for unit in UNITS]
+        units.append(pool.submit(tools.compile_module, work, name))
+        tools.link(work, tuple(unit.result() for unit in units), name)
 
 
-def translate(work: Path, name: str, target: str) -> None:
-    """NAME.pyx -> C. In this process: Cython takes nearly a second to start, and the second file a tenth of that."""
-    compiler = import_module("Cython.Compiler.Main")  # not before a model is compiled
-    with _translating:
-        options = {"language_level": 3, "output_file": str(work / target)}
-        done = compiler.compile(str(work / f"{name}.pyx"), full_module_name=name, **options)
-    if done.num_errors:
-        raise BuildError(f"Cython refused {name}.pyx, and said why on the standard error output")
-
-
-def load(binary: Path) -> System:
+def load(binary: Path) -> "System":
     """Import the extension module at `binary`, once a process, and return its `system`."""
+    from ..system.system import System  # noqa: PLC0415, as above
+
     stem = binary.name.removesuffix(EXTENSION_SUFFIX)
     name = f"_eigenmotion_{binary.parent.name}.{stem}"
     with _loading:
@@ -97,7 +82,7 @@ def _executed(name: str, binary: Path) -> ModuleType:
     return module
 
 
-def _loaded_apart(binary: Path, stem: str) -> System:
+def _loaded_apart(binary: Path, stem: str) -> "System":
     """Return the System of a module that is loaded from here this once; what is imported later is a copy of it."""
     with _loading:
         system: System = _executed(f"_eigenmotion_apart.{stem}", binary).system

@@ -21,8 +21,10 @@ OPTIMISED = (
 """Default flags, as far as a compiler knows them (docs/flags.md)."""
 STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend its code
 SHARED = ("-fPIC", "-fvisibility=hidden")
-GLUE = ("-O1", "-fwrapv", "-w")  # what Cython writes: seldom called, not ours to lint
+MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
+UNITS = {"steps": "EM_ASIDE_ELSEWHERE", "aside": "EM_ASIDE_ALONE", "lanes": "EM_ON_LANES"}
+"""What a model's C file is compiled to, side by side, and the macro that says so."""
 FLAGS = "EIGENMOTION_CFLAGS"
 _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
@@ -47,7 +49,7 @@ class Toolchain:
         The macros that the compiler predefines tell all three.
         """
         macros = self._run(*self.optimised, *self.flags, *_MACROS)
-        flags = (*self.optimised, *STANDARD, *SHARED, *GLUE, *LINK, *self.flags)
+        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *LINK, *UNITS, *UNITS.values(), *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
     @property
@@ -59,24 +61,23 @@ class Toolchain:
             name = Path(self.command[0]).name
         return {"compiler": name, "flags": " ".join((*self.optimised, *self.flags))}
 
-    def compile_model(self, folder: Path, stem: str) -> None:
-        """STEM.c -> STEM.o."""
-        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}")
-        self._run(*flags, "-c", f"{stem}.c", "-o", f"{stem}.o", folder=folder)
+    def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
+        """STEM.c -> STEM_UNIT.o, a part of it, of which the name is returned."""
+        target = f"{stem}_{unit}.o"
+        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", f"-D{UNITS[unit]}")
+        self._run(*flags, "-c", f"{stem}.c", "-o", target, folder=folder)
+        return target
 
-    def compile_lanes(self, folder: Path, stem: str) -> None:
-        """STEM.c -> STEM_lanes.o, its right-hand side on vectors."""
-        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", "-DEM_ON_LANES")
-        self._run(*flags, "-c", f"{stem}.c", "-o", f"{stem}_lanes.o", folder=folder)
-
-    def compile_glue(self, folder: Path, stem: str) -> None:
-        """STEM.c, written by Cython -> STEM.o."""
+    def compile_module(self, folder: Path, stem: str) -> str:
+        """em_module.c -> STEM_module.o, with which the model is Python's module STEM."""
         headers = (f"-I{INCLUDE}", f"-I{sysconfig.get_path('include')}", f"-I{sysconfig.get_path('platinclude')}")
-        self._run(*GLUE, *SHARED, *headers, "-c", f"{stem}.c", "-o", f"{stem}.o", folder=folder)
+        names = (f"-DEM_MODEL={stem}_model", f"-DEM_INIT=PyInit_{stem}")
+        source, target = str(INCLUDE / "em_module.c"), f"{stem}_module.o"
+        self._run(*MODULE, *SHARED, *headers, *names, "-c", source, "-o", target, folder=folder)
+        return target
 
-    def link(self, folder: Path, stems: tuple[str, ...], name: str) -> None:
-        """STEM.o ... -> the extension module NAME."""
-        objects = [f"{stem}.o" for stem in stems]
+    def link(self, folder: Path, objects: tuple[str, ...], name: str) -> None:
+        """Object files -> the extension module NAME."""
         self._run(*LINK, *SHARED, *self.flags, *objects, "-lm", "-o", f"{name}{EXTENSION_SUFFIX}", folder=folder)
 
     def _takes(self, *flags: str) -> bool:

@@ -16,7 +16,6 @@ from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.ensemble import Ensemble
 from ..running.methods import METHODS
 from ..running.simulate import STABILISATIONS, is_system
-from ..running.start import forgiven
 from . import memory
 from .executors import in_executor
 from .gather import gather
@@ -99,7 +98,6 @@ def simulate_ensemble(
         np.array([end]) if times is None else times, times is None,
         *step_limits(first_step, max_step, max_steps, abs(end - start)),
         choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm_of(dependent_constraints),
-        *forgiven(relative, absolute),
     )  # fmt: skip
     members = gather(system, start, x0, v0, parameters, inputs)
     _check_signals(system, members, start, end)

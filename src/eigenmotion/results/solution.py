@@ -99,7 +99,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     _rows: Trajectory | None
 
     def __init__(self, rows: Trajectory | None, fields: dict[str, Any]) -> None:
-        super().__init__(fields)
+        dict.__init__(self, fields)
         object.__setattr__(self, "_rows", rows)
 
     def __missing__(self, name: str) -> Any:

@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any, Never
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arguments import options
 from ..arguments.names import Vector, unknown
-from ..arguments.options import OptionError, Task, choice, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.options import OptionError, Task, choice
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
-from ..runtime import CompiledModel, EvaluationError, Run
+from ..runtime import CompiledModel, EvaluationError, Run, plain
 from .error_estimate import with_error_estimate
 from .methods import METHODS, Method
 from .start import start_state
@@ -96,39 +97,56 @@ def simulate(
     ModelError
         Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
     """
-    _check_call(system, positional, misspelt)
+    if positional or misspelt or not is_system(system):
+        raise _refused(system, positional, misspelt)
     chosen = METHODS[choice(method, _METHODS, "method")]
-    start, end = span(t_span)
-    relative, absolute = tolerances(system.compiled, rtol, atol)
-    first, longest, most = step_limits(first_step, max_step, max_steps, abs(end - start))
-    prepared = _prepared(system, parameters)
-    signals = _inputs(system, inputs, start, end)
-    x, v = system.start(x0, v0, start, prepared)
-    y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
-    stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
-    task = Task(
-        system.compiled, prepared, signals, start, end, y, relative, absolute,
-        rows_at(t_eval, start, end), truth(dense_output, "dense_output"), first, longest, most, stabilise,
-        least_norm_of(dependent_constraints),
+    compiled = system.compiled
+    task = None if inputs is not None else plain.task(
+        Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
+        first_step, max_step, max_steps, stabilisation, STABILISATIONS, dependent_constraints, options.DEPENDENT,
     )  # fmt: skip
+    if task is None:
+        task = _checked(
+            system, t_span, x0, v0, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
+            max_steps, stabilisation, dependent_constraints,
+        )  # fmt: skip
     if estimate_error is False:
         return run_task(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
     return with_error_estimate(task, chosen, checker, run_task)
 
 
-def _check_call(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> None:
-    """Refuse what Python would take, or refuse in words that do not help."""
+def _checked(
+    system: "System", t_span: Any, x0: Any, v0: Any, parameters: Any, inputs: Any, rtol: Any, atol: Any, t_eval: Any,
+    dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any, dependent_constraints: Any,
+) -> Task:  # fmt: skip
+    """Return the task, of all that means one; what does not is refused by its name."""
+    start, end = options.span(t_span)
+    relative, absolute = options.tolerances(system.compiled, rtol, atol)
+    first, longest, most = options.step_limits(first_step, max_step, max_steps, abs(end - start))
+    prepared = _prepared(system, parameters)
+    signals = _inputs(system, inputs, start, end)
+    x, v = system.start(x0, v0, start, prepared)
+    y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
+    stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
+    return Task(
+        system.compiled, prepared, signals, start, end, y, relative, absolute, options.rows_at(t_eval, start, end),
+        truth(dense_output, "dense_output"), first, longest, most, stabilise,
+        options.least_norm_of(dependent_constraints),
+    )  # fmt: skip
+
+
+def _refused(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> OptionError:
+    """Return what Python would take, or refuse in words that do not help, in words that do."""
     if not is_system(system):
-        raise OptionError(
+        return OptionError(
             f"simulate: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
             "first: simulate(em.build(model), t_span)"
         )
     if positional:
         words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
-        raise OptionError(f"simulate: everything after t_span is given by keyword; did you mean {words}?")
-    if misspelt:
-        raise OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
+        return OptionError(f"simulate: everything after t_span is given by keyword; did you mean {words}?")
+    return OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
 
 
 def is_system(given: object) -> bool:
@@ -174,13 +192,7 @@ def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end
 
 def _simulate_compiled(task: Task, method: int) -> Solution:
     run = Run(task, method)
-    t, rows = run.rows
-    t_events, y_events = run.events
-    nfev, nsteps, nrejected, n_bounded = run.counts
-    fields = {
-        "t": t, "y": rows.T, "sol": DenseOutput(run.step_times, run.interpolate) if run.n_dense else None,
-        "t_events": t_events, "y_events": y_events, "nfev": nfev, "njev": 0, "nlu": 0, "status": run.status,
-        "message": run.message, "success": run.status >= 0, "nsteps": nsteps, "nrejected": nrejected,
-        "n_bounded": n_bounded, "stop": run.stop, "error_estimate": None, "error_cost": None,
-    }  # fmt: skip
-    return Solution(Trajectory(task, t, rows), fields)
+    fields = run.fields
+    if run.n_dense:
+        fields["sol"] = DenseOutput(run.step_times, run.interpolate)
+    return Solution(Trajectory(task, fields["t"], fields["y"].T), fields)

@@ -7,20 +7,12 @@ import numpy as np
 
 from ..arguments.names import Vector
 from ..codegen.model import ModelError
-from ..runtime import CompiledModel, EvaluationError, Prepared
+from ..runtime import CompiledModel, EvaluationError, Prepared, forgiven
 from .consistent import Projection
 
-_LOOSEST = 1e-4  # a start is never further off the constraints than this, relative to the terms that cancel in them
-_TIGHTEST = 1e-9  # and rounding in what the user computed is forgiven up to this
-_STEPS = 10  # how many times the tolerances of a run its start may be off the constraints
 _CLOSE = 1e-6  # EM_EPSILON: gaps of eigenvalues, relative to the larger, at which Omega is continued
 _SINGULAR_PIVOT = 1e-13  # EM_SINGULAR_PIVOT
 _STILL = 1e-9  # and the part of dM/dx, relative to all of it, below which equal eigenvalues stay so
-
-
-def forgiven(rtol: float, atol: Vector) -> tuple[float, Vector]:
-    """Return what residuals of a start may be, relative to their terms, and which changes (n,) of x and v."""
-    return min(max(_STEPS * rtol, _TIGHTEST), _LOOSEST), _STEPS * atol
 
 
 def start_state(
@@ -36,11 +28,10 @@ def start_state(
     ModelError
         One of them does not hold; says which coordinate or row, by how much, and which start would do.
     """
-    tolerance, least = forgiven(rtol, atol)
-    y = model.start(t, x, v, prepared, tolerance, least)
+    y = model.start(t, x, v, prepared, rtol, atol)
     if y is None:
-        y = _Start(model, prepared, t, x, v).examined(tolerance, least)
-    if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
+        y = _Start(model, prepared, t, x, v).examined(*forgiven(rtol, atol))
+    if model.extrapolates:
         _check_turning(model, prepared, t, x)
     return y
 

@@ -1,8 +1,10 @@
 """The compiled runtime: generated models as Python objects, and the C headers they are compiled with."""
 
+from . import plain as plain
 from .faults import EvaluationError as EvaluationError
 from .faults import StopReason as StopReason
 from .faults import explain as explain
 from .model import CompiledModel as CompiledModel
 from .point import Prepared as Prepared
+from .point import forgiven as forgiven
 from .run import Run as Run

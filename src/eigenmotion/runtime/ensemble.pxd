@@ -18,8 +18,6 @@ cdef extern from "em_ensemble.h" nogil:
         size_t v_stride
         size_t inputs_stride
         const unsigned char *skip
-        double tolerance
-        const double *least
         int end_only
         const volatile int *stop
         double *y

@@ -94,7 +94,7 @@ cdef class Chunk:
         e.task.poll, e.task.poll_argument = poll, <void *> self
         e.n_rows = e.task.n_t_eval = len(task.t_eval)
         e.task.t_eval = self.hold(task.t_eval, (len(task.t_eval),), "t_eval")
-        e.tolerance, e.least, e.end_only = task.tolerance, self.hold(task.least, (model.n,), "least"), task.end_only
+        e.end_only = task.end_only
 
     cdef give(self, members):
         cdef em_ensemble *e = &self.e

@@ -1,6 +1,7 @@
 # A model at one place, for the modules of the runtime that ask it for more.
 
 from .abi cimport em_fault, em_model
+from .arrays cimport Numbers
 
 
 cdef class PointModel:
@@ -12,6 +13,10 @@ cdef class PointModel:
     cdef readonly bint augmented
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
+    # whether Omega is continued by extrapolation (32), which cannot start everywhere
+    cdef readonly bint extrapolates
+    cdef tuple vector, square  # shapes (n,), (n, n)
+    cdef Numbers everywhere    # what plain.pyx made of one number last
     # returns, in any process, the System of this model; None where there is no way to it but the capsule
     cdef public object recipe
 

@@ -10,7 +10,7 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_ABI, em_fault, em_model
 from .arrays cimport Numbers, given, takes, zeros
-from .start cimport em_factored_gradient, em_factored_matrix, em_start
+from .start cimport EM_START_STEPS, em_factored_gradient, em_factored_matrix, em_start, em_start_tolerance
 
 import numpy as np
 
@@ -60,6 +60,8 @@ cdef class PointModel:
         self.n, self.m, self.h, self.n_state = c.n, c.m, c.h, c.n_state
         self.n_inputs, self.n_outputs, self.n_events = c.n_inputs, c.n_outputs, c.n_events
         self.conserves_energy = c.conserves_energy
+        self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"
+        self.vector, self.square = (c.n,), (c.n, c.n)
         self.read_names()
         self.read_defaults()
 
@@ -141,11 +143,11 @@ cdef class PointModel:
             raise self.failure(&fault)
         return y.array
 
-    def start(self, double t, x, v, Prepared c not None, double tolerance, atol):
-        """y where a run can start at x, v; None where that takes a closer look (em_start.h)."""
+    def start(self, double t, x, v, Prepared c not None, double rtol, atol):
+        """y where a run of such tolerances can start at x, v; None where that takes a closer look (em_start.h)."""
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
-        cdef Numbers least = given(atol, (self.n,), "atol")
-        return y.array if em_start(self.model, t, q.data, w.data, c.c, tolerance, least.data, y.data) else None
+        cdef Numbers absolute = given(atol, (self.n,), "atol")
+        return y.array if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data) else None
 
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""
@@ -232,6 +234,11 @@ cdef class PointModel:
         if self.model.motion_jacobian(t, q.data, c.c, s.data, least_norm, J.data, &fault) != 0:
             raise self.failure(&fault)
         return J.array
+
+
+def forgiven(double rtol, atol):
+    """What a start may be off the constraints: relative to their terms, and (n,) by changes of x_k and v_k."""
+    return em_start_tolerance(rtol), EM_START_STEPS * atol
 
 
 def _compiled(recipe):

@@ -60,21 +60,20 @@ cdef class Run:
 
     cdef begin(self, task, int method):
         cdef em_run *run = &self.run
-        cdef PointModel model = task.model
-        cdef Prepared prepared = task.prepared
+        cdef PointModel model
+        cdef Prepared prepared
+        (model, prepared, inputs, run.t_start, run.t_end, y, run.rtol, atol, t_eval, run.dense, run.first_step,
+         run.max_step, run.max_steps, run.stabilise, run.least_norm) = <tuple> task
         self.model, self.held = model, [prepared]
         run.model, run.prepared, run.method = model.model, prepared.c, <em_method> method
-        run.t_start, run.t_end, run.y_start = task.t_start, task.t_end, self.hold(task.y, model.n_state, "y")
-        run.rtol, run.atol = task.rtol, self.hold(task.atol, model.n, "atol")
-        run.first_step, run.max_step, run.max_steps = task.first_step, task.max_step, task.max_steps
-        run.stabilise, run.least_norm, run.dense = task.stabilise, task.least_norm, task.dense
+        run.y_start, run.atol = self.hold(y, model.n_state, "y"), self.hold(atol, model.n, "atol")
         run.event_direction, run.event_terminal = model.model.event_direction, model.model.event_terminal
         run.poll, run.poll_argument = poll, <void *> self
-        if task.t_eval is not None:
-            run.n_t_eval = len(task.t_eval)
-            run.t_eval = self.hold(task.t_eval, run.n_t_eval, "t_eval")
+        if t_eval is not None:
+            run.n_t_eval = len(t_eval)
+            run.t_eval = self.hold(t_eval, run.n_t_eval, "t_eval")
         if model.n_inputs > 0:
-            self.hold_inputs(task.inputs.compiled)
+            self.hold_inputs(inputs.compiled)
         self.go()
 
     def __dealloc__(self):
@@ -117,35 +116,35 @@ cdef class Run:
             memcpy(y.data, rows.y, y.view.len)
         return t.array, y.array
 
-    @property
-    def rows(self):
-        """t (k,), y (k, n_state)."""
-        return self.table(&self.run.rows)
-
-    @property
-    def events(self):
+    cdef events(self):
         """For each event t (k,), and for each y (k, n_state); None where the model has none."""
         if self.run.events == NULL:
             return None, None
         return tuple(map(list, zip(*[self.table(&self.run.events[k]) for k in range(self.model.n_events)])))
 
     @property
-    def counts(self):
-        """n_rhs, n_steps, n_rejected, n_bounded."""
-        return self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded
+    def fields(self):
+        """What came of it, as `Solution` (results/solution.py) names it, but `sol`."""
+        t, y = self.table(&self.run.rows)
+        t_events, y_events = self.events()
+        cdef int status = self.status()
+        return {
+            "t": t, "y": y.T, "sol": None, "t_events": t_events, "y_events": y_events,
+            "nfev": self.run.n_rhs, "njev": 0, "nlu": 0, "status": status, "message": self.message(),
+            "success": status >= 0, "nsteps": self.run.n_steps, "nrejected": self.run.n_rejected,
+            "n_bounded": self.run.n_bounded, "stop": self.stop, "error_estimate": None, "error_cost": None,
+        }
 
     @property
     def n_dense(self):
         """How many steps are kept for dense output."""
         return self.run.n_dense
 
-    @property
-    def status(self):
+    cdef int status(self) noexcept:
         """As SciPy has it: 0 finished, 1 terminal event, -1 failed."""
         return <int> self.run.fault.status if self.run.fault.status <= EM_TERMINAL_EVENT else -1
 
-    @property
-    def message(self):
+    cdef message(self):
         """How the run ended, where, and what to do."""
         if self.stop is StopReason.FINISHED:
             return _FINISHED

@@ -4,6 +4,8 @@ from .abi cimport em_model
 
 
 cdef extern from "em_start.h" nogil:
+    const int EM_START_STEPS
+    double em_start_tolerance(double)
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
     void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
     int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,

@@ -14,7 +14,7 @@ from ..arguments.signals import Inputs, Signal, bind
 from ..codegen.model.normalise import ModelError, number, real
 from ..running.consistent import ConsistentState, Projection
 from ..running.simulate import simulate
-from ..runtime import CompiledModel, EvaluationError, Prepared
+from ..runtime import CompiledModel, EvaluationError, Prepared, plain
 from .description import Description
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .velocities import initial_rates
@@ -148,6 +148,8 @@ class System(Description):
 
     def mass_matrix(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return M (n, n) [J s^2 / (u_i u_j)] of T2 = 1/2 v^T M v (4)."""
+        if (found := plain.mass_matrix(self._compiled, self._defaults, x, t, parameters)) is not None:
+            return found
         return self._compiled.mass_matrix(number(t, "t"), self._x(x), self.prepare(parameters))
 
     def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
@@ -216,10 +218,12 @@ class System(Description):
         EvaluationError
             M is singular, or constraint rows depend on each other and "least_norm" was not asked for.
         """
-        c, t = self.prepare(parameters), number(t, "t")
-        x, v = self.start(x, v, t, c)
         least_norm = least_norm_of(dependent_constraints)
-        return self._compiled.acceleration(t, x, v, c, self._signals(inputs, t), least_norm)
+        found = plain.acceleration(self._compiled, self._defaults, x, v, t, parameters, inputs, least_norm)
+        if found is not None:
+            return found
+        c, t = self.prepare(parameters), number(t, "t")
+        return self._compiled.acceleration(t, *self.start(x, v, t, c), c, self._signals(inputs, t), least_norm)
 
     def project_initial_state(
         self,
@@ -245,17 +249,21 @@ class System(Description):
 
     def energy(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
         """Return T + V [J]."""
-        return float(self._energies(x, v, t, parameters) @ (1.0, 1.0, 1.0, 1.0))
+        T2, T1, T0, V = self._energies(x, v, t, parameters)
+        return T2 + T1 + T0 + V
 
     def jacobi_integral(self, x: ArrayLike, v: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> float:
         """Return T2 - T0 + V [J], conserved where nothing depends on time and no force does work."""
-        return float(self._energies(x, v, t, parameters) @ (1.0, 0.0, -1.0, 1.0))
+        T2, _, T0, V = self._energies(x, v, t, parameters)
+        return T2 - T0 + V
 
-    def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> Vector:
+    def _energies(self, x: ArrayLike, v: ArrayLike, t: float, parameters: Parameters) -> tuple[float, ...]:
+        found = plain.energies(self._compiled, self._defaults, x, v, t, parameters)
+        if found is not None:
+            return found
         c, t = self.prepare(parameters), number(t, "t")
         x, v = self.start(x, v, t, c)
-        rows = self._compiled.energy_rows(np.array([t]), x[None], v[None], c)
-        return np.asarray(rows[0])
+        return tuple(self._compiled.energy_rows(np.array([t]), x[None], v[None], c)[0].tolist())
 
     def _place(self, t: float, y: ArrayLike) -> tuple[float, Vector]:
         """Return t and y (n_state,) as numbers; infinite ones and NaN, which solvers try, are for the equations."""

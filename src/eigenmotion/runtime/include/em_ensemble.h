@@ -20,8 +20,6 @@ typedef struct em_ensemble {
     const em_signal *inputs;          /* rows of n_inputs */
     size_t parameters_stride, x_stride, v_stride, inputs_stride; /* in numbers, or signals */
     const unsigned char *skip; /* (count) 1: refused already */
-    double tolerance;          /* what a start may be off the constraints, relative to the terms that cancel in them */
-    const double *least;       /* (n) and by which changes of x_k and v_k */
     int end_only;              /* rows are where runs end: at t_eval, or before where an event ends them */
     const volatile int *stop;  /* set to 1 by whoever wants an end */
 
@@ -108,7 +106,7 @@ static int em_ensemble_start(const em_ensemble *e, size_t member, double *c, dou
         return em_fail(fault, EM_START_REFUSED, -1, -1, 0.0);
     memset(y, 0, (size_t)model->n_state * sizeof *y);
     const double *const x = e->x + member * e->x_stride, *const v = e->v + member * e->v_stride;
-    if (em_start(model, e->task.t_start, x, v, c, e->tolerance, e->least, y)) return 0;
+    if (em_start(model, e->task.t_start, x, v, c, e->task.rtol, e->task.atol, y)) return 0;
     return em_fail(fault, EM_START_REFUSED, -1, -1, 0.0);
 }
 

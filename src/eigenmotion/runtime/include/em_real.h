@@ -17,6 +17,11 @@
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))
 #define EM_RARE __attribute__((cold)) /* called by no step: for size, which takes a compiler less time */
+#if defined(EM_ASIDE_ALONE) || defined(EM_ASIDE_ELSEWHERE)
+#define EM_ASIDE /* in an object file of its own; what is linked shows nothing of it (-fvisibility=hidden) */
+#else
+#define EM_ASIDE static
+#endif
 
 /* Before a loop over what is constant: unroll it wholly, so that its numbers become constants. */
 #if defined(__clang__)

@@ -7,6 +7,14 @@
 
 #include "em_linear.h"
 
+#define EM_START_STEPS 10      /* how many times the tolerances of a run its start may be off the constraints; */
+#define EM_START_TIGHTEST 1e-9 /* rounding in what the user computed is forgiven up to this, relative to the terms that */
+#define EM_START_LOOSEST 1e-4  /* cancel in them, and more than this never is */
+
+EM_INLINE double em_start_tolerance(double rtol) {
+    return fmin(fmax(EM_START_STEPS * rtol, EM_START_TIGHTEST), EM_START_LOOSEST);
+}
+
 /* M (n, n) <- what is factored: the mass matrix, or what the model puts in its place. */
 static void em_factored_matrix(const em_model *model, double t, const double *x, const double *c, double *M) {
     (model->factored_matrix ? model->factored_matrix : model->mass_matrix)(t, x, c, M);
@@ -24,12 +32,13 @@ static int em_has_inertia(const em_model *model, double t, const double *x, cons
     return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT) < 0;
 }
 
-/* Whether A v + b = 0 and phi = 0 up to `tolerance` of the terms that cancel in them, and to what a change of x and v
- * by `least` (n) makes of them; NaN is not. */
+/* Whether A v + b = 0 and phi = 0 up to em_start_tolerance of the terms that cancel in them, and to what a change of x
+ * and v by EM_START_STEPS atol (n) makes of them; NaN is not. */
 static int em_meets_constraints(const em_model *model, double t, const double *x, const double *v, const double *c,
-                                double tolerance, const double *least) {
+                                double rtol, const double *atol) {
     const int n = model->n, m = model->m;
     if (m == 0) return 1;
+    const double tolerance = em_start_tolerance(rtol);
     double A[m * n], b[m], phi[m], terms[m];
     model->pfaffian(t, x, c, A, b);
     if (model->h > 0) model->position(t, x, c, phi, terms);
@@ -39,7 +48,7 @@ static int em_meets_constraints(const em_model *model, double t, const double *x
             const double a = A[row * n + k];
             residual += a * v[k];
             size += fabs(a * v[k]);
-            reach += fabs(a) * least[k];
+            reach += fabs(a) * EM_START_STEPS * atol[k];
         }
         if (!(fabs(residual) <= tolerance * size + reach)) return 0;
         if (row < model->h && !(fabs(phi[row]) <= tolerance * terms[row] + reach)) return 0;
@@ -49,9 +58,9 @@ static int em_meets_constraints(const em_model *model, double t, const double *x
 
 /* y (n_state, in: 0) <- the state at x, v (n). Returns 1, or 0: look closer. */
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
-                    double tolerance, const double *least, double *y) {
+                    double rtol, const double *atol, double *y) {
     em_fault fault;
-    if (!em_has_inertia(model, t, x, c) || !em_meets_constraints(model, t, x, v, c, tolerance, least)) return 0;
+    if (!em_has_inertia(model, t, x, c) || !em_meets_constraints(model, t, x, v, c, rtol, atol)) return 0;
     if (model->state(t, x, v, c, y, &fault)) return 0;
     for (int k = 0; k < model->n_state; ++k)
         if (!isfinite(y[k])) return 0;

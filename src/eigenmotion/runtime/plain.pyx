@@ -1,0 +1,240 @@
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+"""Calls of which every argument is one that compiled code takes as it is, from Python to C and back in one go.
+
+Arrays are NumPy's own, float64, C-contiguous, of the right shape and finite; numbers are Python's and finite; parameters
+are the defaults or prepared; words are spelt as in the table they are looked up in. Of everything else a call here says
+nothing but None: what it means, or what is wrong with it, is for the checks in Python, which call again with what they
+made of it.
+"""
+
+from cpython.exc cimport PyErr_Clear, PyErr_Occurred
+from cpython.float cimport PyFloat_AS_DOUBLE, PyFloat_Check
+from cpython.long cimport PyLong_CheckExact
+from libc.math cimport fabs, floor, isfinite
+from libc.string cimport memcpy
+
+from .abi cimport em_fault
+from .arrays cimport Numbers, zeros
+from .point cimport PointModel, Prepared
+from .start cimport em_start
+
+import numpy as np
+
+cdef extern from *:
+    double PyLong_AsDouble(object) noexcept  # the exception is looked at below
+
+MOST_STEPS = 10**15
+"""Each of them counted exactly as a double; at a nanosecond a step, twelve days."""
+_array, _double = np.ndarray, np.dtype(np.float64)
+_new = tuple.__new__
+cdef double _MOST_STEPS = MOST_STEPS
+
+
+cdef bint is_number(object given, double *value) noexcept:
+    """Whether it is a real number, not a truth value; which may be infinite or NaN."""
+    if PyFloat_Check(given):
+        value[0] = PyFloat_AS_DOUBLE(given)
+        return True
+    if not PyLong_CheckExact(given):
+        return False
+    value[0] = PyLong_AsDouble(given)
+    if value[0] == -1.0 and PyErr_Occurred() != NULL:
+        PyErr_Clear()
+        return False
+    return True
+
+
+cdef bint is_finite(object given, double *value) noexcept:
+    return is_number(given, value) and isfinite(value[0])
+
+
+cdef bint are_finite(const double *numbers, Py_ssize_t count) noexcept nogil:
+    cdef Py_ssize_t k
+    cdef double sum = 0.0
+    for k in range(count):
+        sum += 0.0 * numbers[k]  # NaN and infinity survive
+    return sum == 0.0
+
+
+cdef Numbers vector(object given, tuple shape):
+    """Its numbers, or None."""
+    if type(given) is not _array or given.dtype is not _double:
+        return None
+    cdef Numbers numbers = Numbers.__new__(Numbers)
+    return numbers if numbers.borrow(given, shape) and are_finite(numbers.data, numbers.view.shape[0]) else None
+
+
+cdef const double *constants(PointModel model, Prepared defaults, object parameters) noexcept:
+    """c (n_prepared), or NULL."""
+    if parameters is None:
+        return defaults.c
+    if type(parameters) is not Prepared or (<Prepared> parameters).model is not model:
+        return NULL
+    return (<Prepared> parameters).c
+
+
+def mass_matrix(PointModel model not None, Prepared defaults not None, x, t, parameters):
+    """M (n, n) at x (n,), t; or None."""
+    cdef double at
+    cdef const double *c = constants(model, defaults, parameters)
+    cdef Numbers q = vector(x, model.vector), M
+    if q is None or c == NULL or not is_finite(t, &at):
+        return None
+    M = zeros(model.square)
+    model.model.mass_matrix(at, q.data, c, M.data)
+    return M.array
+
+
+def energies(PointModel model not None, Prepared defaults not None, x, v, t, parameters):
+    """T2, T1, T0, V at x, v (n,), t; or None."""
+    cdef double at
+    cdef double[4] e
+    cdef const double *c = constants(model, defaults, parameters)
+    cdef Numbers q = vector(x, model.vector), w = vector(v, model.vector)
+    if q is None or w is None or c == NULL or not is_finite(t, &at):
+        return None
+    model.model.energy(at, q.data, w.data, c, e)
+    return e[0], e[1], e[2], e[3]
+
+
+def acceleration(PointModel model not None, Prepared defaults not None, x, v, t, parameters, inputs, least_norm):
+    """a (n,), lambda (m,) at x, v (n,), t; or None. inputs: None, the defaults, or (n_inputs,)."""
+    cdef double at
+    cdef em_fault fault
+    cdef const double *c = constants(model, defaults, parameters)
+    cdef const double *u = model.model.input_defaults
+    cdef Numbers q = vector(x, model.vector), w = vector(v, model.vector), signals, a, multipliers
+    if q is None or w is None or c == NULL or not is_finite(t, &at) or type(least_norm) is not bool:
+        return None
+    if inputs is not None:
+        signals = vector(inputs, (model.n_inputs,))
+        if signals is None:
+            return None
+        u = signals.data
+    a, multipliers = zeros(model.vector), zeros((model.m,))
+    if model.model.acceleration(at, q.data, w.data, c, u, least_norm, a.data, multipliers.data, &fault) != 0:
+        raise model.failure(&fault)
+    return a.array, multipliers.array
+
+
+# --- runs: each function below says whether its options are plain, and reads them (arguments/options.py has the rules) ---
+
+cdef object meaning(object word, dict known):
+    """What a word stands for, or None."""
+    return known.get(word) if type(word) is str else None
+
+
+cdef bint read_span(object t_span, double *start, double *end) noexcept:
+    if type(t_span) is tuple:
+        return len(<tuple> t_span) == 2 and is_finite((<tuple> t_span)[0], start) and is_finite((<tuple> t_span)[1], end)
+    if type(t_span) is list:
+        return len(<list> t_span) == 2 and is_finite((<list> t_span)[0], start) and is_finite((<list> t_span)[1], end)
+    return False
+
+
+cdef Numbers read_tolerances(PointModel model, object rtol, object atol, double *relative):
+    """atol (n,), or None."""
+    cdef double one
+    cdef Numbers absolute
+    cdef Py_ssize_t k
+    if not is_number(rtol, relative) or not (0.0 <= relative[0] < 1.0):
+        return None
+    if is_finite(atol, &one):
+        absolute = everywhere(model, one)
+    else:
+        absolute = vector(atol, model.vector)
+        if absolute is None:
+            return None
+        absolute = copied(absolute)
+    for k in range(model.n):
+        if absolute.data[k] < 0.0 or absolute.data[k] == relative[0] == 0.0:
+            return None
+    return absolute
+
+
+cdef Numbers everywhere(PointModel model, double one):
+    """(n,) of one number: the same array as long as it is the same number, and never written to."""
+    cdef Numbers numbers = model.everywhere
+    cdef Py_ssize_t k
+    if numbers is not None and numbers.data[0] == one:
+        return numbers
+    numbers = zeros(model.vector)
+    for k in range(model.n):
+        numbers.data[k] = one
+    numbers.array.flags.writeable = False
+    model.everywhere = numbers
+    return numbers
+
+
+cdef Numbers copied(Numbers numbers):
+    """Of one axis: what belongs to the user may change later."""
+    cdef Numbers made = zeros((numbers.view.shape[0],))
+    memcpy(made.data, numbers.data, numbers.view.len)
+    return made
+
+
+cdef bint read_limits(object first_step, object max_step, object max_steps, double length, double *first,
+                      double *longest, double *most) noexcept:
+    first[0] = 0.0
+    if first_step is not None and not (is_number(first_step, first) and 0.0 < first[0] <= length):
+        return False
+    if not is_number(max_step, longest) or not longest[0] > 0.0:
+        return False
+    return is_number(max_steps, most) and 1.0 <= most[0] <= _MOST_STEPS and most[0] == floor(most[0])
+
+
+cdef Numbers read_rows(object t_eval, double start, double end):
+    """Times of the rows (k,), or None."""
+    cdef Py_ssize_t k
+    cdef double sign = -1.0 if end < start else 1.0
+    if type(t_eval) is not _array or t_eval.ndim != 1:
+        return None
+    cdef Numbers times = vector(t_eval, (len(t_eval),))
+    if times is None:
+        return None
+    for k in range(times.view.shape[0]):
+        if sign * (times.data[k] - start) < 0.0 or sign * (times.data[k] - end) > 0.0:
+            return None
+        if k > 0 and not sign * (times.data[k] - times.data[k - 1]) > 0.0:
+            return None
+    return copied(times)
+
+
+cdef Numbers read_start(PointModel model, object x0, object v0, double t, const double *c, double rtol, Numbers atol):
+    """y (n_state,) where a run can start, or None."""
+    cdef Numbers x = vector(model.initial_x if x0 is None else x0, model.vector)
+    cdef Numbers v = vector(model.initial_v if v0 is None else v0, model.vector)
+    cdef Numbers y
+    if x is None or v is None or (v0 is None and model.initial_y is not None) or model.extrapolates:
+        return None
+    y = zeros((model.n_state,))
+    return y if em_start(model.model, t, x.data, v.data, c, rtol, atol.data, y.data) else None
+
+
+def task(type Task not None, PointModel model not None, Prepared defaults not None, inputs, t_span, x0, v0, parameters,
+         rtol, atol, t_eval, dense, first_step, max_step, max_steps, stabilisation, dict stabilisations not None,
+         dependent, dict dependents not None):
+    """A Task (arguments/options.py) of a run that can start, of plain options; or None."""
+    cdef double start, end, relative, first, longest, most
+    cdef const double *c = constants(model, defaults, parameters)
+    cdef Numbers absolute, times = None, y
+    stabilise, least_norm = meaning(stabilisation, stabilisations), meaning(dependent, dependents)
+    if c == NULL or stabilise is None or least_norm is None or type(dense) is not bool:
+        return None
+    if not read_span(t_span, &start, &end):
+        return None
+    if not read_limits(first_step, max_step, max_steps, fabs(end - start), &first, &longest, &most):
+        return None
+    absolute = read_tolerances(model, rtol, atol, &relative)
+    if absolute is None:
+        return None
+    if t_eval is not None:
+        times = read_rows(t_eval, start, end)
+        if times is None:
+            return None
+    y = read_start(model, x0, v0, start, c, relative, absolute)
+    if y is None:
+        return None
+    return _new(Task, (model, defaults if parameters is None else parameters, inputs, start, end, y.array, relative,
+                       absolute.array, None if times is None else times.array, dense, first, longest, <long> most,
+                       stabilise, least_norm))
