@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
-/* body sha256:d9764768f1c6124fc66c7e82b51e74b6e970c5bd75dace6eb967a779dc93c829 */
+/* body sha256:8038b3872d9d52bbd78d55456a960d2e0827958d84a90f1d10fbc99e4ff394da */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -420,7 +420,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes chain_5_lanes;
-em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -742,7 +742,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chain_5_lanes;
-EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES chain_5_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
-/* body sha256:1d9988741354f3acd5b1bf52eac24c24534afcffc0cfffcd2c57a6103d32ba8f */
+/* body sha256:10a35cda0597870b2ffa4fed9bb0d24faee30a070a31c90cff45d30e6b901a2d */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -283,7 +283,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes chaplygin_sleigh_lanes;
-em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -398,7 +398,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chaplygin_sleigh_lanes;
-EM_WEAK em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES chaplygin_sleigh_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
-/* body sha256:6208c815d7138aedd74d4cbea2d4382442a6a84e1ab39be1622427c2d4441cf7 */
+/* body sha256:1153a36f017c3b7febeae227aabff67b6682d2a891e51d7f4de0cf305d44bb3c */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -237,7 +237,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes double_pendulum_lanes;
-em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -366,7 +366,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
-EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES double_pendulum_lanes
 
 #include "em_blocks.h"

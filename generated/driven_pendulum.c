@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:f03e70c1bada2a6ab9bc3811e7865c0ae1b77524d6c1f3ea721379785f3676f2 */
-/* body sha256:83f709e054e7159ef0eb4cda4bf813e2e07db0dc4c1006b78772a2afc01fcadc */
+/* body sha256:077219b25cc4d548fc7d00f3221db4ca2971c07c3673d6a67809118c0ce293ab */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -195,7 +195,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes driven_pendulum_lanes;
-em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -301,7 +301,7 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
-EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES driven_pendulum_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
-/* body sha256:974b0915e24030a7e4246a40e6763d445c7277a2efe3f2e4bd2d0f9f3d4b8ebf */
+/* body sha256:9eb195cf1d6538f54ff62238df98964ede13b1aceccd9b4b7d3200974c146601 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -391,7 +391,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes dual_link_lanes;
-em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -577,7 +577,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes dual_link_lanes;
-EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES dual_link_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
-/* body sha256:163adeb557e045c4fd6dfbe05869db28364d0ff1a8d3bca52f76c8c4e3b132b0 */
+/* body sha256:c1c70b1816747fd18a736235bec5f6df730f88d842ee311326f65f5975af5424 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -179,7 +179,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes elastic_pendulum_lanes;
-em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -280,7 +280,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes elastic_pendulum_lanes;
-EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES elastic_pendulum_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
-/* body sha256:bcf225e62252bdfd42dd6bcd28a8a135067ed199c444b7867b70b3e89524dddb */
+/* body sha256:688f4d4457bb8b79d0fe2871c32d2a7ea537898b312af2c0e7159f9a854de7cb */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -374,7 +374,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes four_bar_lanes;
-em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -533,7 +533,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
-EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES four_bar_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
-/* body sha256:40862d2c1ace2e86781f72a033618f031c2189bffe3bd505b41fbfc3b6495a12 */
+/* body sha256:3f8cc74c22efa990c395d38c8ea677ea6fadb901b2360ca9a068866098745521 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -265,7 +265,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes heavy_top_lanes;
-em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -388,7 +388,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes heavy_top_lanes;
-EM_WEAK em_lanes heavy_top_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes heavy_top_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES heavy_top_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
-/* body sha256:d98222563de433daf857237e20a0afcd200ad79c9ea4533c657c154f93a1e606 */
+/* body sha256:9a361fcdab2e94eaade613b02bd999f759e15ff024ba98a4cb8502505d221517 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -129,7 +129,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes pendulum_lanes;
-em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -214,7 +214,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes pendulum_lanes;
-EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES pendulum_lanes
 
 #include "em_blocks.h"

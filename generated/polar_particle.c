@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9 */
-/* body sha256:932cc50365e4afaba0242c0e2774cd451bd88a3cd02fe20205ba3c47c2667d3b */
+/* body sha256:681587b13624a05dfcef251de9850362b323ca80889c010094096445cba19c53 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -178,7 +178,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes polar_particle_lanes;
-em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -271,7 +271,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes polar_particle_lanes;
-EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES polar_particle_lanes
 
 #include "em_blocks.h"

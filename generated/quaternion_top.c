@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
-/* body sha256:231f55694323657007dbf07ec7af120727c7e760cfc451b2709285026ae62ce0 */
+/* body sha256:db7e8f785bdd872ce8bcc178f008dea684c9a68a45273dbe5033185b46471fc2 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -385,7 +385,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes quaternion_top_lanes;
-em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -651,7 +651,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes quaternion_top_lanes;
-EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES quaternion_top_lanes
 
 #include "em_blocks.h"

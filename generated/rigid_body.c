@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282 */
-/* body sha256:1403ef6b3d6aae0c3c3a9462e2d7e86cf2b27ce51703df2df7c7503e14f6c170 */
+/* body sha256:d4c6ebd2c9a6de554c4d95cc41ca9e77237051a286a476c18443cb67faf8910b */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -287,7 +287,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rigid_body_lanes;
-em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -520,7 +520,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rigid_body_lanes;
-EM_WEAK em_lanes rigid_body_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rigid_body_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rigid_body_lanes
 
 #include "em_blocks.h"

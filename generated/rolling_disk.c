@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
-/* body sha256:63f4e7d4423c3891a849d401262e0804612ac74ab57cf94abadc64f4949072df */
+/* body sha256:f7b0f1610a5c519ceebc2ca7afb0093819ef7dd2ba39054a5f16a295c4f7d290 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -388,7 +388,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rolling_disk_lanes;
-em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -577,7 +577,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
-EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rolling_disk_lanes
 
 #include "em_blocks.h"

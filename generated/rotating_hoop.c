@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
-/* body sha256:87f2a3babab547efa0d94f9f2280d1bb78d25d2591e4084c65afb288d2cf0ffe */
+/* body sha256:12a434491deb2ef731292b911c570934e5ebcd7c0ec3266c4955ba3d8b3aec41 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -130,7 +130,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rotating_hoop_lanes;
-em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -232,7 +232,7 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_hoop_lanes;
-EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rotating_hoop_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
-/* body sha256:a9e6720e29a76a1a9ba83417647a56bb3064abb9be96419788f8d9cc043c3eaf */
+/* body sha256:171ccf2efc4e6e64b232ff48db6e5bca12478698f53342cd7c03f50601ef1696 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -159,7 +159,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rotating_spring_lanes;
-em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -267,7 +267,7 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_spring_lanes;
-EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES rotating_spring_lanes
 
 #include "em_blocks.h"

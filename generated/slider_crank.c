@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
-/* body sha256:f9571c6bf10e6166ead80d909471c5909430e2f757b50ef355a2ab7faa7b87e8 */
+/* body sha256:ba9285ffb52382b7b39acd0eab584b4687c945b131cd43fa9e3f7479a420df22 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -356,7 +356,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes slider_crank_lanes;
-em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -506,7 +506,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
-EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES slider_crank_lanes
 
 #include "em_blocks.h"

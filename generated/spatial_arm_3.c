@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
-/* body sha256:222447cef2b42ef606fe2c879d1ee86ddaf02c771e7bbdd087ee7b21253297eb */
+/* body sha256:9efb36e94796a0ebf5c3bd9d04e087d322cac9a3671ae3bf86f967c45c534245 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -411,7 +411,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes spatial_arm_3_lanes;
-em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -684,7 +684,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes spatial_arm_3_lanes;
-EM_WEAK em_lanes spatial_arm_3_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes spatial_arm_3_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES spatial_arm_3_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
-/* body sha256:ad2ddb672ad981c294e89b3a215bb5685c34f073f0dd466d376c85b2759acea5 */
+/* body sha256:9821ef216356d161146e54a78f6e69675caa76d23a6b799702e4bbd774ed8945 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -484,7 +484,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes sphere_lanes;
-em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -751,7 +751,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes sphere_lanes;
-EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES sphere_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
-/* body sha256:b179d859592f3f5b7a2a660f79f6f98c16beb8d1ef0dd7dbeaa1bf043fe0a3c9 */
+/* body sha256:8c0a7e83027b48fafad8268fd5c21e420cc097d045bd34d03a9b0c514dbdbb80 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -212,7 +212,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes veering_lanes;
-em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes};
+em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
 
 #else
 
@@ -290,7 +290,7 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes veering_lanes;
-EM_WEAK em_lanes veering_lanes = {0, NULL, NULL};
+EM_WEAK em_lanes veering_lanes = {0, NULL, NULL, NULL};
 #define EM_MODEL_LANES veering_lanes
 
 #include "em_blocks.h"

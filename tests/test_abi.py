@@ -16,7 +16,7 @@ from .stepping import COMPILER, INCLUDE
 from .structures import KINDS, NUMBERS, enumerators
 
 RUNTIME = INCLUDE.parent
-HEADERS = ("stddef.h", "eigenmotion.h", "em_start.h", "em_tableaux.h")
+HEADERS = ("stddef.h", "eigenmotion.h", "em_start.h", "em_ensemble.h", "em_tableaux.h")
 
 
 def refused(folder: Path, *lines: str) -> str:
@@ -28,9 +28,9 @@ def refused(folder: Path, *lines: str) -> str:
 
 
 def statements() -> Iterator[tuple[int, str]]:
-    """(indentation, text) of every declaration of abi.pxd and start.pxd, on one line each."""
+    """(indentation, text) of every declaration of abi.pxd, start.pxd and ensemble.pxd, on one line each."""
     held = ""
-    for name in ("abi.pxd", "start.pxd"):
+    for name in ("abi.pxd", "start.pxd", "ensemble.pxd"):
         for line in (RUNTIME / name).read_text(encoding="utf-8").splitlines():
             held = f"{held} {line.strip()}" if held else line.rstrip()
             if held.count("(") == held.count(")"):

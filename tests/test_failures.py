@@ -176,7 +176,12 @@ def test_every_reason_is_tested_here():
     own = {*ENDS, StopReason.TOO_MANY_STEPS, StopReason.FINISHED, StopReason.COINCIDENT_EIGENVALUES,
            StopReason.INTERRUPTED, StopReason.OUT_OF_MEMORY, StopReason.FACTORS_DRIFTED,
            StopReason.ENERGY_DRIFTED, StopReason.CONSTRAINTS_DRIFTED}  # fmt: skip
-    assert own | {StopReason.TERMINAL_EVENT, StopReason.EVENT_UNDEFINED} == set(StopReason)  # those in test_events
+    elsewhere = {
+        StopReason.TERMINAL_EVENT,
+        StopReason.EVENT_UNDEFINED,
+        StopReason.START_REFUSED,
+    }  # test_events, test_ensemble
+    assert own | elsewhere == set(StopReason)
 
 
 # --- before the run ---------------------------------------------------------------------------------------------------

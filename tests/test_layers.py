@@ -67,6 +67,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
     "running": ("codegen.model", "runtime", "arguments", "results"),
     "system": ("codegen.model", "runtime", "arguments", "running", "pages"),
+    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "system"),
     "building": (
         "codegen.model",
         "codegen.c",
@@ -117,6 +118,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "arguments",
         "results",
         "running",
+        "ensembles",
         "system",
         "building",
         "pages",

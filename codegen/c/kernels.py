@@ -172,7 +172,7 @@ class _Writing:
             *self.by_row("A", self.terms.A),
             *self.column("b", self.terms.b),
         ]
-        return Draft("settled_masses", entries, actual={"x": "y"})
+        return Draft("settled_masses", entries, actual={"x": "y"}, on_lanes=self.choices.carries_v and not self.scene.h)
 
     def settled_rates(self) -> Draft:
         """What Omega of M at an accepted step needs and, where it is extrapolated, Omega of Delta."""

@@ -42,6 +42,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
         extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
         on_lanes=not (layout.couples and choices.extrapolate),
+        in_lanes=choices.carries_v and not scene.h,
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         settling=_settling(scene, layout, bool(turning), choices),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,

@@ -156,6 +156,7 @@ class Program:
     delta_eigenfactors : whether the eigenfactors of Delta are states, too (47)-(55)
     extrapolate : whether (32), (53) extrapolate Omega there; `extrapolated`: where the memory says so, and since when
     on_lanes : whether the right-hand side can be compiled for vectors, too: it needs no memory
+    in_lanes : whether a run can have its steps made in one lane, others in those beside it
     needs_mass : whether velocities follow from the state only with M(x)
     augmented : whether M + A^T W A is factored in place of M, which is singular
     settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
@@ -177,6 +178,7 @@ class Program:
     extrapolate: bool
     extrapolated: int | None
     on_lanes: bool
+    in_lanes: bool
     needs_mass: bool
     settles: bool
     settling: tuple[str, ...]

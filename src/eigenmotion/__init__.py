@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from .codegen.model import draw as draw
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
+    from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
+    from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
     from .runtime import StopReason as StopReason
@@ -27,6 +29,7 @@ if TYPE_CHECKING:
 _HOME = {
     "BuildError": ".building.errors",
     "CompilerNotFoundError": ".building.errors",
+    "Ensemble": ".results.ensemble",
     "Event": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
@@ -40,6 +43,7 @@ _HOME = {
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
     "simulate": ".running.simulate",
+    "simulate_ensemble": ".ensembles.simulate_ensemble",
     "t": ".codegen.model",
 }
 

@@ -136,10 +136,13 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
     if not isinstance(given, Mapping):
         raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values) or Signal")
     named = by_name(given, names, "input")
-    return Inputs(tuple(_signal(named.get(name, default), name) for name, default in zip(names, defaults, strict=True)))
+    return Inputs(
+        tuple(as_signal(named.get(name, default), name) for name, default in zip(names, defaults, strict=True))
+    )
 
 
-def _signal(given: Any, name: str) -> float | Signal:
+def as_signal(given: Any, name: str) -> float | Signal:
+    """Return one input as a number or a Signal: a number, a pair (times, values) or a Signal."""
     if isinstance(given, Signal):
         return given
     if not isinstance(given, tuple | list):

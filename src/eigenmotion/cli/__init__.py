@@ -15,6 +15,7 @@ COMMANDS = {
     "build": "Generate, then compile the importable module beside the sources.",
     "explain": "Say what the generated code carries, and what it leaves out and why.",
     "run": "Simulate a model; print a summary, draw it, save it.",
+    "sweep": "Simulate a model for many values of parameters and starts; store every run.",
     "new": "Write a model file to start from.",
     "page": "Write a page on which a model moves, alive, in any browser.",
     "report": "Measure error against run time, and recommend.",

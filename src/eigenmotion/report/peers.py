@@ -108,7 +108,7 @@ def _heyoka(equations: Classical, start: Start) -> list[Solver]:
 
     n = len(equations.x)
     x, v = ([heyoka.expression(f"{letter}{k}") for k in range(n)] for letter in "xv")
-    a = explicit(equations, _functions(heyoka), x, v, heyoka.time)
+    a = explicit(equations, functions_of(heyoka), x, v, heyoka.time)
     # heyoka's equations are expressions, never bare numbers
     system = list(zip([*x, *v], [e + heyoka.expression(0.0) for e in (*v, *a)], strict=True))
 
@@ -140,7 +140,7 @@ def _casadi(equations: Classical, start: Start) -> list[Solver]:
 
     n = len(equations.x)
     y, t = casadi.SX.sym("y", 2 * n), casadi.SX.sym("t")
-    a = explicit(equations, _functions(casadi), [y[k] for k in range(n)], [y[n + k] for k in range(n)], t)
+    a = explicit(equations, functions_of(casadi), [y[k] for k in range(n)], [y[n + k] for k in range(n)], t)
     problem = {"x": y, "t": t, "ode": casadi.vertcat(y[n:], *a)}
 
     def attempt(method: str, tolerance: float) -> Attempt:
@@ -170,6 +170,6 @@ def _in_brief(integrator: Callable[..., Any], y: Vector) -> Any:
         raise RuntimeError(str(error).splitlines()[-1].rpartition(": ")[2]) from error
 
 
-def _functions(module: Any) -> dict[str, Callable[..., Any]]:
+def functions_of(module: Any) -> dict[str, Callable[..., Any]]:
     """SymPy's names of functions -> those of an algebra; what it lacks is missed when the model needs it."""
     return {name: getattr(module, name) for name in _FUNCTIONS if hasattr(module, name)}

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ..system.system import System
 
 _METHODS = {name.lower(): name for name in (*METHODS, AUTO)}
-_STABILISATIONS = {"project": True, "none": False}
+STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
     *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
@@ -99,13 +99,13 @@ def simulate(
     ModelError
         Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
     """
-    if positional or misspelt or not _is_system(system):
+    if positional or misspelt or not is_system(system):
         raise _refused(system, positional, misspelt)
     named = choice(method, _METHODS, "method")
     compiled = system.compiled
     task = None if inputs is not None else plain.task(
         Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
-        first_step, max_step, max_steps, stabilisation, _STABILISATIONS, dependent_constraints, options.DEPENDENT,
+        first_step, max_step, max_steps, stabilisation, STABILISATIONS, dependent_constraints, options.DEPENDENT,
     )  # fmt: skip
     if task is None:
         task = _checked(
@@ -114,9 +114,9 @@ def simulate(
         )  # fmt: skip
     chosen = automatic(task) if named == AUTO else METHODS[named]
     if estimate_error is False:
-        return _run(task, chosen)
+        return run_task(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
-    return with_error_estimate(task, chosen, checker, _run)
+    return with_error_estimate(task, chosen, checker, run_task)
 
 
 def _checked(
@@ -131,7 +131,7 @@ def _checked(
     signals = _inputs(system, inputs, start, end)
     x, v = system.start(x0, v0, start, prepared)
     y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
-    stabilise = choice(stabilisation, _STABILISATIONS, "stabilisation")
+    stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
     return Task(
         system.compiled, prepared, signals, start, end, y, relative, absolute, options.rows_at(t_eval, start, end),
         truth(dense_output, "dense_output"), first, longest, most, stabilise,
@@ -141,7 +141,7 @@ def _checked(
 
 def _refused(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> OptionError:
     """Return what Python would take, or refuse in words that do not help, in words that do."""
-    if not _is_system(system):
+    if not is_system(system):
         return OptionError(
             f"simulate: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
             "first: simulate(em.build(model), t_span)"
@@ -152,18 +152,20 @@ def _refused(system: object, positional: tuple[object, ...], misspelt: Mapping[s
     return OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
 
 
-def _is_system(given: object) -> bool:
+def is_system(given: object) -> bool:
+    """Whether it is a compiled model, in Python's terms."""
     return isinstance(getattr(given, "compiled", None), CompiledModel)
 
 
 def _checker(given: Any) -> CompiledModel:
-    if not _is_system(given):
+    if not is_system(given):
         raise OptionError(f"estimate_error is {shown(given)}; give True, False, or a System in another formulation")
     checker: CompiledModel = given.compiled
     return checker
 
 
-def _run(task: Task, method: Method) -> Solution:
+def run_task(task: Task, method: Method) -> Solution:
+    """Run what has been checked."""
     found = simulate_stiff(task, method) if method.number is None else _simulate_compiled(task, method.number)
     found["method"] = method.name
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):

@@ -53,7 +53,8 @@ cdef Numbers given(object a, tuple shape, str name):
         return made
     if np.iscomplexobj(a):
         raise ValueError(f"{name} is complex; give real numbers")
-    if not made.borrow(np.ascontiguousarray(a, dtype=np.float64), shape):
+    # aligned, which what came over a network need not be
+    if not made.borrow(np.require(a, np.float64, ("C", "A")), shape):
         raise ValueError(f"{name} has shape {np.shape(a)}, but this model needs {shape}")
     return made
 

@@ -23,6 +23,7 @@ class StopReason(StrEnum):
     EVENT_UNDEFINED = "event undefined"
     ENERGY_DRIFTED = "energy drifted"
     CONSTRAINTS_DRIFTED = "constraints drifted"
+    START_REFUSED = "start refused"
 
     @property
     def success(self) -> bool:
@@ -104,6 +105,7 @@ _REMEDY = {
         "of the multipliers adds up, or the constraint jumps. Loosen rtol and atol, or pass "
         'stabilisation="project"; a coordinate that has next to no inertia beside the forces on it is better left out.'
     ),
+    StopReason.START_REFUSED: "No motion starts from these parameters and this start.",
 }
 
 

@@ -59,7 +59,7 @@ def initial_rates(
     """
     if not isinstance(v0, Mapping):
         return _default(model, c, t, x) if v0 is None else overlay(v0, model.coordinates, model.initial_v, "v0")
-    given = by_spelling(v0, "v0", _name)
+    given = by_spelling(v0, "v0", rate_name)
     quasi = given.keys() & set(model.quasi_velocities)
     if not quasi:
         _check_names(model, given)
@@ -87,7 +87,7 @@ def _default_quasi(model: CompiledModel, c: Prepared, t: float, x: Vector) -> Ve
     return transformation(model, c, t, x) @ model.initial_v
 
 
-def _name(key: object) -> str:
+def rate_name(key: object) -> str:
     """Return the name of a key; the rate of a coordinate, as in `initial`, goes by the coordinate's."""
     text = spelled(key)
     rate = re.fullmatch(r"Derivative\((.+)\(t\), t\)", text)

@@ -29,7 +29,8 @@ typedef enum em_status {
                                      of the block, fault.size: by how much, relative to an eigenvalue */
     EM_EVENT_UNDEFINED,           /* an event's expression is not a number; fault.first: the event */
     EM_ENERGY_DRIFTED,            /* T2 - T0 + V, a constant of the motion, is not what it was; fault.size: by how much */
-    EM_CONSTRAINTS_DRIFTED        /* A v + b, not settled, is not what it was; fault.first: the row, fault.size: by how much */
+    EM_CONSTRAINTS_DRIFTED,       /* A v + b, not settled, is not what it was; fault.first: the row, fault.size: by how much */
+    EM_START_REFUSED              /* of a member of an ensemble: no motion starts there */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
@@ -118,6 +119,28 @@ typedef struct em_run {
     const struct em_model *model; /* the caller's, where the run is to be held against its energy, or NULL */
 } em_run;
 
+/* Runs side by side, one in each lane: what em_lanes.run works with. Tables are (..., width), number by number, on
+ * addresses that are multiples of 64, and 0 where nobody wrote; rows of states are padded to a multiple of 4. */
+enum { EM_MOST_LANES = 8 };
+typedef struct em_flock {
+    const em_run *task;   /* what is asked of all */
+    double rtol, direction;
+    double *y, *y_new, *f_new; /* (n_state, width) */
+    double *K;            /* (12, n_state, width): K_0 is f at y */
+    double *c, *u;        /* (n_prepared, width), (n_inputs, width) */
+    double *t, *t_new, *h, *h_next, *error, *last_error, *longest; /* (width) */
+    double *n_steps, *n_rejected, *retries, *n_rhs;
+    double *next_look;    /* (width) right-hand sides, and a time, at which a step is looked at */
+    double *t_look;
+    int live[EM_MOST_LANES], n_live; /* lanes with a run */
+    int always;           /* every step is looked at */
+    /* Looks at the step that a lane has taken, or is told that it cannot go on there. 0: goes on; else the lane has another
+     * run now, or none. */
+    int (*look)(struct em_flock *f, int lane, int lost);
+    int (*stopped)(struct em_flock *f); /* whether all are to end */
+    void *with;           /* whose they are */
+} em_flock;
+
 /* The right-hand side of `width` states side by side, number by number: y[k width + lane], and so t, c, u, dy. Where a
  * lane is singular its dy is NaN. width 0: there is none. */
 typedef struct em_lanes {
@@ -125,6 +148,7 @@ typedef struct em_lanes {
     void (*rhs)(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy);
     /* v (n): xdot alone, of states in mode 0, where it costs little; or NULL */
     void (*velocity)(const double *t, const double *y, const double *c, double *v);
+    void (*run)(em_flock *f); /* until no lane has a run; dop853, stabilised, inputs constant; or NULL */
 } em_lanes;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
@@ -188,6 +212,11 @@ typedef struct em_model {
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 
     const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
+    /* A run that is to go on in a lane: its start is there. NULL: it cannot, and run is as it was but for its fault. */
+    void *(*enter)(em_run *run, em_flock *f, int lane);
+    int (*look)(void *walk, em_flock *f, int lane); /* at a step. 0: goes on; 1: has ended; -1: begin anew, number by number */
+    void (*leave)(void *walk);
+
     int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
     const em_shape *shapes;  /* (n_shapes) */
     void (*draw)(double t, const double *x, const double *c, double *p); /* all numbers of the shapes */

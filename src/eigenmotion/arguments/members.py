@@ -1,0 +1,99 @@
+"""What an ensemble is asked: its members, one row of parameters, start and inputs each; and what all share."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..runtime import CompiledModel
+from .names import Vector
+from .options import Task
+from .signals import Inputs, Signal
+
+Column = float | Signal | Vector | list[Any]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Asked:
+    """What all members share. t_eval (nt,): times of the rows; else as `Task`.
+
+    method : em_method of eigenmotion.h; None where the method is not compiled
+    end_only : the one row of a run is where it ends
+    """
+
+    model: CompiledModel
+    method: int | None
+    name: str
+    t_start: float
+    t_end: float
+    rtol: float
+    atol: Vector
+    t_eval: Vector
+    end_only: bool
+    first_step: float
+    max_step: float
+    max_steps: int
+    stabilise: bool
+    least_norm: bool
+
+    def task(self, prepared: Any, inputs: Inputs, y: Vector) -> Task:
+        """Return the run of one member."""
+        t_eval = None if self.end_only else self.t_eval
+        return Task(
+            self.model, prepared, inputs, self.t_start, self.t_end, y, self.rtol, self.atol, t_eval, False,
+            self.first_step, self.max_step, self.max_steps, self.stabilise, self.least_norm,
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Members:
+    """K members. Where an array has one row, or an input is one number or Signal, all share it.
+
+    parameters (K or 1, n_parameters), x, v (K or 1, n)
+    signals : for each input a number or a Signal for all, (K,) numbers, or a list of K numbers and Signals
+    refused : (K,) whether a member cannot start, for a reason found before its run
+    swept : names of what differs from member to member -> (K,)
+    """
+
+    count: int
+    parameters: Vector
+    x: Vector
+    v: Vector
+    signals: tuple[Column, ...]
+    refused: NDArray[np.bool_]
+    reasons: dict[int, str]
+    swept: dict[str, Vector]
+
+    def part(self, start: int, stop: int) -> "Members":
+        """Return members start ... stop - 1."""
+
+        def rows(table: Any) -> Any:
+            return table[start:stop] if isinstance(table, list) or len(table) > 1 else table
+
+        signals = tuple(rows(one) if isinstance(one, list | np.ndarray) else one for one in self.signals)
+        reasons = {k - start: words for k, words in self.reasons.items() if start <= k < stop}
+        return replace(
+            self, count=stop - start, parameters=rows(self.parameters), x=rows(self.x), v=rows(self.v),
+            signals=signals, refused=self.refused[start:stop], reasons=reasons, swept={},
+        )  # fmt: skip
+
+    @property
+    def inputs(self) -> tuple[Any, ...]:
+        """As compiled runs take them: an `em_signal`, an array of numbers, or a list of `em_signal`, for each input."""
+        return tuple(
+            one if isinstance(one, np.ndarray)
+            else [Inputs((each,)).compiled[0] for each in one] if isinstance(one, list)
+            else Inputs((one,)).compiled[0]
+            for one in self.signals
+        )  # fmt: skip
+
+    def inputs_of(self, k: int) -> Inputs:
+        """Return those of one member."""
+        chosen = (one[k] if isinstance(one, list | np.ndarray) else one for one in self.signals)
+        return Inputs(tuple(one if isinstance(one, Signal) else float(one) for one in chosen))
+
+    def row(self, name: str, k: int) -> Vector:
+        """Return the parameters, x or v of one member."""
+        table: Vector = getattr(self, name)
+        return np.asarray(table[k if len(table) > 1 else 0])

@@ -1,0 +1,302 @@
+"""`eigenmotion sweep`."""
+
+import re
+import time
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+import numpy as np
+
+from eigenmotion.building.build import system_of
+from eigenmotion.codegen.model import Model, ModelError
+from eigenmotion.ensembles.design import KINDS, Design, Distribution
+from eigenmotion.ensembles.progress import Progress, duration
+from eigenmotion.ensembles.simulate_ensemble import simulate_ensemble
+from eigenmotion.pages.figures import FORMATS, require_matplotlib
+from eigenmotion.pages.figures import save as save_figure
+from eigenmotion.results import spread
+from eigenmotion.results.stores import STORES, Parts, arrays_of, require
+from eigenmotion.running.methods import METHODS
+from eigenmotion.system.system import System
+
+from .options import Finite, Shape, assignments, check_writable, ending, model, setting, shaping, values
+from .progress import clock
+
+_MOST = 10**9
+_WORDS = 3  # failures of a kind that are told
+_AT_ONCE = 64  # parts that go to other machines together
+
+
+@click.command("sweep")
+@model
+@ending(Finite())
+@click.option("--sweep", "sweeps", multiple=True, metavar="NAME=A:B:K|V,V,...",
+              help="K values from A to B, or a list; of several, every one with every other.")  # fmt: skip
+@click.option("--sample", "samples", multiple=True, metavar="NAME=KIND(A,B)",
+              help=f"Values drawn at random: {', '.join(KINDS.values())}.")  # fmt: skip
+@click.option("-n", "n", type=click.IntRange(1, _MOST), metavar="N", help="Samples, at each point of the grid.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
+@setting
+@click.option("--rows", type=click.IntRange(1), default=1, show_default=True, metavar="K",
+              help="Rows of each run, evenly over the time; 1: its end.")  # fmt: skip
+@click.option("--rtol", type=Finite(), default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
+@click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
+@click.option("--method", default="dop853", show_default=True, metavar="NAME", help=f"{', '.join(METHODS)}.")
+@click.option("-o", "--output", "store", type=click.Path(path_type=Path), required=True, metavar="FILE",
+              help=f"Where the runs go: {', '.join(f'FILE{ending}' for ending in STORES)}.")  # fmt: skip
+@click.option("--workers", type=click.IntRange(1), metavar="N", help="Threads; as many as there are cores.")
+@click.option("--scheduler", metavar="ADDRESS", help="Of a Dask cluster whose workers do it; needs dask.distributed.")
+@click.option("--resume", is_flag=True, help="Go on with a sweep that was killed; ends with the same bytes.")
+@click.option("--chunk", type=click.IntRange(1), default=1000, show_default=True, metavar="K",
+              help="Runs that are kept together, and lost together where the sweep is killed.")  # fmt: skip
+@click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",
+              help="Draw the spread over time, or ends over what was swept, to FILE.png, .svg or .pdf.")  # fmt: skip
+@shaping
+def command(
+    model: Path,
+    t_end: float,
+    sweeps: tuple[str, ...],
+    samples: tuple[str, ...],
+    n: int | None,
+    seed: int,
+    settings: tuple[str, ...],
+    rows: int,
+    rtol: float,
+    atol: float,
+    method: str,
+    store: Path,
+    workers: int | None,
+    scheduler: str | None,
+    resume: bool,
+    chunk: int,
+    plot: Path | None,
+    **shape: Any,
+) -> int:
+    """Simulate MODEL for many values of parameters, inputs and initial values, and store every run.
+
+    NAME is as of --set. Runs that fail are stored with their reason, and summed up at the end.
+    """
+    _check_targets(store, plot, workers, scheduler)
+    order = Shape(**shape).order(model)
+    design = _design(order.model, sweeps, samples, n, seed)
+    times = np.linspace(0.0, t_end, rows) if rows > 1 else np.array([t_end])
+    given = {"rtol": rtol, "atol": atol, "method": method, "t_eval": times if rows > 1 else None}
+    with clock():
+        system = system_of(order)
+    told = _told(design, given, sources=order.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
+    parts = Parts(store, told, -(-design.count // chunk), times, system.coordinates)
+    if resume and parts.is_done:
+        click.echo(f"{store} is complete")
+        return 0
+    parts.begin(resume=resume)
+    work = _Sweep(system, order.model, design, parts, chunk, t_end, values(order.model, settings), given)
+    start = time.perf_counter()
+    with _executor(scheduler) as executor:
+        try:
+            whole = work.run(workers, executor)
+        except KeyboardInterrupt:
+            whole = False
+    if not whole:
+        click.echo(f"interrupted; --resume goes on where {store} was left", err=True)
+        return 130
+    click.echo(_summary(parts, design.count, time.perf_counter() - start))
+    _finish(work, plot)
+    return 0
+
+
+def _told(design: Design, given: dict[str, Any], **rest: Any) -> dict[str, Any]:
+    """Return what a sweep is, as JSON has it: what its bytes follow from."""
+    drawn = {name: str(one) for name, one in design.samples.items()}
+    grid = {name: list(numbers) for name, numbers in design.grid.items()}
+    options = {name: given[name] for name in ("rtol", "atol", "method")}
+    return {"grid": grid, "samples": drawn, "n": design.n, "seed": design.seed} | options | rest
+
+
+def _finish(work: "_Sweep", plot: Path | None) -> None:
+    if plot:
+        click.echo(f"drawn to {save_figure(_picture(work.system, work.design, work.parts), plot)}")
+    work.parts.finish()
+    click.echo(f"stored in {work.parts.store}")
+
+
+@dataclass(frozen=True)
+class _Sweep:
+    """Runs, part by part."""
+
+    system: System
+    model: Model
+    design: Design
+    parts: Parts
+    chunk: int
+    t_end: float
+    settings: dict[str, dict[str, float]]
+    options: dict[str, Any]
+
+    def run(self, workers: int | None, executor: Any) -> bool:
+        """Run what is missing; return whether all is there, which it is not after Ctrl-C."""
+        missing = [number for number in range(self.parts.count) if not self.parts.has(number)]
+        together = _AT_ONCE if executor else 1
+        total = self.design.count
+        with Progress(total, total - sum(map(self._size, missing))) as progress:
+            for first in range(0, len(missing), together):
+                some = missing[first : first + together]
+                if not self._do(some, workers, executor):
+                    return False
+                progress.add(sum(map(self._size, some)))
+        return True
+
+    def _span(self, number: int) -> tuple[int, int]:
+        return number * self.chunk, min((number + 1) * self.chunk, self.design.count)
+
+    def _size(self, number: int) -> int:
+        start, stop = self._span(number)
+        return stop - start
+
+    def _do(self, numbers: list[int], workers: int | None, executor: Any) -> bool:
+        """Run parts and keep them. What is interrupted is not kept."""
+        each = [self.design.values(*self._span(number)) for number in numbers]
+        swept = {name: np.concatenate([one[name] for one in each]) for name in each[0]}
+        options = self.options | self._given(swept) | {"workers": workers, "executor": executor}
+        runs = simulate_ensemble(self.system, (0.0, self.t_end), **options)
+        if "interrupted" in runs.stop:
+            return False
+        arrays, start = arrays_of(runs, swept), 0
+        for number in numbers:
+            stop = start + self._size(number)
+            self.parts.keep(number, {name: array[start:stop] for name, array in arrays.items()})
+            start = stop
+        return True
+
+    def _given(self, swept: dict[str, Any]) -> dict[str, Any]:
+        """Return arguments of `simulate_ensemble`: what is set, and what is swept."""
+        kinds = values(self.model, tuple(f"{name}=0" for name in swept))
+        given = {kind: dict(numbers) for kind, numbers in self.settings.items()}
+        for kind, names in kinds.items():
+            for name in names:
+                rate = f"{name}'"
+                column = swept[rate] if kind == "v0" and rate in swept else swept[name]
+                given.setdefault(kind, {})[name] = column
+        return given
+
+
+def _check_targets(store: Path, plot: Path | None, workers: int | None, scheduler: str | None) -> None:
+    """Find out before the runs what would fail after them."""
+    if plot:
+        require_matplotlib()
+    for option, file, endings in (("-o", store, STORES), ("--plot", plot, FORMATS)):
+        if file and file.suffix not in endings:
+            raise click.UsageError(f"{option} {file}: known endings are {', '.join(endings)}")
+        if file and not file.absolute().parent.is_dir():
+            raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
+        if file:
+            check_writable(file.absolute().parent, option)
+    if workers and scheduler:
+        raise click.UsageError("--workers are threads here, --scheduler has workers of its own: give one of them")
+    require(store)
+
+
+def _design(model: Model, sweeps: tuple[str, ...], samples: tuple[str, ...], n: int | None, seed: int) -> Design:
+    if not sweeps and not samples:
+        raise click.UsageError("nothing is swept: give --sweep or --sample")
+    if bool(samples) != (n is not None):
+        raise click.UsageError("-n says how many samples --sample draws: give both")
+    grid = {name: _values(name, text) for name, text in assignments(sweeps, "--sweep").items()}
+    drawn = {name: _distribution(name, text) for name, text in assignments(samples, "--sample").items()}
+    if twice := sorted(grid.keys() & drawn.keys()):
+        raise click.UsageError(f"{twice[0]} is swept and sampled: give one of the two")
+    try:
+        values(model, tuple(f"{name}=0" for name in (*grid, *drawn)))
+    except click.UsageError as error:
+        raise click.UsageError(error.message.replace("--set", "--sweep, --sample")) from error
+    design = Design(grid, drawn, n or 1, seed)
+    if design.count > _MOST:
+        raise click.UsageError(f"{design.count:.3g} runs: at most {_MOST:.0e} in one sweep")
+    return design
+
+
+def _values(name: str, text: str) -> list[float]:
+    """A:B:K or V,V,... -> values."""
+    option = f"--sweep {name}={text}"
+    pieces = text.split(":")
+    try:
+        if len(pieces) == 1:
+            found = [float(value) for value in text.split(",")]
+        else:
+            low, high, count = pieces
+            found = np.linspace(float(low), float(high), int(count)).tolist()
+    except ValueError as error:
+        raise click.UsageError(f"{option}: expected A:B:K, K values from A to B, or a list V,V,...") from error
+    if not found or not np.isfinite(found).all():
+        raise click.UsageError(f"{option}: there must be values, and finite ones")
+    return found
+
+
+def _distribution(name: str, text: str) -> Distribution:
+    """KIND(A,B) -> what is drawn from."""
+    option = f"--sample {name}={text}"
+    found = re.fullmatch(r"\s*(\w+)\s*\(([^,]+),([^,]+)\)\s*", text)
+    try:
+        if found is None:
+            raise ValueError
+        numbers = float(found[2]), float(found[3])
+        if not np.isfinite(numbers).all():
+            raise ValueError
+        return Distribution(found[1].lower(), *numbers)
+    except ModelError as error:
+        raise click.UsageError(f"{option}: {error}") from error
+    except ValueError as error:
+        raise click.UsageError(f"{option}: expected one of {', '.join(KINDS.values())}") from error
+
+
+@contextmanager
+def _executor(scheduler: str | None) -> Iterator[Any]:
+    """Give the executor of a Dask cluster, or None: threads here."""
+    if scheduler is None:
+        with nullcontext() as none:
+            yield none
+        return
+    try:
+        from distributed import Client  # noqa: PLC0415, an optional package
+    except ImportError as error:
+        raise ModelError("--scheduler needs dask.distributed: pip install 'eigenmotion[cluster]'") from error
+    try:
+        client: Any = Client(scheduler, timeout=10)  # type: ignore[no-untyped-call]
+    except (OSError, ValueError) as error:
+        raise click.UsageError(f"--scheduler {scheduler}: no cluster answers there ({error})") from error
+    with client:
+        yield client.get_executor(retries=3)
+
+
+def _summary(parts: Parts, count: int, seconds: float) -> str:
+    """How many, how long, what failed and why."""
+    stops, first, where = Counter[str](), 0, dict[str, list[int]]()
+    for arrays in parts.arrays():
+        stops.update(arrays["stop"].tolist())
+        for k in np.flatnonzero(~arrays["success"]).tolist():
+            named = where.setdefault(str(arrays["stop"][k]), [])
+            if len(named) < _WORDS:
+                named.append(first + k)
+        first += len(arrays["t_end"])
+    failed = sum(number for stop, number in stops.items() if stop in where)
+    lines = [f"{count} runs in {duration(seconds)}, {failed} failed"]
+    for stop, number in stops.most_common():
+        runs = (
+            f"  (run {', '.join(map(str, where[stop]))}{', ...' if number > _WORDS else ''})" if stop in where else ""
+        )
+        lines.append(f"  {number:>9} {stop}{runs}")
+    return "\n".join(lines)
+
+
+def _picture(system: System, design: Design, parts: Parts) -> Any:
+    x = np.concatenate([arrays["x"] for arrays in parts.arrays()])
+    title = f"{system.name.replace('_', ' ')}, {design.count} runs"
+    if len(parts.time) > 1:
+        return spread.over_time(title, system.coordinates, parts.time, x)
+    if len(design.grid) == 2 and not design.samples:
+        return spread.over_grid(title, system.coordinates, design.grid, x[:, :, 0])
+    return spread.ends(title, system.coordinates, design.values(0, design.count), x[:, :, 0])

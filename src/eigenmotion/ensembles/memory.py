@@ -1,0 +1,45 @@
+"""What the rows of an ensemble take, stated before it is taken."""
+
+import logging
+import os
+
+from ..arguments.members import Asked
+from ..codegen.model.normalise import ModelError
+
+_LITTLE = 10**7  # [byte] that are there, without a look
+_log = logging.getLogger("eigenmotion")
+
+
+def check(asked: Asked, count: int) -> None:
+    """Say what the rows of so many runs take.
+
+    Raises
+    ------
+    ModelError
+        More than there is.
+    """
+    model = asked.model
+    numbers = len(asked.t_eval) * model.n_state + 10 + model.n_events
+    needed = 8 * numbers * count
+    there = available() if needed > _LITTLE else None
+    words = f"{count} runs with {len(asked.t_eval)} rows of {model.n_state} numbers take {needed / 1e9:.3g} GB"
+    _log.info("%s: %s", model.name, words)
+    if there is not None and needed > there:
+        raise ModelError(
+            f"{model.name}: {words}, and {there / 1e9:.3g} GB are free. Give fewer rows in t_eval (none: the end state "
+            "only), fewer runs at a time, or let `eigenmotion sweep` write them chunk by chunk."
+        )
+
+
+def available() -> int | None:
+    """Return how many bytes are free, None where the system does not say."""
+    try:
+        with open("/proc/meminfo", encoding="ascii") as lines:  # noqa: PTH123, no path of a user's
+            found = {name: rest for name, _, rest in (line.partition(":") for line in lines)}
+        return 1024 * int(found["MemAvailable"].split()[0])
+    except (OSError, KeyError, ValueError):
+        pass
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, OSError, ValueError):
+        return None

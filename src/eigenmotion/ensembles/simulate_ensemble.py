@@ -1,0 +1,155 @@
+"""Many runs of one system: their options, who runs them, and their result."""
+
+from collections.abc import Mapping
+from concurrent.futures import Executor
+from contextlib import nullcontext
+from typing import TYPE_CHECKING, Any, Never
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments.members import Asked, Members
+from ..arguments.names import unknown
+from ..arguments.options import OptionError, choice, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.signals import Inputs, Signal
+from ..codegen.model.normalise import ModelError, shown, truth
+from ..results.ensemble import Ensemble
+from ..running.methods import METHODS
+from ..running.simulate import STABILISATIONS, is_system
+from . import memory
+from .executors import in_executor
+from .gather import gather
+from .progress import Progress
+from .threads import cores, in_threads
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+_METHODS = {name.lower(): name for name in METHODS}
+_OPTIONS = (
+    *("x0", "v0", "parameters", "inputs", "t_eval", "method", "rtol", "atol", "first_step", "max_step", "max_steps"),
+    *("stabilisation", "dependent_constraints", "workers", "executor", "progress"),
+)
+
+
+def simulate_ensemble(
+    system: "System",
+    t_span: tuple[float, float],
+    *positional: Never,
+    x0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    v0: Mapping[Any, ArrayLike] | ArrayLike | None = None,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | None = None,
+    t_eval: ArrayLike | None = None,
+    method: str = "dop853",
+    rtol: float = 1e-6,
+    atol: float | Mapping[Any, float] | ArrayLike = 1e-9,
+    first_step: float | None = None,
+    max_step: float = np.inf,
+    max_steps: int = 1_000_000,
+    stabilisation: str = "project",
+    dependent_constraints: str = "refuse",
+    workers: int | None = None,
+    executor: Executor | None = None,
+    progress: bool = False,
+    **misspelt: Any,
+) -> Ensemble:
+    """Integrate K motions of one system, each as `simulate` does.
+
+    Parameters
+    ----------
+    x0, v0, parameters
+        As of `simulate`, and each value a number or (K,) numbers; or arrays (K, n), (K, n_parameters), a row a run.
+        Lengths of one fit any other.
+    inputs
+        As of `simulate` for all runs; or an array (K,) of numbers, or a list of K numbers, pairs or Signals.
+    t_eval
+        (nt,) times of the rows; None: the end state only.
+    method, rtol, atol, first_step, max_step, max_steps, stabilisation, dependent_constraints
+        As of `simulate`. Methods that are not compiled run in Python, one after the other: give them an executor.
+    workers
+        Threads of this process; None: as many as there are cores.
+    executor
+        Any `concurrent.futures.Executor`, as `dask.distributed.Client.get_executor()`; gets chunks of about a second.
+        A chunk that is lost with its worker is run again.
+    progress
+        Write how many are done, at what rate, and the time left, to standard error.
+
+    Returns
+    -------
+    Ensemble
+        The same bits whatever the number of workers, the executor and the order of the members. A member that cannot
+        start or fails on its way is one of `failed`, with its reason, and costs the others nothing; Ctrl-C returns what
+        is done.
+
+    Raises
+    ------
+    ModelError
+        Before the runs: an unknown name or option, arrays of different lengths, a value that all members share and
+        that is out of range, or more rows than there is memory for.
+    """
+    _check_call(system, positional, misspelt)
+    name: str = choice(method, _METHODS, "method")
+    start, end = span(t_span)
+    relative, absolute = tolerances(system.compiled, rtol, atol)
+    times = rows_at(t_eval, start, end)
+    asked = Asked(
+        system.compiled, METHODS[name].number, name, start, end, relative, absolute,
+        np.array([end]) if times is None else times, times is None,
+        *step_limits(first_step, max_step, max_steps, abs(end - start)),
+        choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm_of(dependent_constraints),
+    )  # fmt: skip
+    members = gather(system, start, x0, v0, parameters, inputs)
+    _check_signals(system, members, start, end)
+    memory.check(asked, members.count)
+    with Progress(members.count) if truth(progress, "progress") else nullcontext() as shown_progress:
+        report = shown_progress.add if shown_progress else _silent
+        if executor is None:
+            return Ensemble(asked, members, in_threads(asked, members, _threads(workers), report))
+        return Ensemble(asked, members, in_executor(asked, members, _executor(executor, workers), report))
+
+
+def _silent(_: int) -> None:
+    """Report to nobody."""
+
+
+def _check_call(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> None:
+    if not is_system(system):
+        raise OptionError(
+            f"simulate_ensemble: system is {shown(system)}, not a System. Compile the model, or the file that defines "
+            "it, first: simulate_ensemble(em.build(model), t_span)"
+        )
+    if positional:
+        words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
+        raise OptionError(f"simulate_ensemble: everything after t_span is given by keyword; did you mean {words}?")
+    if misspelt:
+        raise OptionError(f"simulate_ensemble: {unknown('option', misspelt, _OPTIONS)}")
+
+
+def _threads(workers: object) -> int:
+    if workers is None:
+        return cores()
+    if isinstance(workers, bool) or not isinstance(workers, int | np.integer) or workers < 1:
+        raise ModelError(f"workers is {shown(workers)}, but must be a whole number of threads, at least 1, or None")
+    return int(workers)
+
+
+def _executor(executor: Any, workers: object) -> Executor:
+    if not callable(getattr(executor, "submit", None)):
+        raise ModelError(f"executor is {shown(executor)}, not a concurrent.futures.Executor")
+    if workers is not None:
+        raise ModelError("give workers, threads of this process, or an executor, which has its own; not both")
+    return executor  # type: ignore[no-any-return]
+
+
+def _check_signals(system: "System", members: Members, start: float, end: float) -> None:
+    """Refuse signals that do not cover the span: for all members, or the one whose it is."""
+    for name, column in zip(system.inputs, members.signals, strict=True):
+        for k, signal in enumerate(column if isinstance(column, list) else [column]):
+            if not isinstance(signal, Signal) or (gap := Inputs((signal,)).uncovered(start, end)) is None:
+                continue
+            words = f"input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})"
+            if not isinstance(column, list):
+                raise ModelError(f"{system.name}: {words}")
+            members.refused[k] = True
+            members.reasons.setdefault(k, words)

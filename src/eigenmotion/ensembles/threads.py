@@ -1,0 +1,61 @@
+"""Chunks of members for threads of this process, which take the next one as they come to it."""
+
+import os
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+
+from ..arguments.members import Asked, Members
+from ..results.found import Collection, Found
+from ..runtime.ensemble import Stop
+from .work import run_chunk
+
+Report = Callable[[int], None]
+_SHARES = 16  # chunks a thread: slow members hold up no more than one of them
+_LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, and to report
+_TICK = 0.05  # [s] between two looks at signals
+
+
+def cores() -> int:
+    """Return how many this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def pieces(count: int, size: int) -> list[tuple[int, int]]:
+    """Return (start, stop) of chunks of at most `size`."""
+    return [(start, min(start + size, count)) for start in range(0, count, size)]
+
+
+def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> Found:
+    """Run all members; Ctrl-C ends the runs, and what is done is returned."""
+    stop, found = Stop(), Collection(asked, members.count)
+    size = min(_MOST, max(-(-members.count // (_SHARES * workers)), min(_LEAST, -(-members.count // workers))))
+
+    def work(start: int, end: int) -> None:
+        found.put(start, run_chunk(asked, members.part(start, end), stop))
+        report(end - start)
+
+    parts = pieces(members.count, _MOST if workers == 1 else size)
+    if workers == 1 or len(parts) == 1:
+        for part in parts:
+            work(*part)
+        return found.whole
+    with ThreadPoolExecutor(min(workers, len(parts))) as pool:
+        try:
+            _await([pool.submit(work, *part) for part in parts], stop)
+        except BaseException as error:
+            stop.set()
+            if not isinstance(error, KeyboardInterrupt):
+                raise
+    return found.whole
+
+
+def _await(futures: list[Future[None]], stop: Stop) -> None:
+    """Wait for all; a signal is seen here, in the main thread, and ends their runs."""
+    waiting = set(futures)
+    while waiting:
+        try:
+            done, waiting = wait(waiting, _TICK)
+            for future in done:
+                future.result()
+        except KeyboardInterrupt:
+            stop.set()

@@ -1,0 +1,87 @@
+"""A chunk of members, in this thread: compiled, or one by one in Python."""
+
+from typing import Any
+
+import numpy as np
+
+from ..arguments.members import Asked, Members
+from ..codegen.model.normalise import ModelError
+from ..results.found import COUNTS, REASONS, Found
+from ..results.solution import Solution
+from ..running.methods import METHODS
+from ..running.simulate import run_task
+from ..running.start import start_state
+from ..runtime import EvaluationError, StopReason
+from ..runtime.ensemble import Chunk, Stop
+
+_REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFUSED, StopReason.INTERRUPTED))
+_OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event_times", "events", "event_counts")
+
+
+def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
+    """Return what comes of members. `stop` ends their runs early."""
+    model = asked.model
+    if asked.method is None:
+        found = Found.none(asked, members.count)
+        doubtful = list(range(members.count))
+    else:
+        chunk = Chunk(asked, members, stop)
+        found = Found(**{name: getattr(chunk, name) for name in _OF_CHUNK})
+        found.counts = np.pad(found.counts, ((0, 0), (0, 2)))
+        doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
+        if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
+            doubtful = list(range(members.count))  # eigenvalues that coincide at the start are looked at in Python
+    for k in doubtful:
+        if not stop:
+            _look_again(asked, members, k, found, stop)
+    return found
+
+
+def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop) -> None:
+    """Start a member as `simulate` does, in words where it cannot; and run it unless that is done."""
+    try:
+        task = _task(asked, members, k)
+    except (ModelError, EvaluationError) as error:
+        found.status[k], found.words[k] = _REFUSED, str(error)
+        found.y[k], found.t_end[k] = np.nan, asked.t_start
+        return
+    if asked.method is None or found.status[k] == _REFUSED:
+        _keep(asked, k, run_task(task, METHODS[asked.name]), found)
+        if found.status[k] == _INTERRUPTED:
+            stop.set()
+
+
+def _task(asked: Asked, members: Members, k: int) -> Any:
+    if k in members.reasons:
+        raise ModelError(f"{asked.model.name}: {members.reasons[k]}")
+    prepared = asked.model.prepare(members.row("parameters", k))
+    start = members.row("x", k), members.row("v", k)
+    y = start_state(asked.model, prepared, asked.t_start, *start, asked.rtol, asked.atol)
+    return asked.task(prepared, members.inputs_of(k), y)
+
+
+def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:
+    """Take over a run of its own."""
+    found.status[k], found.words[k] = REASONS.index(solution.stop), solution.message
+    rows = solution.y.T
+    if asked.end_only:
+        rows = rows[-1:] if solution.success else rows[:0]
+    found.y[k, : len(rows)] = rows
+    found.t_end[k] = _reached(asked, solution)
+    counts = [solution[name] for name in COUNTS]
+    found.counts[k] = [-1 if count is None else count for count in counts]
+    if solution.t_events is None:
+        return
+    place = int(found.event_counts[:k].sum())
+    found.event_counts[k] = [len(times) for times in solution.t_events]
+    found.event_times = np.insert(found.event_times, place, np.concatenate(solution.t_events))
+    found.events = np.insert(found.events, place, np.concatenate(solution.y_events), axis=0)
+
+
+def _reached(asked: Asked, solution: Solution) -> float:
+    """Return where a run came to, as far as its rows tell."""
+    if solution.stop is StopReason.FINISHED:
+        return asked.t_end
+    times = [solution.t, *(solution.t_events or [])]
+    sign = 1.0 if asked.t_end >= asked.t_start else -1.0
+    return sign * max((sign * float(each[-1]) for each in times if len(each)), default=sign * asked.t_start)

@@ -1,0 +1,272 @@
+"""The result of many runs: arrays over runs, coordinates and time, and each run as a Solution."""
+
+from collections.abc import Iterator
+from functools import cached_property
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arguments.members import Asked, Members
+from ..arguments.names import Vector
+from ..codegen.model.normalise import ModelError
+from ..runtime import StopReason, explain
+from ..runtime.ensemble import energies, reactions, velocities
+from .found import COUNTS, REASONS, Found
+from .solution import Solution
+from .trajectory import Trajectory
+
+_ENDS_WELL = sum(reason.success for reason in REASONS)
+
+
+class Ensemble:
+    """K runs of one system, run first and time last; n coordinates, m constraint rows, nt rows of time.
+
+    t : (nt,); where only ends were asked for, the end of the span
+    x, v : (K, n, nt); y (K, n_state, nt), published meaning
+    multipliers : (K, m, nt); energy, jacobi_integral : (K, nt); outputs : name -> (K, nt)
+    t_end : (K,) where each run came to: a terminal event or a failure ends it earlier, and later rows are NaN. Where
+        only ends were asked for, the row of a run that a terminal event ended is the state at the event
+    success : (K,); stop : (K,) of StopReason; failed : indices of runs that failed; message(k) : how run k ended
+    nfev, nsteps : (K,)
+    swept : name -> (K,): what differs from run to run
+
+    ensemble[k] is run k as a Solution, without dense output.
+    """
+
+    def __init__(self, asked: Asked, members: Members, found: Found) -> None:
+        self._asked, self._members, self._found = asked, members, found
+        self._model = asked.model
+
+    def __len__(self) -> int:
+        return self._members.count
+
+    def __iter__(self) -> Iterator[Solution]:
+        return (self[k] for k in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"<Ensemble of {self._model.name}: {self.summary}>"
+
+    @property
+    def summary(self) -> str:
+        """How many runs, and how those ended that failed."""
+        failures = [reason for reason in REASONS if not reason.success]
+        counts = {reason: int((self._found.status == REASONS.index(reason)).sum()) for reason in failures}
+        listed = ", ".join(f"{count} {reason}" for reason, count in counts.items() if count)
+        return f"{len(self)} runs, {len(self.failed)} failed{f' ({listed})' if listed else ''}"
+
+    # --- how they ended ---
+
+    @property
+    def t(self) -> Vector:
+        """(nt,)."""
+        return self._asked.t_eval
+
+    @property
+    def t_end(self) -> Vector:
+        """(K,)."""
+        return self._found.t_end
+
+    @property
+    def success(self) -> NDArray[np.bool_]:
+        """(K,)."""
+        return self._found.status < _ENDS_WELL
+
+    @property
+    def failed(self) -> NDArray[np.intp]:
+        """Indices of runs that failed."""
+        return np.flatnonzero(~self.success)
+
+    @cached_property
+    def stop(self) -> NDArray[Any]:
+        """(K,) of StopReason."""
+        return np.asarray(np.array(REASONS, dtype=object)[self._found.status])
+
+    def message(self, k: int) -> str:
+        """Return how run k ended, where, and what to do."""
+        found, k = self._found, range(len(self))[k]
+        if k in found.words:
+            return found.words[k]
+        stop, model = REASONS[found.status[k]], self._model
+        words = explain(
+            stop, model.coordinates, int(found.first[k]), int(found.second[k]), float(found.size[k]), model.events
+        )
+        return words if stop is StopReason.FINISHED else f"At t = {found.t_end[k]:.9g}: {words}"
+
+    @property
+    def nfev(self) -> NDArray[np.int_]:
+        """(K,): right-hand sides."""
+        return self._found.counts[:, 0]
+
+    @property
+    def nsteps(self) -> NDArray[np.int_]:
+        """(K,): accepted steps."""
+        return self._found.counts[:, 1]
+
+    # --- their rows ---
+
+    @property
+    def swept(self) -> dict[str, Vector]:
+        """Name -> (K,)."""
+        return self._members.swept
+
+    @property
+    def y(self) -> Vector:
+        """(K, n_state, nt)."""
+        return np.moveaxis(self._found.y, 1, 2)
+
+    @property
+    def x(self) -> Vector:
+        """(K, n, nt)."""
+        return self.y[:, : self._model.n]
+
+    @cached_property
+    def v(self) -> Vector:
+        """(K, n, nt)."""
+        return np.moveaxis(self._v, 1, 2)
+
+    @property
+    def energy(self) -> Vector:
+        """(K, nt): T + V."""
+        return np.asarray(self._energies.sum(axis=2))
+
+    @property
+    def jacobi_integral(self) -> Vector:
+        """(K, nt): T2 - T0 + V."""
+        return np.asarray(self._energies @ (1.0, 0.0, -1.0, 1.0))
+
+    @property
+    def multipliers(self) -> Vector:
+        """(K, m, nt)."""
+        return np.moveaxis(self._reactions[1], 1, 2)
+
+    @property
+    def outputs(self) -> dict[str, Vector]:
+        """Name -> (K, nt)."""
+        return {name: self._reactions[2][:, :, k] for k, name in enumerate(self._model.outputs)}
+
+    @property
+    def _times(self) -> Vector:
+        """(K or 1, nt): of the rows."""
+        return self._found.t_end[:, None] if self._asked.end_only else self._asked.t_eval[None]
+
+    @cached_property
+    def _v(self) -> Vector:
+        return velocities(self._model, self._times, self._found.y, self._members.parameters)
+
+    @cached_property
+    def _energies(self) -> Vector:
+        return energies(self._model, self._times, self._found.y, self._v, self._members.parameters)
+
+    @cached_property
+    def _reactions(self) -> tuple[Vector, Vector, Vector]:
+        rows = self._times, self._found.y, self._v, self._inputs
+        return reactions(self._model, *rows, self._members.parameters, self._asked.least_norm)
+
+    @property
+    def _inputs(self) -> Vector:
+        """(K, nt, n_inputs)."""
+        count, rows = self._found.y.shape[:2]
+        at = np.empty((count, rows, self._model.n_inputs))
+        for k in range(count if self._model.n_inputs else 0):
+            at[k] = self._members.inputs_of(k).at(self._times[k if self._asked.end_only else 0])
+        return at
+
+    # --- one of them ---
+
+    def __getitem__(self, k: int) -> Solution:
+        """Return run k."""
+        k = range(len(self))[k]
+        found, members, asked = self._found, self._members, self._asked
+        there = ~np.isnan(found.y[k]).any(axis=1)
+        t = self._times[k if asked.end_only else 0][there]
+        rows = np.ascontiguousarray(found.y[k][there])
+        stop = REASONS[found.status[k]]
+        t_events, y_events = self._events(k)
+        counts = {
+            name: None if count < 0 else count for name, count in zip(COUNTS, found.counts[k].tolist(), strict=True)
+        }
+        record = {
+            "t": t, "y": rows.T, "sol": None, "t_events": t_events, "y_events": y_events, **counts,
+            "status": REASONS.index(stop) if stop.success else -1, "message": self.message(k), "success": stop.success,
+            "stop": stop, "error_estimate": None, "error_cost": None,
+        }  # fmt: skip
+        if stop is StopReason.START_REFUSED:
+            return Solution(None, record | self._nothing)
+        prepared = self._model.prepare(members.row("parameters", k))
+        return Solution(Trajectory(asked.task(prepared, members.inputs_of(k), members.row("x", k)), t, rows), record)
+
+    @property
+    def _nothing(self) -> dict[str, Any]:
+        """What follows from the rows of a run that has none."""
+        n, m, h = self._model.n, self._model.m, self._model.h
+        shapes = {
+            "x": (n,), "v": (n,), "eta": (n,), "C": (n, n), "s": (n,), "multipliers": (m,), "energy": (),
+            "jacobi_integral": (), "constraint_residual": (m,), "position_residual": (h,), "factor_residual": (),
+        }  # fmt: skip
+        empty = np.empty(0)
+        return {name: np.empty((*shape, 0)) for name, shape in shapes.items()} | {
+            "outputs": dict.fromkeys(self._model.outputs, empty),
+            "quasi_velocities": dict.fromkeys(self._model.quasi_velocities, empty),
+        }
+
+    def _events(self, k: int) -> tuple[list[Vector], list[Vector]] | tuple[None, None]:
+        """Return t (e,) and y (e, n_state) of each event of run k."""
+        found = self._found
+        if self._model.n_events == 0:
+            return None, None
+        ends = self._event_ends[k]
+        pieces = [
+            slice(end - count, end) for end, count in zip(ends.tolist(), found.event_counts[k].tolist(), strict=True)
+        ]
+        return [found.event_times[piece] for piece in pieces], [found.events[piece] for piece in pieces]
+
+    @cached_property
+    def _event_ends(self) -> NDArray[Any]:
+        """(K, n_events): where the rows of each end in the table of all."""
+        counts = self._found.event_counts
+        return np.cumsum(counts.ravel()).reshape(counts.shape)
+
+    # --- for other tools ---
+
+    def to_xarray(self) -> Any:
+        """Return an `xarray.Dataset`: dimensions run, coordinate, time; what was swept are coordinates of run.
+
+        Raises
+        ------
+        ModelError
+            xarray is not installed.
+        """
+        if find_spec("xarray") is None:
+            raise ModelError("to_xarray needs xarray: pip install 'eigenmotion[xarray]'")
+        import xarray  # noqa: PLC0415, an optional package
+
+        return xarray.Dataset(
+            *_dataset(self), attrs={"model": self._model.name, "formulation": self._model.formulation}
+        )
+
+
+def _dataset(runs: Ensemble) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return data variables and coordinates, each (dimensions, values)."""
+    along = ("run", "coordinate", "time")
+    data: dict[str, Any] = {
+        "x": (along, runs.x), "v": (along, runs.v), "energy": (("run", "time"), runs.energy),
+        "t_end": ("run", runs.t_end), "success": ("run", runs.success), "nfev": ("run", runs.nfev),
+        "stop": ("run", np.array([str(reason) for reason in runs.stop], dtype=np.str_)),
+    }  # fmt: skip
+    model = runs._model
+    if model.m:
+        data["multipliers"] = (("run", "row", "time"), runs.multipliers)
+    places: dict[str, Any] = {"time": runs.t, "coordinate": np.array(model.coordinates), "run": np.arange(len(runs))}
+    if model.outputs:
+        data |= {
+            _free(name, "output", data, places): (("run", "time"), values) for name, values in runs.outputs.items()
+        }
+    places |= {_free(name, "swept", data, places): ("run", values) for name, values in runs.swept.items()}
+    return data, places
+
+
+def _free(name: str, kind: str, *taken: dict[str, Any]) -> str:
+    """Return a name that is not taken: of the user's names some may be those of dimensions."""
+    return f"{kind}_{name}" if any(name in names for names in (*taken, {"row": 0})) else name

@@ -1,0 +1,76 @@
+"""What came of the members of an ensemble, as arrays; and the room for all that parts fill."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arguments.members import Asked
+from ..arguments.names import Vector
+from ..runtime import StopReason
+
+REASONS = tuple(StopReason)
+COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "njev", "nlu")
+_EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts")
+
+
+@dataclass(eq=False)
+class Found:
+    """What came of some members: as `Chunk` has it, and the words for ends that its numbers do not tell.
+
+    counts : (K, 6), the COUNTS of a Solution; -1 where a method does not say
+    """
+
+    y: Vector
+    t_end: Vector
+    status: NDArray[Any]
+    first: NDArray[Any]
+    second: NDArray[Any]
+    size: Vector
+    counts: NDArray[Any]
+    event_times: Vector
+    events: Vector
+    event_counts: NDArray[Any]
+    words: dict[int, str] = field(default_factory=dict)
+
+    @classmethod
+    def none(cls, asked: Asked, count: int) -> "Found":
+        """Return members none of which has run."""
+        model = asked.model
+        interrupted = REASONS.index(StopReason.INTERRUPTED)
+        return cls(
+            y=np.full((count, len(asked.t_eval), model.n_state), np.nan),
+            t_end=np.full(count, asked.t_start),
+            status=np.full(count, interrupted, dtype=np.intc),
+            first=np.full(count, -1, dtype=np.intc),
+            second=np.full(count, -1, dtype=np.intc),
+            size=np.zeros(count),
+            counts=np.zeros((count, len(COUNTS)), dtype=np.int_),
+            event_times=np.empty(0),
+            events=np.empty((0, model.n_state)),
+            event_counts=np.zeros((count, model.n_events), dtype=np.int_),
+        )
+
+
+class Collection:
+    """What comes of members, part by part in any order: room for all is taken at once."""
+
+    def __init__(self, asked: Asked, count: int) -> None:
+        self._whole, self._events = Found.none(asked, count), dict[int, tuple[Vector, Vector]]()
+
+    def put(self, start: int, part: Found) -> None:
+        """Take over the members from `start` on."""
+        for name in _EACH:
+            getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
+        self._whole.words |= {start + k: text for k, text in part.words.items()}
+        self._events[start] = part.event_times, part.events
+
+    @property
+    def whole(self) -> Found:
+        """All of them."""
+        parts = [self._events[start] for start in sorted(self._events)]
+        if parts:
+            times, rows = zip(*parts, strict=True)
+            self._whole.event_times, self._whole.events = np.concatenate(times), np.concatenate(rows)
+        return self._whole

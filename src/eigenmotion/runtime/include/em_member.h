@@ -1,0 +1,92 @@
+/* em_member.h: a run whose steps are made in a lane (em_flock.h): its start, and what is done number by number about some
+ * of its steps. What a lane cannot do begins anew, by em_simulate. */
+#ifndef EM_MEMBER_H
+#define EM_MEMBER_H
+
+#include "em_stepper.h"
+
+#define EM_LANE(table, k) (table)[(size_t)(k) * (size_t)width + (size_t)lane]
+
+/* When the lane's steps are looked at next. */
+static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
+    const em_run *run = w->run;
+    f->next_look[lane] = w->starts_near ? 0.0 : (double)w->next_witness;
+    f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
+}
+
+static void em_member_leave(void *walk) { free(((em_walk *)walk)->block); }
+
+/* em_model.enter */
+static void *em_member_enter(em_run *run, em_flock *f, int lane) {
+    const int width = EM_MODEL_LANES.width;
+    em_walk *w = NULL;
+    run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+    if (em_rows_prepare(run) || (w = em_walk_create(run)) == NULL) return NULL;
+    if (em_enter(w) || w->t == run->t_end || em_begin(w)) return em_member_leave(w), NULL;
+    for (int k = 0; k < N_STATE; ++k) {
+        EM_LANE(f->y, k) = w->y[k];
+        EM_LANE(f->K, k) = w->K[0][k];
+    }
+    for (int k = 0; k < N_PREPARED; ++k) EM_LANE(f->c, k) = run->prepared[k];
+    for (int k = 0; k < N_INPUTS; ++k) EM_LANE(f->u, k) = w->u[k];
+    f->t[lane] = w->t;
+    f->h_next[lane] = w->h_next;
+    f->last_error[lane] = f->longest[lane] = f->n_steps[lane] = f->n_rejected[lane] = f->retries[lane] = 0.0;
+    f->n_rhs[lane] = (double)run->n_rhs;
+    em_member_plan(w, f, lane);
+    return w;
+}
+
+/* The stages of the step under way, from the lane, and where it came to before it was settled. */
+static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
+    enum { PADDED = (N_STATE + 3) / 4 * 4 };
+    const em_tableau *const rk = &EM_DOP853_TABLEAU;
+    const int width = EM_MODEL_LANES.width;
+    for (int stage = 1; stage < rk->stages; ++stage)
+        for (int k = 0; k < N_STATE; ++k) w->K[stage][k] = EM_LANE(f->K, stage * PADDED + k);
+    em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
+}
+
+/* Its ends, and what the run has done so far. */
+static void em_member_read(em_walk *w, const em_flock *f, int lane) {
+    const int width = EM_MODEL_LANES.width;
+    for (int k = 0; k < N_STATE; ++k) {
+        w->y[k] = EM_LANE(f->y, k);
+        w->y_new[k] = EM_LANE(f->y_new, k);
+        w->K[0][k] = EM_LANE(f->K, k);
+        w->f_new[k] = EM_LANE(f->f_new, k);
+    }
+    w->t = f->t[lane];
+    w->t_new = f->t_new[lane];
+    w->h = f->h[lane];
+    w->longest_step = f->longest[lane];
+    w->retries = (int)f->retries[lane];
+    w->run->n_steps = (long)f->n_steps[lane];
+    w->run->n_rejected = (long)f->n_rejected[lane];
+    w->run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
+    w->size_norm = 1.0;
+    w->moved = SETTLES;
+    em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
+}
+
+/* em_model.look: what em_land and em_advance do about an accepted step. */
+static int em_member_look(void *walk, em_flock *f, int lane) {
+    em_walk *const w = walk;
+    int terminal = 0;
+    em_member_read(w, f, lane);
+    if (N_EVENTS > 0 || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
+    double t_stop = w->t_new;
+    if (em_check_chart(w) || em_check_witness(w) || (N_EVENTS > 0 && em_watch(w))) return -1;
+    if (em_needs_interpolant(w) && w->scheme.interpolate(w)) return -1;
+    if (em_record(w, &t_stop, &terminal)) return -1;
+    em_commit(w);
+    w->run->t_reached = t_stop;
+    if (terminal) w->run->fault.status = EM_TERMINAL_EVENT;
+    em_member_plan(w, f, lane);
+    f->n_rhs[lane] += (double)(w->run->n_rhs - (long)f->n_rhs[lane] - EM_DOP853_TABLEAU.stages); /* of the interpolant */
+    return terminal || w->t == w->run->t_end;
+}
+
+#undef EM_LANE
+
+#endif

@@ -1,0 +1,129 @@
+"""Runs of an ensemble side by side in the lanes of vectors: the motions that numbers give, and bits of one's own."""
+
+import signal
+import threading
+import time
+from os import getpid, kill
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import eigenmotion as em
+from eigenmotion import Signal, StopReason, simulate_ensemble
+
+from .test_ensemble import ROWS, SPAN, SWING, TIGHT, bits
+
+MODELS = Path(__file__).parents[1] / "models"
+COUNT = 21
+SPEEDS = np.linspace(0.0, 9.0, COUNT)
+
+
+@pytest.fixture(scope="module")
+def swing() -> em.System:
+    return em.build(SWING, formulation="lagrange", flags="-O1")
+
+
+@pytest.fixture(scope="module")
+def link() -> em.System:
+    """One with a constraint on velocities, which steps are settled on."""
+    return em.build(MODELS / "dual_link.py", formulation="inverse", flags="-O1")
+
+
+def check_alike(one: em.Solution, other: em.Solution) -> None:
+    """Say that they are the same but for rounding."""
+    assert (one.stop, one.nsteps, one.nrejected, one.nfev) == (other.stop, other.nsteps, other.nrejected, other.nfev)
+    assert np.allclose(one.t, other.t, rtol=0, atol=1e-10)
+    assert np.allclose(one.y, other.y, rtol=1e-9, atol=1e-9)
+    for mine, theirs in zip(one.t_events or [], other.t_events or [], strict=True):
+        assert np.allclose(mine, theirs, rtol=0, atol=1e-9)
+
+
+def test_members_move_as_they_do_alone(swing):
+    """At rows, with events of both kinds, a constant input and without."""
+    given = {"t_eval": ROWS, "inputs": {"u": 0.3}, **TIGHT}
+    runs = simulate_ensemble(swing, SPAN, v0={"q": SPEEDS}, **given)
+    for k, speed in enumerate(SPEEDS):
+        check_alike(runs[k], swing.simulate(SPAN, v0={"q": speed}, **given))
+    assert set(runs.stop) == {StopReason.FINISHED, StopReason.TERMINAL_EVENT}
+    assert any(len(run.t_events[0]) > 1 for run in runs)
+
+
+@pytest.mark.parametrize("span", [(0.0, 2.0), (2.0, 0.5), (1.0, 1.0)])
+def test_members_with_constraints_move_as_they_do_alone(link, span):
+    springs = np.linspace(0.5, 2.0, COUNT)
+    rows = np.linspace(*span, 4) if span[0] != span[1] else None
+    runs = simulate_ensemble(link, span, parameters={"K1": springs}, t_eval=rows, **TIGHT)
+    for k in range(0, COUNT, 4):
+        check_alike(
+            runs[k],
+            link.simulate(span, parameters={"K1": springs[k]}, t_eval=[span[1]] if rows is None else rows, **TIGHT),
+        )
+    assert np.abs(runs[3].constraint_residual).max() < 1e-13
+
+
+@pytest.mark.parametrize("rows", [None, ROWS])
+def test_the_bits_are_the_members_own(swing, link, rows):
+    """Whatever lane, neighbours, order and number of threads; alone, too."""
+    for system, given in ((swing, {"v0": {"q": SPEEDS}}), (link, {"parameters": {"K1": 0.5 + SPEEDS / 6}})):
+        ((kind, table),) = given.items()
+        ((name, values),) = table.items()
+        first = bits(simulate_ensemble(system, SPAN, **given, t_eval=rows, workers=1))
+        order = np.random.default_rng(2).permutation(COUNT)
+        other = bits(simulate_ensemble(system, SPAN, **{kind: {name: values[order]}}, t_eval=rows, workers=3))
+        assert [first[k] for k in order] == other
+        for k in (0, 8, COUNT - 1):
+            assert bits(simulate_ensemble(system, SPAN, **{kind: {name: values[k]}}, t_eval=rows)) == first[k : k + 1]
+
+
+def test_what_a_lane_cannot_do_is_done_number_by_number(swing):
+    """Refused, not finite, too many steps, an input that moves: as `simulate` has them, bit for bit."""
+    ramp = Signal([0.0, 2.0], [0.0, 1.0])
+    inputs = [0.0] * COUNT
+    inputs[5] = ramp
+    parameters = {"m": np.ones(COUNT), "k": np.full(COUNT, 400.0), "g": np.full(COUNT, 9.81)}
+    parameters["m"][2], parameters["k"][9], parameters["k"][11] = -1.0, -1.0, 1e10
+    options = {"t_eval": ROWS, "max_steps": 2000, **TIGHT}
+    runs = simulate_ensemble(swing, SPAN, parameters=parameters, inputs={"u": inputs}, v0={"q": SPEEDS}, **options)
+    sound = simulate_ensemble(swing, SPAN, v0={"q": SPEEDS}, **options)
+    odd = {
+        2: StopReason.START_REFUSED,
+        5: StopReason.FINISHED,
+        9: StopReason.NON_FINITE_STATE,
+        11: StopReason.TOO_MANY_STEPS,
+    }
+    assert {k: runs.stop[k] for k in odd} == odd
+    for k in (5, 9, 11):
+        given = {name: values[k] for name, values in parameters.items()}
+        alone = swing.simulate(SPAN, parameters=given, inputs={"u": inputs[k]}, v0={"q": SPEEDS[k]}, **options)
+        assert (runs.stop[k], runs.message(k), runs.nfev[k]) == (alone.stop, alone.message, alone.nfev)
+        assert np.array_equal(runs[k].y, alone.y)
+    assert [one for k, one in enumerate(bits(runs)) if k not in odd] == [
+        one for k, one in enumerate(bits(sound)) if k not in odd
+    ]
+
+
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-12])
+def test_any_tolerance_serves(link, rtol):
+    runs = simulate_ensemble(link, SPAN, parameters={"K1": [0.5, 1.0]}, rtol=rtol, atol=rtol)
+    for k, spring in enumerate((0.5, 1.0)):
+        check_alike(runs[k], link.simulate(SPAN, parameters={"K1": spring}, rtol=rtol, atol=rtol, t_eval=[SPAN[1]]))
+
+
+def test_unstabilised_and_other_methods_are_run_number_by_number(link):
+    for options in ({"stabilisation": "none"}, {"method": "dopri5"}, {"dependent_constraints": "least_norm"}):
+        runs = simulate_ensemble(link, SPAN, parameters={"K1": [0.5, 1.0]}, **options)
+        alone = link.simulate(SPAN, parameters={"K1": 0.5}, **options)
+        assert np.array_equal(runs.y[0, :, 0], alone.y[:, -1])
+
+
+def test_ctrl_c_ends_lanes(link):
+    timer = threading.Timer(0.3, kill, (getpid(), signal.SIGINT))
+    timer.start()
+    start = time.monotonic()
+    springs = np.linspace(0.5, 2.0, COUNT)
+    runs = simulate_ensemble(link, (0.0, 1e7), parameters={"K1": springs}, max_steps=10**12, workers=1)
+    assert time.monotonic() - start < 20
+    assert set(runs.stop) == {StopReason.INTERRUPTED}
+    assert (runs.t_end[:2] > 0).all()
+    assert np.isnan(runs.x).all()
