@@ -135,13 +135,13 @@ def test_a_run_without_rows_says_so():
 
 def test_a_second_run_that_ends_before_the_first_row_says_so(monkeypatch):
     module = sys.modules["eigenmotion.running.simulate"]
-    plain, methods = module._run, []
+    plain, methods = module.run_task, []
 
     def run(task, method):
         methods.append(method)
         return plain(task if len(methods) == 1 else task._replace(max_steps=1), method)
 
-    monkeypatch.setattr(module, "_run", run)
+    monkeypatch.setattr(module, "run_task", run)
     solution = system_of("pendulum").simulate((0, 3), t_eval=[3.0], estimate_error=True)
     assert solution.success
     assert np.isnan(solution.error_estimate.scaled)
