@@ -1,6 +1,7 @@
 """Generated C straight into a System: compiled strictly, loaded without Cython, kept in the cache by content."""
 
 import ctypes
+import os
 import shutil
 import subprocess
 from collections.abc import Iterable, Iterator
@@ -61,9 +62,15 @@ def system_in(library: ctypes.CDLL, model: str) -> System:
     return System(new(ctypes.addressof(ctypes.c_int.in_dll(library, f"{model}_model")), name, None))
 
 
+def _compiler(flags: Iterable[str]) -> tuple[str, ...]:
+    """In a hurry that which is quickest, Clang, unless CC names one; what users compile with is tried with each."""
+    hurried = "-O0" in flags and "clang" in COMPILERS and "CC" not in os.environ
+    return ("clang",) if hurried else toolchain().command
+
+
 def _library(sources: Sources, flags: tuple[str, ...], lanes: bool) -> Path:
     texts = [file.text for file in sources.files] + [path.read_text() for path in sorted(INCLUDE.glob("*.h"))]
-    name = key(*FLAGS, *flags, *toolchain().command, str(lanes), *texts)
+    name = key(*FLAGS, *flags, *_compiler(flags), str(lanes), *texts)
     folder = entry("tests", name, lambda folder: compile_into(folder, sources, flags, lanes))
     return folder / f"{sources.name}.so"
 
@@ -72,7 +79,7 @@ def compile_into(folder: Path, sources: Sources, flags: tuple[str, ...], lanes: 
     """Write NAME.c, NAME.h and compile NAME.so in a folder."""
     for file in sources.files:
         (folder / file.name).write_text(file.text)
-    cc = [*toolchain().command, *FLAGS, *flags, f"-I{INCLUDE}"]
+    cc = [*_compiler(flags), *FLAGS, *flags, f"-I{INCLUDE}"]
     commands = [[*cc, "-DEM_ON_LANES", "-c", f"{sources.name}.c", "-o", "lanes.o"]] if lanes else []
     commands += [[*cc, f"{sources.name}.c", *["lanes.o"] * lanes, "-lm", "-o", f"{sources.name}.so"]]
     for command in commands:

@@ -123,7 +123,7 @@ def delta_factors(system: System, y: np.ndarray, size: int) -> tuple[np.ndarray,
     return y[system.layout["C_delta"]].reshape(size, size), y[system.layout["s_delta"]]
 
 
-@pytest.mark.parametrize("name", [*SOME_ROWS, *MODELS])
+@pytest.mark.parametrize("name", [*SOME_ROWS, *(pytest.param(one, marks=pytest.mark.nightly) for one in MODELS)])
 def test_what_a_step_remembers_is_the_published_omega(name, tmp_path):
     """(53) by way of d/dt A M^-1 A^T, without Bdot, against -C_Ddot C_D^T of the right-hand side."""
     settle, reference = settling(name, tmp_path), system(name, **EXTRAPOLATE)

@@ -191,7 +191,10 @@ def test_what_users_build_has_lanes(tmp_path):
     assert [line.split()[1] for line in said.stdout.splitlines() if line.endswith(" pendulum_lanes")] == ["d"]
 
 
-@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize(
+    "formulation",
+    ["eigenfactor", "inverse", *(pytest.param(f, marks=pytest.mark.nightly) for f in ("cholesky", "lagrange"))],
+)
 def test_a_run_is_the_same_on_lanes_and_without(formulation):
     """To rounding: what users build has lanes, what is compiled in a hurry has none."""
     lanes, numbers = build(model_of("dual_link"), formulation=formulation), system_of("dual_link", formulation)

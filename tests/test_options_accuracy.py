@@ -64,14 +64,14 @@ def within_ten(times: np.ndarray, stabilisation: str) -> bool:
     return bool((times.max() if stabilisation == "project" else np.median(times)) < 10)
 
 
-EVERY_OTHER_BY_NIGHT = [
-    pytest.param(scenario, marks=[pytest.mark.nightly] if k % 2 else [], id=name)
+BY_DAY_AND_NIGHT = [
+    pytest.param(scenario, marks=[pytest.mark.nightly] if k % 3 else [], id=name)
     for k, (name, scenario) in enumerate(sorted(BY_NAME.items()))
 ]
 
 
 @pytest.mark.parametrize("stabilisation", STABILISATIONS)
-@pytest.mark.parametrize("scenario", EVERY_OTHER_BY_NIGHT)
+@pytest.mark.parametrize("scenario", BY_DAY_AND_NIGHT)
 def test_choices_of_build(scenario, stabilisation):
     known = [chosen for chosen in CHOSEN if "extrapolate" not in chosen.values() or scenario.file not in MEET]
     times = {
