@@ -25,6 +25,7 @@ class PointModel:
     n_outputs: int
     n_events: int
     lanes: int
+    flocks: bool
     dimension: int
     n_drawn: int
     coordinates: tuple[str, ...]

@@ -31,6 +31,7 @@ static void *em_member_enter(em_run *run, em_flock *f, int lane) {
     for (int k = 0; k < N_INPUTS; ++k) EM_LANE(f->u, k) = w->u[k];
     f->t[lane] = w->t;
     f->h_next[lane] = w->h_next;
+    f->stiff[lane] = f->n_stiff[lane] = f->next_judge[lane] = 0.0;
     f->last_error[lane] = f->longest[lane] = f->n_steps[lane] = f->n_rejected[lane] = f->retries[lane] = 0.0;
     f->n_rhs[lane] = (double)run->n_rhs;
     em_member_plan(w, f, lane);
@@ -63,6 +64,8 @@ static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     w->retries = (int)f->retries[lane];
     w->run->n_steps = (long)f->n_steps[lane];
     w->run->n_rejected = (long)f->n_rejected[lane];
+    w->run->n_stiff = (long)f->n_stiff[lane];
+    w->stiff = f->stiff[lane] > 0.0;
     w->run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
     w->size_norm = 1.0;
     w->moved = SETTLES;
