@@ -21,7 +21,7 @@ exclude_patterns = ["making", "made", "_static"]
 
 myst_enable_extensions = ["colon_fence", "attrs_inline"]
 myst_heading_anchors = 3
-suppress_warnings = ["toc.empty_glob"]  # a how-to may be missing
+suppress_warnings = ["toc.not_readable"]  # of the how-tos, some are still to come
 copybutton_prompt_text = r">>> |\.\.\. |\$ "
 copybutton_prompt_is_regexp = True
 
@@ -38,5 +38,5 @@ html_css_files = ["site.css"]
 
 html_copy_source = False
 html_show_sphinx = False
-html_extra_path = [str(HERE / "made")] if (HERE / "made").is_dir() else []
+html_extra_path = [str(HERE / "made" / "extra")] if (HERE / "made" / "extra").is_dir() else []
 

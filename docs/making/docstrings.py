@@ -56,7 +56,7 @@ def _field(line: str) -> list[str]:
     if line.startswith(" ") or not _FIELD.match(line):
         return ["    " + line.strip()]
     name, _, what = line.partition(" : ")
-    return [name, "    " + what]
+    return [name, "    " + ("\\" if what.startswith("(") else "") + what]  # no number of a list
 
 
 def _escaped(line: str) -> str:

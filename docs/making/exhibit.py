@@ -21,13 +21,13 @@ SPAN, TOLERANCE, RUNS = 10.0, 1e-9, 5
 def exhibit(name: str) -> None:
     """Make all of it for models/NAME.py."""
     path = ROOT / "models" / f"{name}.py"
-    for folder in (MADE / "pictures", MADE / "extra" / "live"):
+    for folder in (MADE / "extra" / "live", MADE / "extra" / "pictures"):
         folder.mkdir(parents=True, exist_ok=True)
     system = em.build(path)
     solution = system.simulate((0.0, SPAN), rtol=TOLERANCE, atol=TOLERANCE)
     (MADE / f"{name}.json").write_text(json.dumps(_cost(system, solution)))
     if solution.drawing is not None:
-        save(still(solution.drawing), MADE / "pictures" / f"{name}.png")
+        save(still(solution.drawing), MADE / "extra" / "pictures" / f"{name}.png")
     if main(["page", str(path), "-o", str(MADE / "extra" / "live" / f"{name}.html")]) != 0:
         sys.exit(f"there is no page of {name}")
 

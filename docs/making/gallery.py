@@ -104,8 +104,8 @@ def _generated(name: str) -> str:
 
 
 def _rst(text: str) -> str:
-    """Escape subscripts, which reStructuredText takes for links; drawings stay as they are."""
-    return "\n".join(line if line.startswith(" ") else re.sub(r"(?<=\w)_(?!\w)", r"\\_", line) for line in text.split("\n"))
+    """Escape what reStructuredText takes for markup; drawings stay as they are."""
+    return "\n".join(line if line.startswith(" ") else re.sub(r"([|*])|(?<=\w)(_)(?!\w)", r"\\\1\2", line) for line in text.split("\n"))
 
 
 def _cost(name: str) -> str:
@@ -120,6 +120,6 @@ def _cost(name: str) -> str:
 
 def _card(name: str) -> str:
     summary, _ = _docstring(name)
-    picture = MADE / "pictures" / f"{name}.png"
-    shown = f'<img src="../_images/{name}.png" alt="" loading="lazy">' if picture.exists() else ""
+    picture = MADE / "extra" / "pictures" / f"{name}.png"
+    shown = f'<img src="../pictures/{name}.png" alt="" loading="lazy">' if picture.exists() else ""
     return _CARD.format(name=name, title=name.replace("_", " "), summary=summary.split(": ", 1)[-1], picture=shown)

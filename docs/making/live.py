@@ -8,7 +8,7 @@ from docutils.parsers.rst import directives
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
-MADE = Path(__file__).parents[1] / "made" / "live"
+MADE = Path(__file__).parents[1] / "made" / "extra" / "live"
 """Pages by the name of their model: what `make docs` has made."""
 
 
