@@ -39,4 +39,3 @@ html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
 html_extra_path = [str(HERE / "made" / "extra")] if (HERE / "made" / "extra").is_dir() else []
-

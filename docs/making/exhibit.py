@@ -1,6 +1,6 @@
 """Make what the gallery shows of models: a picture, a page on which it moves, and what a run takes.
 
-    python docs/making/exhibit.py four_bar dual_link
+python docs/making/exhibit.py four_bar dual_link
 """
 
 import json

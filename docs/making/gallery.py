@@ -105,7 +105,10 @@ def _generated(name: str) -> str:
 
 def _rst(text: str) -> str:
     """Escape what reStructuredText takes for markup; drawings stay as they are."""
-    return "\n".join(line if line.startswith(" ") else re.sub(r"([|*])|(?<=\w)(_)(?!\w)", r"\\\1\2", line) for line in text.split("\n"))
+    return "\n".join(
+        line if line.startswith(" ") else re.sub(r"([|*])|(?<=\w)(_)(?!\w)", r"\\\1\2", line)
+        for line in text.split("\n")
+    )
 
 
 def _cost(name: str) -> str:

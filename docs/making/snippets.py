@@ -194,7 +194,10 @@ def _commands(text: str) -> Iterator[str]:
 
 
 def perform(command: str) -> tuple[str, int]:
-    """Run a command line as a shell would; return what it printed, errors included, and its exit code."""
+    """Run a command line as a shell would; return what it printed, errors included, and its exit code.
+
+    Ours run in this process, which has imported what they need.
+    """
     words = [word for given in shlex.split(command, comments=True) for word in _expanded(given)]
     named, *arguments = words
     if named in SETS_UP:
@@ -203,9 +206,11 @@ def perform(command: str) -> tuple[str, int]:
         return _listen(lambda: main(arguments))
     if named == "python" and arguments[0].endswith(".py"):
         return _listen(lambda: runpy.run_path(arguments[0], run_name="__main__") and 0)
-    if named == "python":
-        words = [sys.executable, *arguments]
-    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    where = {"PATH": os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])}
+    done = subprocess.run(
+        ["bash", "-c", command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False,
+        env=os.environ | where,
+    )  # fmt: skip
     return done.stdout, done.returncode
 
 

@@ -1,6 +1,6 @@
 """Work through pages of the documentation as a reader would; keep what that draws for the site.
 
-    python docs/making/work.py tutorial
+python docs/making/work.py tutorial
 """
 
 import os
