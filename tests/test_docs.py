@@ -65,7 +65,7 @@ WRONG = {
     "yaml that is none": "```yaml\na: [\n```\n",
     "what nobody can run": "```fortran\nend\n```\n",
     "syntax of what is not run": "<!-- not run: it takes a cluster -->\n```python\nclient =\n```\n",
-    "options of what is not run": "<!-- not run: minutes -->\n```sh\neigenmotion report models/pendulum.py --erorr 1\n```\n",
+    "options of what is not run": "<!-- not run: minutes -->\n```sh\neigenmotion report a.py --erorr 1\n```\n",
 }
 
 

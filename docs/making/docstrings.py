@@ -12,7 +12,7 @@ _FORMULA = re.compile(r"([*|])|(?<=\w)(_)(?!\w)")
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Rewrite every docstring on its way into the site."""
-    app.connect("autodoc-process-docstring", lambda app, what, name, object_, options, lines: rewrite(lines))
+    app.connect("autodoc-process-docstring", lambda *given: rewrite(given[-1]))
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -35,10 +35,10 @@ def _paragraphs(lines: list[str]) -> Iterator[list[str]]:
 def _sections(paragraphs: Iterator[list[str]]) -> Iterator[str]:
     """Give the text of paragraphs: headings, lists of fields, examples, or as they are."""
     for paragraph in paragraphs:
-        if len(paragraph) > 1 and paragraph[0] in _SECTIONS and set(paragraph[1]) == {"-"}:
+        headed = len(paragraph) > 1 and paragraph[0] in _SECTIONS and set(paragraph[1]) == {"-"}
+        if headed:
             yield from (f".. rubric:: {paragraph[0]}", "")
-            paragraph = paragraph[2:]
-        yield from _lines(paragraph)
+        yield from _lines(paragraph[2:] if headed else paragraph)
         yield ""
 
 

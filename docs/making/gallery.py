@@ -14,8 +14,8 @@ MADE, GALLERY = DOCS / "made", DOCS / "gallery"
 _INDEX = """\
 # Gallery
 
-Every mechanism here is one file of `models/`, with an oracle that tests hold it against, and moves on its page under your
-hands. Each is run for ten seconds, or to where it ends, with `dop853` at rtol = atol = 1e-9; the times are those of the
+Every mechanism here is one file of `models/`, with an oracle that tests hold it against, and moves on its page under
+your hands. Each is run for ten seconds, or to where it ends, with `dop853` at rtol = atol = 1e-9; the times are those of the
 machine that made this site.
 
 {cards}
@@ -61,7 +61,7 @@ _CARD = '<a class="card" href="{name}.html">{picture}<strong>{title}</strong><sp
 
 def setup(app: Sphinx) -> dict[str, bool]:
     """Write the pages before they are read."""
-    app.connect("builder-inited", lambda app: write())
+    app.connect("builder-inited", lambda _: write())
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 

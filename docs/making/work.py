@@ -6,7 +6,6 @@ python docs/making/work.py tutorial
 import os
 import shutil
 import sys
-from pathlib import Path
 
 from snippets import ROOT, Reader
 
