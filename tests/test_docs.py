@@ -1,6 +1,8 @@
 """Every snippet of the README and of the documentation does what its page says, from top to bottom."""
 
+import doctest
 import importlib.util
+import io
 import os
 import shutil
 import sys
@@ -8,6 +10,8 @@ from pathlib import Path
 
 import click
 import pytest
+
+import eigenmotion
 
 ROOT = Path(__file__).parents[1]
 PAGES = (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
@@ -53,6 +57,30 @@ def test_snippets_do_what_the_page_says(page):
 @pytest.mark.usefixtures("folder")
 def test_snippets_that_take_longer_do_too(page):
     snippets.Reader().read(page)
+
+
+NAMES = sorted(set(eigenmotion._HOME) - {"t"})  # a symbol of SymPy's has no docstring of ours
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.usefixtures("folder")
+def test_every_public_name_has_an_example_that_does_what_it_says(name):
+    finder = doctest.DocTestFinder(recurse=False)
+    found = [test for test in finder.find(getattr(eigenmotion, name), name, module=False, globs={}) if test.examples]
+    assert found, f"the docstring of {name} has no example"
+    runner = doctest.DocTestRunner(optionflags=snippets.LENIENT)
+    said = io.StringIO()
+    for test in found:
+        runner.run(test, out=said.write)
+    assert runner.failures == 0, said.getvalue()
+
+
+def test_the_site_names_everything_public():
+    said = (ROOT / "docs" / "api.md").read_text()
+    assert [name for name in dir(eigenmotion) if name in eigenmotion._HOME and f"eigenmotion.{name}\n" not in said] == [
+        "draw"
+    ]
+    assert "eigenmotion.codegen.model.draw" in said
 
 
 WRONG = {
