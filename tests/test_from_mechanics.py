@@ -1,8 +1,6 @@
 """Models read off bodies, joints and loads of SymPy's mechanics, against Kane's equations that SymPy forms of them."""
 
-import re
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -227,13 +225,3 @@ def test_a_pendulum_moves():
     model = pendulum(initial={q: 0.3, u: 1.0})
     a, _ = system_for(model, "lagrange").acceleration(list(model.initial_x), [0.0])
     assert a == pytest.approx([-9.81 / 0.5 * np.sin(0.3)], rel=1e-14)
-
-
-def test_the_snippets_of_the_documentation_run(capsys, monkeypatch):
-    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
-    text = (Path(__file__).parents[1] / "docs" / "from_mechanics.md").read_text(encoding="utf-8")
-    for snippet in re.findall(r"```python\n(.*?)```", text, re.DOTALL):
-        exec(snippet, {})
-    first, second = capsys.readouterr().out.splitlines()
-    assert first.startswith("True")
-    assert second == "True True"

@@ -64,6 +64,16 @@ def from_mechanics(
     ------
     ModelError
         What SymPy holds is no mechanism, or one that a Model cannot state; names it, and says what to do.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Particle, PrismaticJoint, RigidBody, System
+    >>> import eigenmotion as em
+    >>> wall, cart = RigidBody("wall"), Particle("cart")
+    >>> mechanics = System.from_newtonian(wall)
+    >>> mechanics.add_joints(PrismaticJoint("rail", wall, cart))
+    >>> em.from_mechanics(mechanics, parameters={cart.mass: 2.0}).kinetic_energy
+    cart_mass*Derivative(q_rail(t), t)**2/2
     """
     parts = {
         "frame": frame, "fixed_point": fixed_point, "loads": loads, "coordinates": coordinates, "speeds": speeds,
