@@ -73,7 +73,7 @@ def from_mechanics(
     >>> mechanics = System.from_newtonian(wall)
     >>> mechanics.add_joints(PrismaticJoint("rail", wall, cart))
     >>> em.from_mechanics(mechanics, parameters={cart.mass: 2.0}).kinetic_energy
-    cart_mass*Derivative(q_rail(t), t)**2/2
+    cart_mass*u_rail(t)**2/2
     """
     parts = {
         "frame": frame, "fixed_point": fixed_point, "loads": loads, "coordinates": coordinates, "speeds": speeds,
