@@ -87,6 +87,15 @@ def test_derived_rows_are_found_like_any_other():
         found["nonsense"]
 
 
+def test_coordinates_are_said_to_be_elsewhere(motion):
+    name = motion._rows.model.coordinates[0]
+    with pytest.raises(AttributeError, match=rf"'{name}' is a coordinate: its values are x\[0\]"):
+        getattr(motion, name)
+    with pytest.raises(KeyError, match=r"its rates v\[0\]"):
+        motion[name]
+    assert not hasattr(motion, "nowhere")
+
+
 def test_representation_is_a_summary(motion):
     assert repr(motion).startswith("<Solution of bead: finished, t = 0 ... 5 in")
     assert len(repr(motion)) < 300
