@@ -19,7 +19,7 @@ def spelled(key: object) -> str:
 
 
 def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Mapping[str, str] | None = None) -> str:
-    """Say which names are not known, which are, and which is nearest; of another tool's names, what is in their place."""
+    """Say which names are not known, which are, and which is nearest; or what another tool's names are here."""
     wrong, places = sorted(names), elsewhere or {}
     if foreign := [f"in place of {name!r} of SciPy: {places[name]}" for name in wrong if name in places]:
         return f"unknown {what} {', '.join(map(repr, wrong))}; {'; '.join(foreign)}."
