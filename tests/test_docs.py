@@ -76,6 +76,7 @@ def test_every_public_name_has_an_example_that_does_what_it_says(name):
 
 
 def test_the_site_names_everything_public():
+    """A new name goes to its place in docs/api.md, and gets an example in its docstring."""
     said = (ROOT / "docs" / "api.md").read_text()
     assert [name for name in dir(eigenmotion) if name in eigenmotion._HOME and f"eigenmotion.{name}\n" not in said] == [
         "draw"
