@@ -120,6 +120,17 @@ def test_marks_are_kept_to(folder):
     assert day.names["inner"] == 1
 
 
+def test_links_that_lead_nowhere_are_found(tmp_path):
+    links = _module(ROOT / "docs" / "making" / "links.py")
+    (tmp_path / "there.html").write_text('<p id="place"></p>')
+    page = tmp_path / "page.html"
+    page.write_text(
+        '<a href="there.html#place"></a><a href="https://example.org/x"></a><a href="#top" id="top"></a>'
+        '<a href="there.html#nowhere"></a><img src="lost.png"><a href="#below"></a>'
+    )
+    assert [link.split(": ")[1] for link in links.broken(page)] == ["#below", "lost.png", "there.html#nowhere"]
+
+
 def test_a_whole_page_may_be_for_the_night(folder):
     page = folder / "page.md"
     page.write_text("<!-- nightly -->\n\n# A page\n\n```python\n1\n```\n")
