@@ -40,6 +40,7 @@ nightly: fuzz
 # The site, in build/site: every warning is an error. LIVE="pendulum four_bar" makes live pages of these models only
 docs: $(DOCS) $(WORKED) $(SHOWN)
 	$(BIN)/sphinx-build -q -W --keep-going -d build/doctrees docs build/site
+	$(BIN)/python docs/making/links.py build/site
 	@echo "the site: build/site/index.html"
 
 # A page of the documentation, worked through: what its snippets draw is shown on it

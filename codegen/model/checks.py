@@ -173,7 +173,8 @@ def _check_initial(model: Mechanism) -> None:
     allowed = {*model.coordinates, *model.rates, *quasi}
     for key, _ in model.initial:
         if not isinstance(key, sympy.Basic) or key not in allowed:
-            hint = nearest(name_of(key), map(name_of, allowed))
+            spelt = isinstance(key, str) and key in map(name_of, allowed)
+            hint = " Give the symbol, not its name." if spelt else nearest(name_of(key), map(name_of, allowed))
             raise ModelError(f"initial has a value for {shown(key)}, which is neither a coordinate nor a rate.{hint}")
     given = {key for key, _ in model.initial}
     if given & set(model.rates) and given & set(quasi):

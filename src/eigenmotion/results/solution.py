@@ -124,9 +124,25 @@ class Solution(OptimizeResult):  # type: ignore[misc]
 
     def __missing__(self, name: str) -> Any:
         if self._rows is None or name not in _DERIVED:
-            raise KeyError(name)
+            raise KeyError(self._place(name))
         self[name] = value = _DERIVED[name](self._rows)
         return value
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError as error:
+            raise AttributeError(*error.args) from error
+
+    def _place(self, name: str) -> str:
+        """Say where to find a name that is no field: a coordinate's, or an output's."""
+        if self._rows is None:
+            return name
+        model = self._rows.model
+        if name in model.coordinates:
+            k = model.coordinates.index(name)
+            return f"{name!r} is a coordinate: its values are x[{k}], its rates v[{k}]"
+        return f"{name!r} is an output: outputs[{name!r}]" if name in model.outputs else name
 
     def __contains__(self, name: object) -> bool:
         return super().__contains__(name) or (self._rows is not None and name in _DERIVED)

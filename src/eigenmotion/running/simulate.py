@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import options
 from ..arguments.names import Vector, unknown
-from ..arguments.options import OptionError, Task, choice
+from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, OptionError, Task, choice
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
@@ -109,7 +109,7 @@ def simulate(
     """
     if positional or misspelt or not is_system(system):
         raise _refused(system, positional, misspelt)
-    named = choice(method, NAMES, "method")
+    named = choice(method, NAMES, "method", SCIPY_METHODS)
     compiled = system.compiled
     task = None if inputs is not None else plain.task(
         Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
@@ -157,7 +157,7 @@ def _refused(system: object, positional: tuple[object, ...], misspelt: Mapping[s
     if positional:
         words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
         return OptionError(f"simulate: everything after t_span is given by keyword; did you mean {words}?")
-    return OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
+    return OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS, SCIPY_OPTIONS)}")
 
 
 def is_system(given: object) -> bool:
