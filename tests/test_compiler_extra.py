@@ -28,10 +28,11 @@ def hidden(folder: Path) -> dict[str, str]:
 
 
 @HERE
-def test_a_model_is_built_and_runs_without_gcc_and_clang(tmp_path):
-    """At the default flags; and it is the motion that the compiler of this machine gives."""
-    done = subprocess.run([sys.executable, "-c", SCRIPT, str(PENDULUM)], env=hidden(tmp_path), capture_output=True,
-                          text=True, check=False)  # fmt: skip
+@pytest.mark.parametrize("flags", ["-O0", pytest.param("", marks=pytest.mark.nightly)], ids=["hurried", "default"])
+def test_a_model_is_built_and_runs_without_gcc_and_clang(flags, tmp_path):
+    """It is the motion that the compiler of this machine gives."""
+    done = subprocess.run([sys.executable, "-c", SCRIPT, str(PENDULUM)], capture_output=True, text=True, check=False,
+                          env=hidden(tmp_path) | {"EIGENMOTION_CFLAGS": flags})  # fmt: skip
     assert done.returncode == 0, done.stderr
     success, *x = done.stdout.split()
     native = em.build(PENDULUM, formulation="lagrange", flags="-O0").simulate((0.0, 5.0), rtol=1e-10, atol=1e-10)

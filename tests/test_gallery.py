@@ -43,6 +43,7 @@ def test_what_holds_the_puma_in_its_nominal_pose():
     assert np.abs(arm.acceleration(x, np.zeros(6), inputs=held)[0]).max() < 1e-12
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("speed", published.BICYCLE)
 def test_eigenvalues_of_the_bicycle(speed):
     """Upright and straight: those of the motion along the constraints, by differences of the accelerations."""
@@ -72,6 +73,7 @@ def derivative(function, z: np.ndarray) -> np.ndarray:
     return np.array(columns).T
 
 
+@pytest.mark.nightly
 def test_a_row_of_bricards_mechanism_that_was_left_out_holds():
     """Its last bar stays square to the axis of the joint in the ground, and the energy where it was."""
     run = system("bricard").simulate((0.0, 3.0), rtol=1e-10, atol=1e-10)
