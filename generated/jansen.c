@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
-/* input sha256:e590a3c5ce1ad077d0702a3f4297df740fe3c7cdd4708d020f62e0aaf27ca355 */
-/* body sha256:255621e952eebabdd4c4535ce678d59bfe9c4292a89c2ad6a23a9563e77a91f3 */
+/* input sha256:c331ded183cc15417d7f266724f72148632b6a4aba573830eecc09be25f4eeeb */
+/* body sha256:82be7297c042c98cbd8a72fcb05fd5d3528c846c8da171b8a02a4cbd18a4933c */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -1279,7 +1279,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_27 = 2.0*z_17*z_18 + 2.0*(z_13 + z_19 + z_20)*z_17 + c_*(2.0*z_21 + 2.0*z_24 + 2.0*z_26) +
         z_19*z_17 + z_20*z_17;
     const double z_28 = z_17/z_27;
-    const double z_29 = 1.0/(1.0439356584272999*z_15 + 1.977912246691201*z_28);
+    const double z_29 = 1.0/(1.0439356584272999*z_15 + 1.9779122466912002*z_28);
     const double z_30 = z_0*z_16 + z_0*z_29;
     prepared[17] = (2.0/3.0)*z_30;
     const double z_31 = m*z_16;
@@ -1304,8 +1304,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_43 = z_42/g;
     const double z_44 = 4.0*1.0 - z_42*z_42/(z_40*z_41);
     const double z_45 = g*(4.0*g*z_25 + z_22*z_43) + (z_19*h + z_23*z_43)*z_43 + z_23*z_44*z_41;
-    const double z_46 = 1.0/(1.977912246691201*z_28 + z_12*(z_38*z_38) + z_12*(z_39*z_39) +
-        0.7654631453230911*z_40/z_45);
+    const double z_46 = 1.0/(1.9779122466912002*z_28 + z_12*(z_38*z_38) + z_12*(z_39*z_39) +
+        0.7654631453230909*z_40/z_45);
     prepared[25] = z_46;
     prepared[26] = 4.0*(z_1*z_16);
     const double z_47 = m*z_29;
@@ -2157,9 +2157,9 @@ static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { NULL };
 static const int event_direction[] = { 0 };
 static const int event_terminal[] = { 0 };
-static const double parameter_defaults[] = { 3.8, 4.15, 3.93, 4.01, 5.58, 3.94, 3.67, 6.57, 4.9, 5.0, 6.19, 0.78, 1.5, 0.1, 2.0, 12.0, 9.81, 0.0 };
+static const double parameter_defaults[] = { 0.38, 0.415, 0.393, 0.401, 0.558, 0.394, 0.367, 0.657, 0.49, 0.5, 0.619, 0.078, 0.15, 1.0, 0.02, 1.2, 9.81, 0.0 };
 static const double input_defaults[] = { 0.0 };
-static const double initial_x[N] = { 0.5, 2.602262465075601, 1.3703951072340697, 4.107268260719168, -1.1528510374935117, -1.0331924236898824, 2.7911904550173006 };
+static const double initial_x[N] = { 0.5, 2.602262465075601, 1.3703951072340697, 4.107268260719168, -1.1528510374935115, -1.0331924236898824, 2.791190455017301 };
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 1, 1, 1, 1, 1 };
 static const em_shape shapes[] = {

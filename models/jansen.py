@@ -18,8 +18,8 @@ Coordinates [rad]: theta of the crank; aj, ak of the bars from the crank; ab of 
 ag of the lower one (E to F). Bars: slender, of `density` [kg/m]. A motor turns the crank by a constant torque.
 Holonomic constraints: three loops close, at C, E and F.
 
-Source: T. Jansen, The great pretender (2007), for the eleven "holy numbers", here in decimetres.
-Oracles: the loops by intersecting circles, and the energy.
+Source: T. Jansen, The great pretender (2007), for the lengths, his "holy numbers", here in metres.
+Oracles: the joints by intersecting circles at every angle of the crank, and the energy; high-precision integration.
 """
 
 from math import acos, atan2, hypot
@@ -30,8 +30,8 @@ from sympy.physics.mechanics import dynamicsymbols
 from eigenmotion import Model, draw, t
 
 NUMBERS = {
-    "a": 3.8, "b": 4.15, "c": 3.93, "d": 4.01, "e": 5.58, "f": 3.94, "g": 3.67, "h": 6.57, "i": 4.9, "j": 5.0,
-    "k": 6.19, "l": 0.78, "m": 1.5,
+    "a": 0.38, "b": 0.415, "c": 0.393, "d": 0.401, "e": 0.558, "f": 0.394, "g": 0.367, "h": 0.657, "i": 0.49, "j": 0.5,
+    "k": 0.619, "l": 0.078, "m": 0.15,
 }  # fmt: skip
 theta, aj, ab, ak, ac, af, ag = coordinates = dynamicsymbols("theta aj ab ak ac af ag")
 lengths = dict(zip(NUMBERS, symbols("a b c d e f g h i j k l m", positive=True), strict=True))
@@ -81,7 +81,7 @@ def circles(p: tuple[float, float], r: float, q: tuple[float, float], s: float, 
     return heading + side * at_p, heading + 3.141592653589793 - side * at_q
 
 
-def numbers(place: Matrix, known: dict) -> tuple[float, float]:
+def numbers(place: Matrix, known: dict[Expr, float]) -> tuple[float, float]:
     """Return a place at angles that are known."""
     values = {symbol: NUMBERS[name] for name, symbol in lengths.items()}
     return tuple(float(entry.subs(known | values)) for entry in place)  # type: ignore[return-value]
@@ -99,7 +99,7 @@ model = Model(
     potential_energy=gravity * density * sum(lengths[name] * (p + q)[1] / 2 for p, q, name in bars) - torque * theta,
     holonomic_constraints=[*(P + bar("j", aj) - C), *(P + bar("k", ak) - E), *(D + bar("f", af) - F)],
     parameters={lengths[name]: value for name, value in n.items()}
-    | {density: 0.1, J: 2.0, torque: 12.0, gravity: 9.81},
+    | {density: 1.0, J: 0.02, torque: 1.2, gravity: 9.81},
     initial=start,
     drawing=[
         draw.Ground(O),

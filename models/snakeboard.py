@@ -17,7 +17,7 @@ IEEE Int. Conf. Robotics and Automation (1994).
 Oracle: the momentum along the motion that the wheels allow, one equation.
 """
 
-from sympy import Matrix, Rational, cos, sin, symbols
+from sympy import Expr, Matrix, Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, draw
@@ -32,13 +32,13 @@ along = l * Matrix([cos(theta), sin(theta)])
 centre = Matrix([x, y])
 
 
-def across(sign: int):
+def across(sign: int) -> Expr:
     """Return the velocity of a pair of wheels along its axle; 1 in front, -1 behind."""
     angle = theta + sign * phi
     return -sin(angle) * x.diff() + cos(angle) * y.diff() + sign * l * cos(phi) * turn
 
 
-def direction(angle, length) -> Matrix:
+def direction(angle: Expr, length: Expr) -> Matrix:
     """Return a vector of a length."""
     return length * Matrix([cos(angle), sin(angle)])
 

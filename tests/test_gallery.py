@@ -43,6 +43,7 @@ def test_what_holds_the_puma_in_its_nominal_pose():
     assert np.abs(arm.acceleration(x, np.zeros(6), inputs=held)[0]).max() < 1e-12
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("speed", published.BICYCLE)
 def test_eigenvalues_of_the_bicycle(speed):
     """Upright and straight: those of the motion along the constraints, by differences of the accelerations."""
@@ -72,6 +73,7 @@ def derivative(function, z: np.ndarray) -> np.ndarray:
     return np.array(columns).T
 
 
+@pytest.mark.nightly
 def test_a_row_of_bricards_mechanism_that_was_left_out_holds():
     """Its last bar stays square to the axis of the joint in the ground, and the energy where it was."""
     run = system("bricard").simulate((0.0, 3.0), rtol=1e-10, atol=1e-10)
@@ -92,6 +94,34 @@ def rotation(x: np.ndarray) -> np.ndarray:
         turn[i, j], turn[j, i] = -np.sin(angle), np.sin(angle)
         R = R @ turn
     return R
+
+
+def test_joints_of_jansens_leg_lie_where_circles_meet():
+    """At every angle of the crank, through a whole turn; and the energy stays."""
+    run = system("jansen").simulate((0.0, 1.0), rtol=1e-11, atol=1e-11)
+    assert run.success, run.message
+    assert np.ptp(run.x[0]) > 2 * np.pi
+    assert np.ptp(run.energy) < 1e-8 * np.abs(run.energy).max()
+    for x in run.x.T:
+        found = np.exp(1j * x[1:])
+        np.testing.assert_allclose(found, jansen(x[0], system("jansen").parameters), atol=1e-12)
+
+
+def jansen(theta: float, p: dict[str, float]) -> list[complex]:
+    """Return the directions of the bars (aj, ab, ak, ac, af, ag), as complex numbers."""
+    B, P = -p["a"] - 1j * p["l"], p["m"] * np.exp(1j * theta)
+    C, E = meet(B, p["b"], P, p["j"]), meet(P, p["k"], B, p["c"])
+    D = meet(B, p["d"], C, p["e"])
+    F = meet(E, p["g"], D, p["f"])
+    ways = (C - P, C - B, E - P, E - B, F - D, F - E)
+    return [way / abs(way) for way in ways]
+
+
+def meet(p: complex, r: float, q: complex, s: float) -> complex:
+    """Return where circles about p and q meet, to the left of the way from p to q."""
+    distance = abs(q - p)
+    along = (r**2 + distance**2 - s**2) / (2 * distance)
+    return p + (q - p) / distance * (along + 1j * np.sqrt(r**2 - along**2))
 
 
 def test_the_load_and_the_drone_fall_together_without_thrust():
