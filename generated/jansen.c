@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:e590a3c5ce1ad077d0702a3f4297df740fe3c7cdd4708d020f62e0aaf27ca355 */
-/* body sha256:255621e952eebabdd4c4535ce678d59bfe9c4292a89c2ad6a23a9563e77a91f3 */
+/* body sha256:b32d101e8c91c503f71c78badea4973ede069cc64d5a759dac0193329a9fae17 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -2148,7 +2148,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "aj", "ab", "ak", "ac", "af", "ag", NULL };
 static const char *const parameter_names[] = { "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "density", "J", "torque", "gravity", NULL };
@@ -2248,6 +2248,14 @@ const em_model jansen_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

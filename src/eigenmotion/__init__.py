@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .arguments.signals import Sampled as Sampled
     from .arguments.signals import Signal as Signal
     from .building.build import build as build
     from .building.errors import BuildError as BuildError
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
+    from .running.stepper import Stepper as Stepper
     from .runtime import StopReason as StopReason
     from .system.system import System as System
 
@@ -35,8 +37,10 @@ _HOME = {
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.proof",
+    "Sampled": ".arguments.signals",
     "Signal": ".arguments.signals",
     "Solution": ".results.solution",
+    "Stepper": ".running.stepper",
     "StopReason": ".runtime",
     "System": ".system.system",
     "build": ".building.build",
