@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
+    from .fmu.export import export_fmu as export_fmu
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
@@ -46,6 +47,7 @@ _HOME = {
     "build": ".building.build",
     "draw": ".codegen.model",
     "from_mechanics": ".codegen.mechanics",
+    "export_fmu": ".fmu.export",
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
     "simulate": ".running.simulate",
