@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:76ef48d6f0dc006751c6d62f2f09c1a808e688e33385d9bcc0b4dcbc571b91bb */
-/* body sha256:d25ce348bb63068e8ff35c90d06c7ef6496440281ea628622f6b2c960e2fdbec */
+/* body sha256:084f748162342a5c65a39454cf2f9c77b73887efaf60aa0a69de3011a80db71c */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -1875,7 +1875,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "beta", "theta", "gamma", "phi", "delta", "omega", "epsilon", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "m3", "m4", "m5", "m6", "m7", "I1", "I2", "I3", "I4", "I5", "I6", "I7", "xa", "ya", "xb", "yb", "xc", "yc", "d", "da", "e", "ea", "rr", "ra", "ss", "sa", "sb", "sc", "sd", "ta", "tb", "u", "ua", "ub", "zf", "zt", "fa", "c0", "l0", "mom", NULL };
@@ -1974,6 +1974,14 @@ const em_model andrews_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &andrews_lanes,
     .n_shapes = 13,

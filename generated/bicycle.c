@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:c2e585a414f6be6297e9673245b24a8235f7ad9b118830528a5d1ab004249dc9 */
-/* body sha256:d7c2d203fded45cfac309918bec36425138c7e92dc21fa0906db708b5a84d817 */
+/* body sha256:5f7d6e2681c5941f65d8068ceff1e80e4c8bb9d289bc10490750c579dc7e4ecb */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -5268,7 +5268,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "psi", "phi", "theta", "delta", "spin_r", "spin_f", NULL };
 static const char *const parameter_names[] = { "w", "c", "tilt", "g", "r_R", "r_F", "m_R", "m_B", "m_H", "m_F", "x_B", "z_B", "x_H", "z_H", "R_xx", "R_yy", "F_xx", "F_yy", "B_xx", "B_yy", "B_zz", "B_xz", "H_xx", "H_yy", "H_zz", "H_xz", NULL };
@@ -5360,6 +5360,14 @@ const em_model bicycle_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &bicycle_lanes,
     .n_shapes = 8,

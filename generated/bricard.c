@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:48de1137e7976971392b7b646ac5f51dbece29e92877180f29ab43eea45f1cf4 */
-/* body sha256:285b72fa5279b731ab93851b1103bc69748a18f295f23699634f9fff864ea1e7 */
+/* body sha256:9f9ba57553646eafd3ea88aa930cff52e17ed4d4d5dda5a0761dc8b4d4782cba */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -2935,7 +2935,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", "q4", "q5", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", NULL };
@@ -3033,6 +3033,14 @@ const em_model bricard_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &bricard_lanes,
     .n_shapes = 14,

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:56bf9f034a20945e461a9a2885f6806fda5f4b09b42794cad9b2ede3b0e743fc */
-/* body sha256:77f7f1593dc3eb97dc9defae7dbc755e6b6d8be11c7cb3d6bbd33e386a87e05e */
+/* body sha256:06a3adb75ca9de01de6bb8bae01182af5b8be177c7804f4e7da89866b0b579b2 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -850,7 +850,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "q1", "q2", "q3", NULL };
 static const char *const parameter_names[] = { "m0", "m1", "m2", "m3", "l1", "l2", "l3", "g", NULL };
@@ -943,6 +943,14 @@ const em_model cart_pendulums_3_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

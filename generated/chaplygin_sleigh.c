@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
-/* body sha256:10a35cda0597870b2ffa4fed9bb0d24faee30a070a31c90cff45d30e6b901a2d */
+/* body sha256:0002e333812027140478639cba2dc82d46e901f64467ee1ca784963ea2e8e3df */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -647,7 +647,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "theta", NULL };
 static const char *const parameter_names[] = { "m", "J", "a", NULL };
@@ -737,6 +737,14 @@ const em_model chaplygin_sleigh_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &chaplygin_sleigh_lanes,
     .n_shapes = 4,

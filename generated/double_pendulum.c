@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
-/* body sha256:1153a36f017c3b7febeae227aabff67b6682d2a891e51d7f4de0cf305d44bb3c */
+/* body sha256:39a5d0497d3432fd47a8abbdf4a0d6198fcf1f11b4acf5ff814ae65a22933ee4 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -598,7 +598,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "l1", "l2", "g", NULL };
@@ -687,6 +687,14 @@ const em_model double_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &double_pendulum_lanes,
     .n_shapes = 6,

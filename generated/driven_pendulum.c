@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:f03e70c1bada2a6ab9bc3811e7865c0ae1b77524d6c1f3ea721379785f3676f2 */
-/* body sha256:077219b25cc4d548fc7d00f3221db4ca2971c07c3673d6a67809118c0ce293ab */
+/* body sha256:2aa16afd184a4c2b1c02ac6dab7b5470954866b05f2904c5701416fa6a2cb5eb */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -534,7 +534,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "a", "w", NULL };
@@ -623,6 +623,14 @@ const em_model driven_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
     .n_shapes = 5,

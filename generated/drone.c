@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:03661c6d20f5a8cb88cd034f411466fa0dcf11c1fb135347a853d98d37b52765 */
-/* body sha256:a226a42c01974a4d57fb131cc881560a5afd4ffe9a82ad31a32cc29568670fa8 */
+/* body sha256:5b9758b2af2022bdbff0f5607750ce3c65a68ecd19d22f7dd2ef79753103aa7c */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -1211,7 +1211,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "z", "yaw", "pitch", "roll", "sway", "heave", NULL };
 static const char *const parameter_names[] = { "m", "load", "J", "J_up", "a", "drag", "L", "g", NULL };
@@ -1304,6 +1304,14 @@ const em_model drone_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &drone_lanes,
     .n_shapes = 9,

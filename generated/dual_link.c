@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
-/* body sha256:9eb195cf1d6538f54ff62238df98964ede13b1aceccd9b4b7d3200974c146601 */
+/* body sha256:64c4d6d6836640358ec208121b0fd5961bf750d2e88c3a87204bff04a8d03c95 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -876,7 +876,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "m3", "l1", "l2", "l3", "K1", "K2", "K3", NULL };
@@ -973,6 +973,14 @@ const em_model dual_link_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &dual_link_lanes,
     .n_shapes = 10,

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
-/* body sha256:c1c70b1816747fd18a736235bec5f6df730f88d842ee311326f65f5975af5424 */
+/* body sha256:6b2641d436408a24b720d7d59a834d1cac3809780512edb4cb266512f6907e3b */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -444,7 +444,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "r", NULL };
 static const char *const parameter_names[] = { "m", "k", "g", "L", NULL };
@@ -533,6 +533,14 @@ const em_model elastic_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &elastic_pendulum_lanes,
     .n_shapes = 4,

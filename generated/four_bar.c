@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
-/* body sha256:688f4d4457bb8b79d0fe2871c32d2a7ea537898b312af2c0e7159f9a854de7cb */
+/* body sha256:e75f5bff24a3307683e88f9f77e7004511d02ede4ae2193983c09c88f15a10aa */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -878,7 +878,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", NULL };
 static const char *const parameter_names[] = { "a", "b", "c", "d", "density", "g", NULL };
@@ -971,6 +971,14 @@ const em_model four_bar_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &four_bar_lanes,
     .n_shapes = 7,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:d44b8a1b43ef5c6b759d4c18e4766756f5a9376280ce8c564f8348a6e35e6df3 */
-/* body sha256:c641a6ffa8146f25ba7bb743533cc1ef939c41dd4bc6c66dd939ffd0d0bf24c3 */
+/* body sha256:d21d97100a4f2cea3bc0de0e61136211c1bcb484c6152c4387482ec7ef91eeef */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1135,7 +1135,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", "p1", "p2", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", NULL };
@@ -1233,6 +1233,14 @@ const em_model four_bars_2_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &four_bars_2_lanes,
     .n_shapes = 12,

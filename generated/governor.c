@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:c8f552fe61a2f14cfdf6738806a86ae5ef77a9561614a03a832e25c8d9ba4840 */
-/* body sha256:8338cde207147f0db63ae1e9c6a6123556cb3d155853b4454617e638e53343eb */
+/* body sha256:498a63f14a42011d39103e74c0cc37ddd938f63425ac5061ff91f594d232bbeb */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -685,7 +685,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "phi", "a1", "a2", "s", NULL };
 static const char *const parameter_names[] = { "M", "m", "J", "l", "b", "k", "c", "L", "g", NULL };
@@ -781,6 +781,14 @@ const em_model governor_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &governor_lanes,
     .n_shapes = 10,

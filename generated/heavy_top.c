@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
-/* body sha256:3f8cc74c22efa990c395d38c8ea677ea6fadb901b2360ca9a068866098745521 */
+/* body sha256:50548a3fec13dc67a640dece7c65c2bdc0642ef43b1a10cfdfca29ddae5d2f4e */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -613,7 +613,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "phi", "theta", "psi", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
@@ -703,6 +703,14 @@ const em_model heavy_top_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &heavy_top_lanes,
     .n_shapes = 4,

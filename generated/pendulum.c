@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
-/* body sha256:9a361fcdab2e94eaade613b02bd999f759e15ff024ba98a4cb8502505d221517 */
+/* body sha256:599718ba51361ef38f694f10a290a4b8d54ef7ae781b376dd6e7cd66fa10031a */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -359,7 +359,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", NULL };
@@ -446,6 +446,14 @@ const em_model pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &pendulum_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:b37fc2546bd941efcfc98be3dbd23707f390cf3daba2239041800d246cd7d8e0 */
-/* body sha256:e58b92cb4e7f281150a561d67b9260e6ee9041c560eafc6fc55043e6dbe426ae */
+/* body sha256:fbe1835c5e4045c26bc0fe432955b94cfed3f89f5c883c40c636677a23dfc6ca */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -2467,7 +2467,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", "q4", "q5", "q6", NULL };
 static const char *const parameter_names[] = { "g", "load", NULL };
@@ -2561,6 +2561,14 @@ const em_model puma_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &puma_lanes,
     .n_shapes = 11,

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
-/* body sha256:db7e8f785bdd872ce8bcc178f008dea684c9a68a45273dbe5033185b46471fc2 */
+/* body sha256:8102d5cb16989d10d81052fc201c0374abea4f17b17bd8148c4c08fdc0951646 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1026,7 +1026,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q_0", "q_1", "q_2", "q_3", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
@@ -1116,6 +1116,14 @@ const em_model quaternion_top_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282 */
-/* body sha256:d4c6ebd2c9a6de554c4d95cc41ca9e77237051a286a476c18443cb67faf8910b */
+/* body sha256:80fb096348c160eef5109ca4587283ba205c17e64dacfbf0efee4cd75c49bd17 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -776,7 +776,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "psi", "theta", "phi", NULL };
 static const char *const parameter_names[] = { "J1", "J2", "J3", NULL };
@@ -865,6 +865,14 @@ const em_model rigid_body_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

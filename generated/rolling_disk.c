@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
-/* body sha256:f7b0f1610a5c519ceebc2ca7afb0093819ef7dd2ba39054a5f16a295c4f7d290 */
+/* body sha256:629ea2250c36e85518d40d8266bffe17d5bfa5f512da263af08607f7b7e8755b */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -910,7 +910,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "phi", "theta", "psi", NULL };
 static const char *const parameter_names[] = { "m", "r", "g", NULL };
@@ -997,6 +997,14 @@ const em_model rolling_disk_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
     .n_shapes = 3,

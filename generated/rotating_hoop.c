@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
-/* body sha256:12a434491deb2ef731292b911c570934e5ebcd7c0ec3266c4955ba3d8b3aec41 */
+/* body sha256:f1e49b5389c0630790289c83b64ede8b728dbc00607324b87dcc8b838f64fd6f */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -383,7 +383,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "R", "Omega", "g", NULL };
@@ -469,6 +469,14 @@ const em_model rotating_hoop_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &rotating_hoop_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
-/* body sha256:171ccf2efc4e6e64b232ff48db6e5bca12478698f53342cd7c03f50601ef1696 */
+/* body sha256:0238833341bec8586b1961f0a8f65c66f287b3c9e258ece8931601871f8941c3 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -422,7 +422,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", NULL };
 static const char *const parameter_names[] = { "m", "k_x", "k_y", "Omega", NULL };
@@ -510,6 +510,14 @@ const em_model rotating_spring_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &rotating_spring_lanes,
     .n_shapes = 5,

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
-/* body sha256:ba9285ffb52382b7b39acd0eab584b4687c945b131cd43fa9e3f7479a420df22 */
+/* body sha256:db7b4157e4a06bbf1784327a770329434b470feed8fa3022b94b59ac6d03f9ca */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -830,7 +830,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "phi", "x", NULL };
 static const char *const parameter_names[] = { "r", "l", "m_c", "m_r", "m_s", "g", NULL };
@@ -922,6 +922,14 @@ const em_model slider_crank_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &slider_crank_lanes,
     .n_shapes = 6,

@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:edfccaa8748c847863ae931ce253127968f082a4b6a87f2749e4cd538d34f6e3 */
-/* body sha256:77bf2c49f366ea3977d9112dd2a0241de381e9eff6f59881a10ad8d0ac215c13 */
+/* body sha256:13c0fff0fe2fd446129933b943ce2ff38f27b41757494c7bdf9b5607400432a8 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -697,7 +697,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "theta", "psi", "phi", NULL };
 static const char *const parameter_names[] = { "m", "l", "J", "J_rotor", "J_wheels", NULL };
@@ -790,6 +790,14 @@ const em_model snakeboard_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &snakeboard_lanes,
     .n_shapes = 6,

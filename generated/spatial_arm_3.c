@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
-/* body sha256:9efb36e94796a0ebf5c3bd9d04e087d322cac9a3671ae3bf86f967c45c534245 */
+/* body sha256:86e7f6ec41d52308f44a62ffa4e2e4bff7891e1689ce4f1bdc822c55ed2f5164 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1077,7 +1077,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q_1", "q_2", "q_3", NULL };
 static const char *const parameter_names[] = { "m_1", "m_2", "m_3", "l_1", "l_2", "l_3", "rho", "g", NULL };
@@ -1169,6 +1169,14 @@ const em_model spatial_arm_3_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &spatial_arm_3_lanes,
     .n_shapes = 8,

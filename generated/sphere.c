@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
-/* body sha256:9821ef216356d161146e54a78f6e69675caa76d23a6b799702e4bbd774ed8945 */
+/* body sha256:72fb8e1cc6533b7f7adeed573633f5514e1ed975f40a988bb40b85c3d8359093 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1126,7 +1126,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "p_1", "p_2", "p_3", NULL };
 static const char *const parameter_names[] = { "m", "R", "g", "alpha", NULL };
@@ -1221,6 +1221,14 @@ const em_model sphere_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

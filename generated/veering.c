@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
-/* body sha256:8c0a7e83027b48fafad8268fd5c21e420cc097d045bd34d03a9b0c514dbdbb80 */
+/* body sha256:918ca7213391eb77137a3d1e19984d064a122a3799d13694acf14645bff0f978 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -484,7 +484,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "z", NULL };
 static const char *const parameter_names[] = { "gap", "k_x", "k_z", NULL };
@@ -566,6 +566,14 @@ const em_model veering_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &veering_lanes,
 };

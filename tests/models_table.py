@@ -91,6 +91,7 @@ SCENARIOS = (
     Scenario("slider_crank", 2.0, reduced.slider_crank, spread=0.1),
     Scenario("driven_pendulum", 5.0, reduced.driven_pendulum, conserved=None),
     Scenario("veering", 22.0),
+    Scenario("furuta_pendulum", 2.0, conserved=None),
     Scenario("sphere", 1.0, elementary.sphere),
     Scenario("andrews", 0.03, published.andrews, spread=0.1, heavy=True),
     Scenario("bicycle", 1.0, spread=0.1, heavy=True),

@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .arguments.signals import Sampled as Sampled
     from .arguments.signals import Signal as Signal
     from .building.build import build as build
     from .building.errors import BuildError as BuildError
@@ -21,9 +22,11 @@ if TYPE_CHECKING:
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
+    from .fmu.export import export_fmu as export_fmu
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
+    from .running.stepper import Stepper as Stepper
     from .runtime import StopReason as StopReason
     from .system.system import System as System
 
@@ -35,13 +38,16 @@ _HOME = {
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.proof",
+    "Sampled": ".arguments.signals",
     "Signal": ".arguments.signals",
     "Solution": ".results.solution",
+    "Stepper": ".running.stepper",
     "StopReason": ".runtime",
     "System": ".system.system",
     "build": ".building.build",
     "draw": ".codegen.model",
     "from_mechanics": ".codegen.mechanics",
+    "export_fmu": ".fmu.export",
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
     "simulate": ".running.simulate",

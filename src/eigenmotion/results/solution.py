@@ -11,7 +11,7 @@ from ..arguments.names import Vector, vector
 from ..codegen.model.normalise import ModelError
 from ..pages.figures import has_matplotlib
 from ..pages.notebook import image, table
-from ..runtime import StopReason
+from ..runtime import CompiledModel, StopReason
 from .animation import FRAMES_A_SECOND, animation, frame_times, still
 from .drawing import Drawing, require_drawing
 from .trajectory import Trajectory
@@ -121,6 +121,11 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     def __init__(self, rows: Trajectory | None, fields: dict[str, Any]) -> None:
         dict.__init__(self, fields)
         object.__setattr__(self, "_rows", rows)
+
+    @property
+    def model(self) -> CompiledModel | None:
+        """The compiled model; None in a copy from another process."""
+        return None if self._rows is None else self._rows.model
 
     def __missing__(self, name: str) -> Any:
         if self._rows is None or name not in _DERIVED:

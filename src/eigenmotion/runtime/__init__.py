@@ -11,3 +11,4 @@ from .point import forgiven as forgiven
 from .run import COUNTS as COUNTS
 from .run import Run as Run
 from .run import record as record
+from .stepper import Steps as Steps

@@ -6,6 +6,7 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef enum em_status:
         EM_TERMINAL_EVENT
+        EM_INTERRUPTED
 
     ctypedef struct em_fault:
         em_status status
@@ -153,4 +154,10 @@ cdef extern from "eigenmotion.h" nogil:
         int n_shapes
         int dimension
         const em_shape *shapes
+        void *(*open)(em_run *) noexcept nogil
+        int (*advance)(void *, double, int) noexcept nogil
+        double (*now)(const void *, double *, double *) noexcept nogil
+        int (*publish)(const void *, double *, em_fault *) noexcept nogil
+        size_t saved
+        void (*close)(void *) noexcept nogil
         void (*draw)(double, const double *, const double *, double *) noexcept nogil

@@ -5,8 +5,8 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15
-from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_INTERRUPTED, EM_RA15
+from .abi cimport em_dense_step, em_fault, em_method, em_rows, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 
@@ -68,10 +68,17 @@ cdef class Run:
     cdef readonly object stop
     cdef list held
     cdef object pending
+    cdef void *walk
+    cdef bint jumped
+    cdef long most_steps
 
-    def __cinit__(self, task, int method):
+    def __cinit__(self, task, int method, bint whole=True):
         if task is not None:
             self.begin(task, method)
+            if whole:
+                self.go()
+            else:
+                self.open()
 
     cdef begin(self, task, int method):
         cdef em_run *run = &self.run
@@ -89,9 +96,9 @@ cdef class Run:
             run.t_eval = self.hold(t_eval, run.n_t_eval, "t_eval")
         if model.n_inputs > 0:
             self.hold_inputs(inputs.compiled)
-        self.go()
 
     def __dealloc__(self):
+        self.shut()
         if self.run.model != NULL:
             self.run.model.release(&self.run)
         free(self.signals)
@@ -121,6 +128,51 @@ cdef class Run:
         if self.pending is not None:
             raise self.pending
         self.stop = _REASONS[status]
+
+    # --- in parts, with inputs that change in between ---
+
+    cdef open(self):
+        self.most_steps = self.run.max_steps
+        self.walk = self.run.model.open(&self.run)
+        if self.walk == NULL:
+            self.stop = _REASONS[<int> self.run.fault.status]
+
+    cdef shut(self):
+        if self.walk != NULL:
+            self.run.model.close(self.walk)
+        self.walk = NULL
+
+    def advance(self, double t):
+        """Go on to t. Whether the run has come there, and goes on."""
+        cdef int ended
+        if self.walk == NULL:
+            return False
+        self.run.max_steps = self.most_steps - self.run.n_steps
+        with nogil:
+            ended = self.run.model.advance(self.walk, t, self.jumped)
+        self.jumped = False
+        if self.pending is not None:
+            raise self.pending
+        return not ended
+
+    def set(self, Py_ssize_t place, double value):
+        """An input, which is constant, from here on."""
+        cdef double *held = <double *> self.signals[place].values
+        self.jumped = self.jumped or held[0] != value
+        held[0] = value
+
+    def now(self):
+        """x, v (n,) where the run stands."""
+        cdef Numbers x = zeros((self.model.n,)), v = zeros((self.model.n,))
+        self.run.model.now(self.walk, x.data, v.data)
+        return x.array, v.array
+
+    def close(self, bint interrupted):
+        """The end of a run in parts, that of t_span or an earlier one."""
+        self.shut()
+        if interrupted:
+            self.run.fault = em_fault(status=EM_INTERRUPTED, first=-1, second=-1, size=0.0)
+        self.stop = _REASONS[<int> self.run.fault.status]
 
     cdef table(self, em_rows *rows):
         """t (k,), y (k, n_state): copies, so that they outlive the run."""

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 6 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 7 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -61,13 +61,15 @@ typedef struct em_signal {
     const double *values;      /* (count); EM_CUBIC: (count - 1, 4) coefficients, highest power first, local time */
 } em_signal;
 
-typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15 } em_method;
+/* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error. */
+typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT } em_method;
 
 enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
 
 /* A growing table: one time and `width` numbers a row. Owned by the run; em_release frees it. */
 typedef struct em_rows {
     size_t count, capacity, width;
+    size_t most; /* rows there may be, after which the last is written over and over; 0: as many as come */
     double *t;
     double *y; /* (capacity, width) */
 } em_rows;
@@ -216,7 +218,16 @@ typedef struct em_model {
     /* A run that is to go on in a lane: its start is there. NULL: it cannot, and run is as it was but for its fault. */
     void *(*enter)(em_run *run, em_flock *f, int lane);
     int (*look)(void *walk, em_flock *f, int lane); /* at a step. 0: goes on; 1: has ended; -1: begin anew, number by number */
-    void (*leave)(void *walk);
+
+    /* A run that goes on as far as it is told (em_control.h calls these; all memory is taken as it opens). */
+    void *(*open)(em_run *run);        /* at its start: run->fault says whether there is one. NULL: no memory */
+    int (*advance)(void *walk, double t, int jumped);  /* exactly there; 0, or -1 and run->fault: it stands where it came to */
+    double (*now)(const void *walk, double *x, double *v); /* t; x, v (n) */
+    int (*publish)(const void *walk, double *y, em_fault *fault); /* y (n_state), published meaning */
+    size_t saved;                      /* how many bytes hold all of its motion */
+    void (*save)(const void *walk, void *saved);
+    void (*restore)(void *walk, const void *saved);
+    void (*close)(void *walk);
 
     int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
     const em_shape *shapes;  /* (n_shapes) */

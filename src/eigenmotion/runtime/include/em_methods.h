@@ -16,7 +16,7 @@
     static int em_##name##_sketch(em_walk *w) { return em_rk_sketch(&tableau, w); }                      \
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
-                           em_##name##_step, judge,                                                      \
+                           tableau.errors == 0, em_##name##_step, judge,                                 \
                            em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate};                 \
     }
 
@@ -27,10 +27,12 @@ static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, 
 EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU, NULL)
 EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU, em_dopri5_judge)
 EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU, em_dop853_judge)
+EM_RUNGE_KUTTA(rk4, EM_RK4_TABLEAU, NULL)
+EM_RUNGE_KUTTA(midpoint, EM_MIDPOINT_TABLEAU, NULL)
 
 static em_scheme em_ra15(void) {
-    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
-                       em_nodes_sketch, em_nodes_evaluate};
+    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
+                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate};
 }
 
 /* The table. */
@@ -39,6 +41,8 @@ static em_scheme em_scheme_of(em_method method) {
         case EM_RK34: return em_rk34();
         case EM_DOPRI5: return em_dopri5();
         case EM_RA15: return em_ra15();
+        case EM_RK4: return em_rk4();
+        case EM_MIDPOINT: return em_midpoint();
         case EM_DOP853: break;
     }
     return em_dop853();

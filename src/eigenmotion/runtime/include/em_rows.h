@@ -26,6 +26,7 @@ EM_COLD int em_rows_grow(em_rows *rows, em_fault *fault) {
 
 /* The row after the last one, to be filled and then counted by em_rows_keep; NULL without memory. */
 static double *em_rows_next(em_rows *rows, em_fault *fault) {
+    if (rows->most > 0 && rows->count == rows->most) --rows->count;
     if (rows->count == rows->capacity && em_rows_grow(rows, fault)) return NULL;
     return rows->y + rows->count * rows->width;
 }

@@ -46,7 +46,6 @@ static int em_enter(em_walk *w) {
 /* The first right-hand side, event values and step size. */
 static int em_begin(em_walk *w) {
     em_run *run = w->run;
-    w->begun = 1;
     em_enter_pieces(w);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_weigh_start(w);
@@ -54,6 +53,7 @@ static int em_begin(em_walk *w) {
     em_begin_chart(w);
     if (em_begin_witness(w) || (N_EVENTS > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w);
+    w->begun = 1;
     return EM_GO_ON;
 }
 
@@ -123,7 +123,7 @@ static em_walk *em_open(em_run *run) {
     if (em_rows_prepare(run)) return NULL;
     em_walk *w = em_walk_create(run);
     if (w == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, sizeof *w), NULL;
-    w->ended = em_enter(w);
+    w->refused = w->ended = em_enter(w);
     return w;
 }
 

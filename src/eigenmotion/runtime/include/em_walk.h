@@ -37,6 +37,7 @@ typedef struct em_scheme {
     double present, past;           /* with what weight that of this step, and that of the one before, */
     double growth;                  /* and no step is longer than so many times the one before */
     int terms;                      /* of its interpolant */
+    int fixed;                      /* whether steps are as long as told, whatever their error, and made once */
     int (*step)(em_walk *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
     int (*judge)(em_walk *w);       /* with f_new known: whether the scene is stiff; error_norm, size_norm anew where a
                                        step alone does not tell; or NULL */
@@ -93,9 +94,6 @@ struct em_walk {
     double quiet[EM_SOME_EVENTS];              /* beyond which a g that was zero at the start is so no longer */
     em_found found[EM_MOST_FOUND];             /* what passes zero in the step under way */
     long piece[EM_SOME_INPUTS];                /* of each signal, valid within the step */
-    em_run *run;
-    em_scheme scheme;
-    const double *end_rate;                    /* f at t_new, y_raw where the step knows it, else NULL */
     double rtol, direction, t, t_new, h;
     double t_goal;                             /* where the loop goes now: no step goes beyond */
     long most_steps;                           /* accepted ones there may be on the way */
@@ -118,8 +116,13 @@ struct em_walk {
     int mode, mode_new, moved, has_interpolant, n_found;
     int stiff;                                 /* whether something else than their error keeps steps short */
     int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
-    int begun, ended;                          /* the first step is known; the run is over, with run->fault */
+    int begun, ended;                          /* the first step is known; the run is over, with run->fault, */
+    int refused;                               /* because no motion starts there */
+    int stale;                                 /* what K[0] and g were made with is no longer so */
     size_t next_t_eval;
+    em_run *run;                               /* from here on: not of the motion, but of this process */
+    em_scheme scheme;
+    const double *end_rate;                    /* f at t_new, y_raw where the step knows it, else NULL */
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
     struct timespec polled;
     unsigned looks_every, attempts_since_look;
