@@ -1,5 +1,5 @@
 /* eigenmotion generate chain.py */
-/* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
+/* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
 /* body sha256:8038b3872d9d52bbd78d55456a960d2e0827958d84a90f1d10fbc99e4ff394da */
 /* chain_5: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate double_pendulum.py */
-/* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
+/* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
 /* body sha256:1153a36f017c3b7febeae227aabff67b6682d2a891e51d7f4de0cf305d44bb3c */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
+/* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
 /* body sha256:9eb195cf1d6538f54ff62238df98964ede13b1aceccd9b4b7d3200974c146601 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *

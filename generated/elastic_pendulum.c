@@ -1,5 +1,5 @@
 /* eigenmotion generate elastic_pendulum.py */
-/* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
+/* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
 /* body sha256:c1c70b1816747fd18a736235bec5f6df730f88d842ee311326f65f5975af5424 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *

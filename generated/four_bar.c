@@ -1,5 +1,5 @@
 /* eigenmotion generate four_bar.py */
-/* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
+/* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
 /* body sha256:688f4d4457bb8b79d0fe2871c32d2a7ea537898b312af2c0e7159f9a854de7cb */
 /* four_bar: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate heavy_top.py */
-/* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
+/* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
 /* body sha256:3f8cc74c22efa990c395d38c8ea677ea6fadb901b2360ca9a068866098745521 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *

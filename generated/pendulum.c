@@ -1,5 +1,5 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
+/* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
 /* body sha256:9a361fcdab2e94eaade613b02bd999f759e15ff024ba98a4cb8502505d221517 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *

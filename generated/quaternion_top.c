@@ -1,5 +1,5 @@
 /* eigenmotion generate quaternion_top.py */
-/* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
+/* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
 /* body sha256:db7e8f785bdd872ce8bcc178f008dea684c9a68a45273dbe5033185b46471fc2 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *

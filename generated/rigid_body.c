@@ -1,5 +1,5 @@
 /* eigenmotion generate rigid_body.py */
-/* input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282 */
+/* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
 /* body sha256:d4c6ebd2c9a6de554c4d95cc41ca9e77237051a286a476c18443cb67faf8910b */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
+/* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
 /* body sha256:f7b0f1610a5c519ceebc2ca7afb0093819ef7dd2ba39054a5f16a295c4f7d290 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *

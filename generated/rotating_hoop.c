@@ -1,5 +1,5 @@
 /* eigenmotion generate rotating_hoop.py */
-/* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
+/* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
 /* body sha256:12a434491deb2ef731292b911c570934e5ebcd7c0ec3266c4955ba3d8b3aec41 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *

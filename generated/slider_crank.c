@@ -1,5 +1,5 @@
 /* eigenmotion generate slider_crank.py */
-/* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
+/* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
 /* body sha256:ba9285ffb52382b7b39acd0eab584b4687c945b131cd43fa9e3f7479a420df22 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate spatial_arm.py */
-/* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
+/* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
 /* body sha256:9efb36e94796a0ebf5c3bd9d04e087d322cac9a3671ae3bf86f967c45c534245 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *

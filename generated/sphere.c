@@ -1,5 +1,5 @@
 /* eigenmotion generate sphere.py */
-/* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
+/* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
 /* body sha256:9821ef216356d161146e54a78f6e69675caa76d23a6b799702e4bbd774ed8945 */
 /* sphere: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate veering.py */
-/* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
+/* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
 /* body sha256:8c0a7e83027b48fafad8268fd5c21e420cc097d045bd34d03a9b0c514dbdbb80 */
 /* veering: equations of motion, eigenfactor formulation.
  *

@@ -17,7 +17,7 @@ from ..runtime import CompiledModel, EvaluationError, Run, plain
 from .choosing import automatic
 from .error_estimate import with_error_estimate
 from .methods import AUTO, METHODS, Method
-from .start import start_state
+from .start import check_direction, start_state
 from .stiff import simulate_stiff
 
 if TYPE_CHECKING:
@@ -121,6 +121,7 @@ def simulate(
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
     chosen = automatic(compiled, task.rtol, task.least_norm) if named == AUTO else METHODS[named]
+    check_direction(compiled, task.t_start, task.t_end)
     if estimate_error is False:
         return run_task(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
@@ -206,4 +207,4 @@ def _compiled(task: Task, method: Method, number: int) -> Solution:
     fields = run.fields(method.name)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
-    return Solution(Trajectory(task, fields["t"], fields["y"].T), fields)
+    return Solution(Trajectory(task, fields["t"], fields["y"].T, run.legs), fields)
