@@ -75,12 +75,21 @@ EM_COLD double em_rest_speed(const em_acting *a, int event) {
     return level[2 * deeds[event].held];
 }
 
+/* What holds already keeps a contact closed: its row depends on theirs. 0, or -1 and *fault. */
+EM_COLD int em_close_too(const em_acting *a, const em_switch *s) {
+    if (!a->least_norm) return em_fail(a->fault, EM_DEPENDENT_CONSTRAINTS, s->row, -1, NAN);
+    return em_hold(s, a->c, 1, a->fault);
+}
+
 /* Impact number `event`, which `first` happens for the first time now: whether it does, or -1 and *fault. */
 EM_COLD int em_strike_event(em_acting *a, int event, const double *struck, double side, int first) {
     const double approach = em_approach(struck, a->v), e = struck[N + 1], rest = em_rest_speed(a, event);
-    const int nears = side * approach > EM_PARTED * em_approach_terms(struck, a->v);
+    em_root root;
+    if (em_root_at(a->t, a->x, a->c, &root, a->fault)) return -1;
+    const int nears = side * approach > (first ? 0.0 : EM_PARTED * em_fastest(&root, struck, a->v));
     const int lands = (nears && e * fabs(approach) <= rest) || (!nears && first && fabs(approach) <= rest);
     if (!nears && !lands) return 0;
+    if (lands && em_is_blocked(&root, struck)) return em_close_too(a, &switches[deeds[event].held]);
     if (!(e >= 0.0 && e <= 1.0)) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, 1, e);
     if (em_strike_once(a, event, struck, lands ? 0.0 : e)) return -1;
     return lands && em_hold(&switches[deeds[event].held], a->c, 1, a->fault) ? -1 : 1;

@@ -20,7 +20,7 @@ static int em_event_acts(int i) { return deeds[i].acts; }
 static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {
     const double *const c = w->run->prepared;
     model_events(t, x, v, c, w->u, g);
-    return em_watch_modes(t, x, v, c, w->u, em_constraint_flags(w->run), g, &w->reason);
+    return em_watch_modes(t, x, v, c, w->u, w->run->least_norm ? EM_LEAST_NORM : 0, g, &w->reason);
 }
 #else
 static int em_keeps_apart(int i) { return (void)i, 0; }

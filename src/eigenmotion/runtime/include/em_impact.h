@@ -18,11 +18,32 @@ EM_COLD double em_approach(const double *struck, const double *v) {
     return speed;
 }
 
-/* The sizes of what is added there. */
-EM_COLD double em_approach_terms(const double *struck, const double *v) {
-    double terms = fabs(struck[N]);
-    for (int k = 0; k < N; ++k) terms += fabs(struck[k] * v[k]);
-    return terms;
+/* The fastest that anything of this kinetic energy approaches along N, sqrt(N M^-1 N^T v^T M v), and what phi changes by. */
+EM_COLD double em_fastest(const em_root *root, const double *struck, const double *v) {
+    double along[N], p[N];
+    memcpy(along, struck, sizeof along);
+    memcpy(p, v, sizeof p);
+    em_forward(N, root->L, root->r, along);
+    em_transposed(N, root->L, p);
+    return em_length(N, along) * em_length(N, p) + fabs(struck[N]);
+}
+
+/* Whether the constraints that hold leave nothing free to move along N. */
+EM_COLD int em_is_blocked(const em_root *root, const double *struck) {
+    double Q[EM_STRUCK_ROWS * N], row[N];
+    int count = 0;
+    for (int k = 0; k <= N_ROWS; ++k) {
+        memcpy(row, k < N_ROWS ? root->B + k * N : struck, sizeof row);
+        if (k == N_ROWS) em_forward(N, root->L, root->r, row);
+        const double length = em_length(N, row);
+        em_remove_rows(N, count, Q, row);
+        const double left = em_length(N, row);
+        const int adds = left * left > EM_DEPENDENT * length * length;
+        if (k == N_ROWS) return !adds;
+        for (int i = 0; adds && i < N; ++i) Q[count * N + i] = row[i] / left;
+        count += adds;
+    }
+    return 0;
 }
 
 /* B (m + 1, n) <- R L^-T and Delta <- B B^T, by its lower triangle */
@@ -63,7 +84,7 @@ EM_COLD int em_strike(const em_root *root, const double *struck, double e, doubl
         for (int k = 0; k < N; ++k) change[k] += B[row * N + k] * impulse[row];
     em_backward(N, root->L, root->r, change);
     for (int k = 0; k < N; ++k) v[k] -= change[k];
-    return fabs(em_approach(struck, v) + e * before) <= EM_BLOCKED * (fabs(before) + em_approach_terms(struck, v)) ? 0 : -1;
+    return fabs(em_approach(struck, v) + e * before) <= EM_BLOCKED * em_fastest(root, struck, v) ? 0 : -1;
 }
 
 #endif

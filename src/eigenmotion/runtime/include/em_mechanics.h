@@ -56,7 +56,7 @@ EM_COLD int em_push(double t, const double *x, const double *v, const double *c,
             for (int k = 0; k < N; ++k) Delta[i * N_ROWS + j] += root->B[i * N + k] * Q[j * N + k];
         }
     memcpy(root->B, Q, sizeof Q);
-    return em_solve_pushed(N_ROWS, Delta, lambda, least_norm ? least_norm & EM_ABOUT_ROWS : 0, fault);
+    return em_solve_pushed(N_ROWS, Delta, lambda, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault);
 }
 #endif
 
@@ -135,16 +135,27 @@ EM_COLD void em_share_rounding(const em_root *root, int rows, double *terms) {
         terms[row] = fmax(terms[row], most * sqrt(root->Delta[row * N_ROWS + row]));
 }
 
+/* terms <- the larger of those here and before the last step, which become those here: where all terms vanish with phi,
+ * what is left is rounding of what they were. */
+EM_COLD void em_widen_terms(double *terms, double *before) {
+    for (int row = 0; row < N_POSITIONS; ++row) {
+        const double here = terms[row];
+        terms[row] = fmax(here, before[row]);
+        before[row] = here;
+    }
+}
+
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
  * each other and none are said to be kept, each step keeps those that add more than `tolerance` to others.
  * Returns whether x changed, or -1. */
 EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
                          em_fault *fault) {
-    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS];
+    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS], before[EM_SOME_POSITIONS] = {0.0};
     em_root root;
     for (int step = 0;; ++step) {
         int worst, rows = least_norm;
         em_position_residual(t, x, c, residual, terms);
+        em_widen_terms(terms, before);
         if (least_norm) {
             if (em_root_at(t, x, c, &root, fault)) return -1;
             if (least_norm < EM_FIRST_KEPT) em_independent_rows(EM_SOME_ROWS, root.Delta, tolerance, &rows);

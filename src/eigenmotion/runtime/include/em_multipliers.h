@@ -117,10 +117,25 @@ EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, in
 #endif
 }
 
+#ifndef EM_ON_LANES
+/* Whether it is B B^T, to the last bit, as it is where nothing slides. */
+EM_INLINE int em_is_square_of_rows(int m, const double *Delta) {
+    for (int i = 0; i < m; ++i) {
+        if (!(Delta[i * m + i] >= 0.0)) return 0;
+        for (int j = 0; j < i; ++j)
+            if (Delta[i * m + j] != Delta[j * m + i]) return 0;
+    }
+    return 1;
+}
+#endif
+
 /* rhs (m) <- Delta^-1 rhs where multipliers push by other rows than those that hold: Delta (m, m) is full, and regular
  * as long as friction does not jam. 0, or -1 and *fault. */
 EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
     real whole[m];
+#ifndef EM_ON_LANES
+    if (em_is_square_of_rows(m, Delta)) return em_solve_delta(m, Delta, rhs, flags, fault);
+#endif
     em_rest_rows(m, Delta);
     for (int i = 0; i < m; ++i) whole[i] = Delta[i * m + i];
     for (int i = 0; i < m && flags >= EM_FIRST_KEPT; ++i) {
