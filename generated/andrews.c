@@ -1,5 +1,5 @@
 /* eigenmotion generate andrews.py */
-/* input sha256:76ef48d6f0dc006751c6d62f2f09c1a808e688e33385d9bcc0b4dcbc571b91bb */
+/* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
 /* body sha256:d25ce348bb63068e8ff35c90d06c7ef6496440281ea628622f6b2c960e2fdbec */
 /* andrews: equations of motion, eigenfactor formulation.
  *

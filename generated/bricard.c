@@ -1,5 +1,5 @@
 /* eigenmotion generate bricard.py */
-/* input sha256:48de1137e7976971392b7b646ac5f51dbece29e92877180f29ab43eea45f1cf4 */
+/* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
 /* body sha256:285b72fa5279b731ab93851b1103bc69748a18f295f23699634f9fff864ea1e7 */
 /* bricard: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate cart_pendulums.py */
-/* input sha256:56bf9f034a20945e461a9a2885f6806fda5f4b09b42794cad9b2ede3b0e743fc */
+/* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
 /* body sha256:77f7f1593dc3eb97dc9defae7dbc755e6b6d8be11c7cb3d6bbd33e386a87e05e */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate drone.py */
-/* input sha256:03661c6d20f5a8cb88cd034f411466fa0dcf11c1fb135347a853d98d37b52765 */
+/* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
 /* body sha256:a226a42c01974a4d57fb131cc881560a5afd4ffe9a82ad31a32cc29568670fa8 */
 /* drone: equations of motion, eigenfactor formulation.
  *

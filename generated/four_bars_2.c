@@ -1,5 +1,5 @@
 /* eigenmotion generate four_bars.py */
-/* input sha256:d44b8a1b43ef5c6b759d4c18e4766756f5a9376280ce8c564f8348a6e35e6df3 */
+/* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
 /* body sha256:c641a6ffa8146f25ba7bb743533cc1ef939c41dd4bc6c66dd939ffd0d0bf24c3 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *

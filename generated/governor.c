@@ -1,5 +1,5 @@
 /* eigenmotion generate governor.py */
-/* input sha256:c8f552fe61a2f14cfdf6738806a86ae5ef77a9561614a03a832e25c8d9ba4840 */
+/* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
 /* body sha256:8338cde207147f0db63ae1e9c6a6123556cb3d155853b4454617e638e53343eb */
 /* governor: equations of motion, eigenfactor formulation.
  *

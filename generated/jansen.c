@@ -1,5 +1,5 @@
 /* eigenmotion generate jansen.py */
-/* input sha256:e590a3c5ce1ad077d0702a3f4297df740fe3c7cdd4708d020f62e0aaf27ca355 */
+/* input sha256:9113c7d3da69da5ecbaab47b3131a16b8c566b951a7903843a9a629179d381f5 */
 /* body sha256:255621e952eebabdd4c4535ce678d59bfe9c4292a89c2ad6a23a9563e77a91f3 */
 /* jansen: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate jansen.py */
-/* input sha256:e590a3c5ce1ad077d0702a3f4297df740fe3c7cdd4708d020f62e0aaf27ca355 */
+/* input sha256:9113c7d3da69da5ecbaab47b3131a16b8c566b951a7903843a9a629179d381f5 */
 /* body sha256:064834261617c5178a9e4b8e27586ef4f7dfbdfc15a4d37f0d2d7e662d0fb318 */
 /* jansen: 7 coordinates, 6 constraint rows, 70 states.
  * Link jansen.c with a program of your own, or import the Python module built from jansen.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate jansen.py
-# input sha256:e590a3c5ce1ad077d0702a3f4297df740fe3c7cdd4708d020f62e0aaf27ca355
+# input sha256:9113c7d3da69da5ecbaab47b3131a16b8c566b951a7903843a9a629179d381f5
 # body sha256:5a281a991a6aad4c88a6df8d4be595cc50be1809e451325b93fec2cefd7ce0c4
 # cython: language_level=3
 """jansen, compiled: `system` is its System (eigenfactor)."""

@@ -1,5 +1,5 @@
 /* eigenmotion generate puma.py */
-/* input sha256:b37fc2546bd941efcfc98be3dbd23707f390cf3daba2239041800d246cd7d8e0 */
+/* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
 /* body sha256:e58b92cb4e7f281150a561d67b9260e6ee9041c560eafc6fc55043e6dbe426ae */
 /* puma: equations of motion, eigenfactor formulation.
  *

@@ -1,5 +1,5 @@
 /* eigenmotion generate snakeboard.py */
-/* input sha256:edfccaa8748c847863ae931ce253127968f082a4b6a87f2749e4cd538d34f6e3 */
+/* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
 /* body sha256:77bf2c49f366ea3977d9112dd2a0241de381e9eff6f59881a10ad8d0ac215c13 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
