@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from .building.loading import load_model as load_model
     from .building.proof import ProofError as ProofError
     from .codegen.mechanics import from_mechanics as from_mechanics
+    from .codegen.model import Contact as Contact
     from .codegen.model import Event as Event
+    from .codegen.model import Friction as Friction
     from .codegen.model import Model as Model
     from .codegen.model import ModelError as ModelError
     from .codegen.model import draw as draw
@@ -33,8 +35,10 @@ if TYPE_CHECKING:
 _HOME = {
     "BuildError": ".building.errors",
     "CompilerNotFoundError": ".building.errors",
+    "Contact": ".codegen.model",
     "Ensemble": ".results.ensemble",
     "Event": ".codegen.model",
+    "Friction": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.proof",

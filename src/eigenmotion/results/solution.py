@@ -80,6 +80,8 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     y : (n_state, k), published meaning: any column is a state to restart from
     sol : y(t) as a function, with dense_output
     t_events, y_events : for each event of the model (e,) and (e, n_state); None where the model has none
+    y_after_events : the states after those that act, as y_events; of the others y_events itself
+    modes : since when, and a parameter name -> value of each mode that a model with contacts went through; else ()
     nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (SciPy's stiff methods)
     nsteps, nrejected : steps accepted; rejected (None: implicit methods do not say)
     n_bounded : steps accepted that did not run the published equations

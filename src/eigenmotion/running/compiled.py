@@ -37,4 +37,4 @@ def _solution(task: Task, method: Method, run: Run) -> Solution:
     fields = run.fields(method.name)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
-    return Solution(Trajectory(task, fields["t"], fields["y"].T), fields)
+    return Solution(Trajectory(task, fields["t"], fields["y"].T, run.legs), fields)

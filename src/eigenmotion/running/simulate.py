@@ -18,7 +18,7 @@ from .compiled import run_compiled
 from .error_estimate import with_error_estimate
 from .methods import AUTO, METHODS, Method
 from .restart import given_start
-from .start import start_state
+from .start import check_direction, start_state
 from .stiff import simulate_stiff
 
 if TYPE_CHECKING:
@@ -128,6 +128,7 @@ def simulate(
     chosen = automatic(compiled, task.rtol, task.least_norm) if named == AUTO else METHODS[named]
     if task.inputs.sampled:
         _check_sampled(task, chosen, estimate_error)
+    check_direction(compiled, task.t_start, task.t_end)
     if estimate_error is False:
         return run_task(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)

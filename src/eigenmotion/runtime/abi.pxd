@@ -46,6 +46,20 @@ cdef extern from "eigenmotion.h" nogil:
         double t
         double h
 
+    ctypedef struct em_deed:
+        int keeps_apart
+        int acts
+
+    ctypedef struct em_switch:
+        int event
+        int holds
+        int slides
+        int row
+
+    ctypedef struct em_pile:
+        double t
+        double count
+
     ctypedef struct em_run:
         double t_start
         double t_end
@@ -70,6 +84,8 @@ cdef extern from "eigenmotion.h" nogil:
         em_fault fault
         em_rows rows
         em_rows *events
+        em_rows *after
+        em_rows legs
         em_dense_step *dense_steps
         double *dense_table
         size_t n_dense
@@ -149,6 +165,10 @@ cdef extern from "eigenmotion.h" nogil:
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
+        const em_deed *deeds
+        int n_switches
+        const em_switch *switches
+        int (*act)(double, double *, double *, double *, const double *, int, int *, em_pile *, em_fault *) noexcept nogil
         const em_lanes *lanes
         void *(*enter)(em_run *, em_flock *, int) noexcept nogil
         int n_shapes

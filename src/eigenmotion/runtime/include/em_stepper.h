@@ -9,7 +9,7 @@
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H
 
-#include "em_step.h"
+#include "em_legs.h"
 
 _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
 
@@ -37,6 +37,7 @@ static int em_enter(em_walk *w) {
     memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
     if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
+    if (em_first_leg(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     const int settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
     if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
@@ -68,6 +69,7 @@ static em_walk *em_walk_create(em_run *run) {
     w->scheme = em_scheme_of(run->method);
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
+    w->fresh = EM_FIRST_LEG;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->t_goal = run->t_end;
     w->most_steps = run->max_steps;
@@ -94,6 +96,7 @@ static void em_commit(em_walk *w) {
     memcpy(w->memory, w->memory_new, sizeof w->memory);
     memcpy(w->g, w->g_new, sizeof w->g);
     memcpy(w->side, w->side_new, sizeof w->side);
+    w->fresh = 0;
 }
 
 /* Rates and event values anew at a state whose rates have jumped: where another piece of a signal begins. */
@@ -109,6 +112,7 @@ static int em_go_on(em_walk *w) {
     double t_stop = w->t_new;
     int terminal = 0;
     if (em_record(w, &t_stop, &terminal)) return EM_END;
+    if (w->acting) return em_next_leg(w, t_stop, terminal);
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);

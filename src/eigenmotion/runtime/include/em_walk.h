@@ -30,6 +30,8 @@ EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }
 
 typedef struct em_walk em_walk;
 
+enum { EM_FIRST_LEG = 1, EM_NEXT_LEG }; /* of a run, between events that act */
+
 /* A method as the stepper sees it (em_methods.h): how it steps from w->t, w->y by w->h to w->t_new, and what it knows of
  * the states between. What the rows of F mean is its own affair. */
 typedef struct em_scheme {
@@ -116,6 +118,9 @@ struct em_walk {
     int mode, mode_new, moved, has_interpolant, n_found;
     int stiff;                                 /* whether something else than their error keeps steps short */
     int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
+    int fired[EM_SOME_EVENTS], struck[EM_SOME_EVENTS]; /* what acts, and whose number jumps; what has acted */
+    int acting, fresh;                         /* whether something acts; which leg no step has ended of: EM_FIRST_LEG */
+    em_pile pile[EM_SOME_EVENTS];
     int begun, ended;                          /* the first step is known; the run is over, with run->fault, */
     int refused;                               /* because no motion starts there */
     int stale;                                 /* what K[0] and g were made with is no longer so */
