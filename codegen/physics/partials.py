@@ -8,8 +8,8 @@ are what the derivatives of a and lambda follow from: r and s vanish along the m
 and A da = -ds. All entries share their subexpressions; whether they come about forward, column by column, or in
 reverse, row by row, is decided by what they cost together.
 
-Where an expression has a kink its derivative is that of the side on which it is evaluated: of |x| at 0 that of x > 0,
-of Piecewise that of the piece that holds, of Min and Max that of the first of equal arguments.
+Where an expression has a kink its derivative is that of one side: of |x| and sign(x) at 0 that of x > 0, of Piecewise
+that of the piece that holds, of Min and Max that of the first of equal arguments.
 """
 
 from __future__ import annotations
@@ -75,12 +75,13 @@ class Partials:
 
 
 class _Sided(Rewriter):
-    """|a| as a or -a: so its derivative at 0 is one of the two, not the mean of them."""
+    """|a| as a or -a, sign(a) as 1 or -1: their derivatives at 0 are those of one side, not the mean of both."""
 
     def replacement(self, node: Node) -> Node | None:
-        """Return what stands for |a|."""
+        """Return what stands for |a| or sign(a)."""
         kind, operands = self.graph.records[node]
-        if kind is not Kind.CALL or operands[0] != "abs":
+        if kind is not Kind.CALL or operands[0] not in ("abs", "sign"):
             return None
         a = self(operands[1])
-        return self.graph.call("select", self.graph.call(">=", a, self.graph.zero), a, self.graph.negative(a))
+        one = a if operands[0] == "abs" else self.graph.one
+        return self.graph.call("select", self.graph.call(">=", a, self.graph.zero), one, self.graph.negative(one))

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
+    from .linear.assemble import assemble as assemble
+    from .linear.equilibrium import find_equilibrium as find_equilibrium
+    from .linear.linearization import Linearization as Linearization
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
@@ -32,6 +35,7 @@ _HOME = {
     "CompilerNotFoundError": ".building.errors",
     "Ensemble": ".results.ensemble",
     "Event": ".codegen.model",
+    "Linearization": ".linear.linearization",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.proof",
@@ -39,8 +43,10 @@ _HOME = {
     "Solution": ".results.solution",
     "StopReason": ".runtime",
     "System": ".system.system",
+    "assemble": ".linear.assemble",
     "build": ".building.build",
     "draw": ".codegen.model",
+    "find_equilibrium": ".linear.equilibrium",
     "from_mechanics": ".codegen.mechanics",
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
