@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
-/* body sha256:36b287fa06579872a237bad444e5970b694f832b5727735a5b6a4fa20ea7f174 */
+/* body sha256:6bc086008756ef865e4ead96f08f18659fcdeb65d315a294f06ee626624dac31 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1684,6 +1684,7 @@ const em_model chain_5_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

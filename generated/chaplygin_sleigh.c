@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
-/* body sha256:44794d9ef5e0218570766433423401c48c75f64d72ee764dea99d74cf932257d */
+/* body sha256:a5424b5291bb9c6b377dda00881411335d5381c306fcfdb6a5681c9912ca14b5 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -581,7 +581,7 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_derivatives.h"
+#include "em_tangent.h"
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -841,6 +841,8 @@ const em_model chaplygin_sleigh_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
     .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,

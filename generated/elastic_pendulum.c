@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
-/* body sha256:0d480fe56d8597a3bf304f1bf30d6c0dd99df625b50792bedebeb5026544cfd8 */
+/* body sha256:473e9c1cc7b67d69ac9ccb96210e678900631191adfe82ea6e5675ae84e8bdc8 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -611,6 +611,7 @@ const em_model elastic_pendulum_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

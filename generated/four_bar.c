@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
-/* body sha256:6d4bbcab8a9f07f0cd9351dd505f34ba6d3a69cf4eb8342c7879f6a1c8e6057d */
+/* body sha256:3c09eff35d53bf83d6e5cbf1d73ff34b70df729c08fdd0fddd41093236a667ad */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -927,7 +927,7 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_derivatives.h"
+#include "em_tangent.h"
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -1215,6 +1215,8 @@ const em_model four_bar_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
     .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
-/* body sha256:97c493f9c162019e40cfd437eba942c6b1c802f64e9428d274580ee67b9a5a76 */
+/* body sha256:ee4cee2ff2e2b77f83d90760227f641a6218c4e0db9a17e30b96206939a6bb04 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -801,6 +801,7 @@ const em_model heavy_top_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
-/* body sha256:27427d2c63dcac43b6ecc154884148037ad8ad874bf103e814c07cfe20b4ee6b */
+/* body sha256:550db5e09568a849073eb7b273da6e74b6ccc61ddc8094fd63298b8c1d814ba5 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -502,6 +502,7 @@ const em_model pendulum_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9 */
-/* body sha256:07afc41b06dfbdfba2ec9152c7dd6ac94018974919d6d1b96b722d1caa5a4800 */
+/* body sha256:efae00fcc9830b0c85c664a275c5801d027f68f73b1c5a67cbe05a373d89874f */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -583,6 +583,7 @@ const em_model polar_particle_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

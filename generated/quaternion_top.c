@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
-/* body sha256:c25c9f7bbee15b5aa183cc51e1ba6a171edb4174ec73dcc29e9327a1161e97b7 */
+/* body sha256:318f19c8bbfb75b00e31a351e64f21aff4b8811a09b6729c539481d92a9eb4f3 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1092,7 +1092,7 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_derivatives.h"
+#include "em_tangent.h"
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -1393,6 +1393,8 @@ const em_model quaternion_top_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
     .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282 */
-/* body sha256:527422bb9ec6dad9f253bc0d0c7beaf61228486762a49b83a075b9a711018e49 */
+/* body sha256:8f47f113e87736d638c11706ce1dcd19a8626b40a210590107584d16decb6758 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1080,6 +1080,7 @@ const em_model rigid_body_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
-/* body sha256:f78519b1ab533381c1f2cfb3e8b4ca726d7ab539deaf188e8be5f30e2d6b6df5 */
+/* body sha256:a8d6f84e9bab4ae78ce18a0ac75d5db18fdc9697b4a0be71f7e4202f36f67b61 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -898,7 +898,7 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_derivatives.h"
+#include "em_tangent.h"
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -1199,6 +1199,8 @@ const em_model rolling_disk_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
     .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,

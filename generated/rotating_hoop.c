@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
-/* body sha256:b10415566323d4da4f27c3cf361bc50cdcbdcbc86665550d5f6f16272f507687 */
+/* body sha256:5d038fbeba0a5d54c8a1a509801aff2bc076b20cee91a22bd8aeb454291ecb88 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -534,6 +534,7 @@ const em_model rotating_hoop_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

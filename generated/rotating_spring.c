@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
-/* body sha256:a8229f0c097ee1e1ee56d799f9f04c7697d05d2affd7303a670c908029f5e205 */
+/* body sha256:472ef40e5685bea4e79bdb007514624ddd63c0b7f70872c4c8e49236d48168ae */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -577,6 +577,7 @@ const em_model rotating_spring_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

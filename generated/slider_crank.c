@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
-/* body sha256:4fe370e3ebacc817e4d279f30041da9b53e89ee6ccd42ec3403378b243fe9a52 */
+/* body sha256:acf74ea0e9830391570089ff1a8c85a62ac50e3d37a2f73d8fe0be7d9cd30208 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -839,7 +839,7 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_derivatives.h"
+#include "em_tangent.h"
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -1122,6 +1122,8 @@ const em_model slider_crank_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
     .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
-/* body sha256:ce4d6b2856ae4fef16bef3c4f3dff7be5a51c4a302344c950506f8ee236e9dfa */
+/* body sha256:c96e2208e73a9db5f7fcea1ab97c9bfa70f45eec4fb78a92c574e1821bb8e853 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1607,6 +1607,7 @@ const em_model spatial_arm_3_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
-/* body sha256:af9f350d400ff6ac458adc5c33f879dce6b90367446e8c12e7a4887b4da2d9f5 */
+/* body sha256:7c0c8f48d3afb4d02ff137d3aa6379b2831176ba9d3b69c65320f7d245ba7a4b */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -626,6 +626,7 @@ const em_model veering_model = {
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -163,3 +163,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*event_partials)(double, const double *, const double *, const double *, const double *,
                                double *) noexcept nogil
         void (*quasi_partials)(double, const double *, const double *, const double *, double *) noexcept nogil
+        int (*motion_along)(double, const double *, const double *, const double *, const double *, int, int,
+                            const double *, const double *, double *, double *, double *, em_fault *) noexcept nogil
+        int (*tangent)(double, const double *, const double *, const double *, int, int, double *, const double *,
+                       em_fault *) noexcept nogil

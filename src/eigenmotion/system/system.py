@@ -17,6 +17,7 @@ from ..pages.notebook import table
 from ..running.consistent import ConsistentState, Projection
 from ..running.simulate import simulate
 from ..runtime import CompiledModel, EvaluationError, Prepared, plain
+from .derivatives import rhs_parameter_jacobian
 from .description import Description
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .velocities import initial_rates
@@ -296,6 +297,7 @@ class System(Description):
 
     simulate = simulate  # functions as methods, with their options
     linearize = linearize
+    rhs_parameter_jacobian = rhs_parameter_jacobian
 
 
 def _ours(error: Exception) -> Exception:

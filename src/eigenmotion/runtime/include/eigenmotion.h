@@ -236,6 +236,13 @@ typedef struct em_model {
                            double *D); /* (n_events, n_arguments), or NULL */
     void (*quasi_partials)(double t, const double *x, const double *v, const double *c,
                            double *D); /* (n_quasi, n_arguments), or NULL */
+    /* Along `columns` directions, S (2 n, columns) of x, v, and P (n_arguments - 2 n, columns) of the rest: W (n + m,
+     * columns), the changes of a and lambda; S <- the nearest along which the constraints stay satisfied. */
+    int (*motion_along)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+                        int columns, const double *S, const double *P, double *a, double *lambda, double *W,
+                        em_fault *fault);
+    int (*tangent)(double t, const double *x, const double *v, const double *c, int least_norm, int columns, double *S,
+                   const double *P, em_fault *fault); /* NULL where m is 0 */
 } em_model;
 
 #endif

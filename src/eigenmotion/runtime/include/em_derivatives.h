@@ -120,4 +120,28 @@ EM_COLD int em_motion_derivatives(double t, const double *x, const double *v, co
     return 0;
 }
 
+/* W (rows, columns) += D (rows, inner) S (inner, columns) */
+EM_COLD void em_add_products(int rows, int inner, int columns, const double *D, const double *S, double *W) {
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k < inner; ++k)
+            if (D[i * inner + k] != 0.0) em_add_row(columns, D[i * inner + k], S + k * columns, W + i * columns);
+}
+
+/* Along `columns` directions, S (2 n, columns) of x, v and P (n_given, columns) of inputs, parameters, time:
+ * W (n + m, columns) <- the changes of a and lambda; a (n), lambda (m). */
+EM_COLD int em_motion_along(double t, const double *x, const double *v, const double *c, const double *u,
+                            int least_norm, int columns, const double *S, const double *P, double *a, double *lambda,
+                            double *W, em_fault *fault) {
+    em_factors factors;
+    double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
+    if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
+    state_partials(t, x, v, a, lambda, c, u, by_state);
+    forcing_partials(t, x, v, a, lambda, c, u, by_given);
+    memset(W, 0, (size_t)(N + N_ROWS) * columns * sizeof *W);
+    em_add_products(N + N_ROWS, 2 * N, columns, by_state, S, W);
+    em_add_products(N + N_ROWS, N_GIVEN, columns, by_given, P, W);
+    em_solve_motion(&factors, columns, W);
+    return 0;
+}
+
 #endif
