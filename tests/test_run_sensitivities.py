@@ -1,4 +1,4 @@
-"""Derivatives of whole motions, against closed forms, differences of runs and Sixty-digit equations of variation."""
+"""Derivatives of whole motions, against closed forms, differences of runs, and through jumps of forces."""
 
 import numpy as np
 import pytest
@@ -57,8 +57,10 @@ def test_against_differences_of_runs(name, by, formulation):
 def oscillator() -> em.Model:
     x, u = dynamicsymbols("x u")
     k, d = symbols("k d", positive=True)
-    return em.Model(name="oscillator", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=k * x**2 / 2,
-                    forces=[u - d * x.diff()], inputs={u: 0.0}, parameters={k: 4.0, d: 0.0}, initial={x: 1.0})  # fmt: skip
+    return em.Model(
+        name="oscillator", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=k * x**2 / 2,
+        forces=[u - d * x.diff()], inputs={u: 0.0}, parameters={k: 4.0, d: 0.0}, initial={x: 1.0},
+    )  # fmt: skip
 
 
 @pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "ra15"])
@@ -93,7 +95,7 @@ def thrust(stated: bool) -> em.Model:
 
 
 def test_directions_jump_where_a_force_does():
-    """At t_on = sqrt(2 (x0 - s) / g) = 1/2 the velocity is -g t_on; then x = s - g t_on w + (F - g) w^2 / 2, w = t - t_on."""
+    """At t_on = sqrt(2 (x0 - s) / g) = 1/2 the velocity is -g t_on; then x = s - g t_on w + (F - g) w^2 / 2."""
     end, t_on, w = 0.8, 0.5, 0.3
     run = system_for(thrust(True), "lagrange").simulate((0, end), t_eval=[end], sensitivities=["x", "s", "F"], **TIGHT)
     by_time = 10.0 * (t_on - w) - 20.0 * w  # dx / dt_on, and dt_on / dx0 = -dt_on / ds = 1 / (g t_on)
@@ -108,7 +110,7 @@ def test_a_jump_that_no_event_states_is_refused():
 
 
 def test_inputs_that_are_sampled():
-    """u = t: x = t / 4 + (1 - 1/4 at v) ...: the derivative by x0 is that without it, whatever the samples."""
+    """The scene is linear: the derivative by x0 is that without inputs, whatever the samples."""
     system, t = system_for(oscillator(), "lagrange"), np.linspace(0, 3, 4)
     for kind in ("hold", "linear", "cubic"):
         signal = em.Signal(t, [0.0, 2.0, -1.0, 3.0], kind)

@@ -54,8 +54,8 @@ def directions(system: "System", asked: Sequence[Any], task: Task, method: Metho
     if isinstance(asked, str) or not isinstance(asked, Sequence):
         raise OptionError(f"sensitivities is {shown(asked)}: give a list of names")
     if method.implicit:
-        raise OptionError(f"sensitivities come by explicit steps, which stiff scenes take too many of: method={method.name!r} "
-                          "gives none; use a method that is not implicit")  # fmt: skip
+        raise OptionError("sensitivities come by explicit steps, of which stiff scenes take too many: "
+                          f"method={method.name!r} gives none; use a method that is not implicit")  # fmt: skip
     rates = tuple(f"{name}'" for name in c.coordinates)
     known = (*c.coordinates, *rates, *c.quasi_velocities, *c.inputs, *c.parameters)
     names = tuple(dict.fromkeys(_name(one) for one in asked))
@@ -122,11 +122,12 @@ def sensitivity(task: Task, solution: Solution, asked: Directions) -> dict[str, 
     found = S[None]
     if len(t) > 1:
         rtol = min(max(task.rtol, 1e-14), _LOOSEST)
-        found, fault, _, _ = vary(c, task.prepared, task.inputs.compiled, t, z, at, S, asked.P, asked.sizes, rtol, task.atol,
-                                  task.max_steps, task.stabilise, task.least_norm)  # fmt: skip
+        found, fault, _, _ = vary(c, task.prepared, task.inputs.compiled, t, z, at, S, asked.P, asked.sizes, rtol,
+                                  task.atol, task.max_steps, task.stabilise, task.least_norm)  # fmt: skip
         if fault is not None:
-            raise ModelError(f"{fault}. Sensitivities end there: give the model an event whose expression passes through "
-                             "zero where the force jumps, or make it smooth")  # fmt: skip
+            remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
+                      "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
+            raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
     rows = found[_of_solution(t, solution.t)]
     return {name: Sensitivity(rows[:, :n, column].T, rows[:, n:, column].T) for column, name in enumerate(asked.names)}
 

@@ -84,7 +84,7 @@ EM_COLD void em_solve_motion(const em_factors *f, int columns, double *W) {
 EM_COLD int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                          em_factors *f, double *a, double *lambda, em_fault *fault) {
     if (em_factors_at(t, x, c, least_norm, f, fault)) return -1;
-    return em_acceleration(t, x, v, c, u, f->rows, a, lambda, fault);
+    return em_acceleration_of(&f->root, t, x, v, c, u, f->rows, a, lambda, fault);
 }
 
 /* J (2 n, 2 n) of z = (x, v) -> (v, xddot), constraints included. */

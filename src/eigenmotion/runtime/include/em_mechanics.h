@@ -41,28 +41,33 @@ EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int lea
     return em_solve_delta(EM_SOME_ROWS, root->Delta, lambda, flags, fault);
 }
 
-/* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0. */
-EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
-                            int least_norm, double *a, double *lambda, em_fault *fault) {
-    em_root root;
+/* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0, with the root at x. */
+EM_COLD int em_acceleration_of(em_root *root, double t, const double *x, const double *v, const double *c,
+                               const double *u, int least_norm, double *a, double *lambda, em_fault *fault) {
     double gamma[EM_SOME_ROWS], terms[EM_SOME_ROWS];
-    if (em_root_at(t, x, c, &root, fault)) return -1;
     motion_bias(t, x, v, c, u, a, gamma);
-    em_forward(N, root.L, root.r, a);
+    em_forward(N, root->L, root->r, a);
     for (int row = 0; row < N_ROWS; ++row) {
         terms[row] = fabs(gamma[row]);
         for (int k = 0; k < N; ++k) {
-            gamma[row] += root.B[row * N + k] * a[k];
-            terms[row] += fabs(root.B[row * N + k] * a[k]);
+            gamma[row] += root->B[row * N + k] * a[k];
+            terms[row] += fabs(root->B[row * N + k] * a[k]);
         }
     }
-    if (em_delta(&root, gamma, terms, least_norm, fault)) return -1;
+    if (em_delta(root, gamma, terms, least_norm, fault)) return -1;
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
-        for (int k = 0; k < N; ++k) a[k] -= root.B[row * N + k] * gamma[row];
+        for (int k = 0; k < N; ++k) a[k] -= root->B[row * N + k] * gamma[row];
     }
-    em_backward(N, root.L, root.r, a);
+    em_backward(N, root->L, root->r, a);
     return 0;
+}
+
+EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
+                            int least_norm, double *a, double *lambda, em_fault *fault) {
+    em_root root;
+    if (em_root_at(t, x, c, &root, fault)) return -1;
+    return em_acceleration_of(&root, t, x, v, c, u, least_norm, a, lambda, fault);
 }
 
 /* x (n) <- x - M^-1 A^T Delta^-1 e, e (m) the residual: the least change in the mass metric that removes it. */
