@@ -68,6 +68,13 @@ def assemble(
     ModelError
         Unknown names; no closed configuration was found, or the rates that are given contradict the constraints; says
         which rows.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> system = em.build("models/four_bar.py", formulation="lagrange")
+    >>> em.assemble(system, {"q1": 1.0, "q2": 0.5, "q3": 1.5}, keep=["q1"]).message
+    "q3 moved most, by -0.062; closed on the branch of the model's start"
     """
     c, prepared, t = system.compiled, system.prepare(parameters), number(t, "t")
     x, v = system.start(x0, v0, t, prepared)

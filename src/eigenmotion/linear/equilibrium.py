@@ -89,6 +89,13 @@ def find_equilibrium(
     ModelError
         Unknown names. That there is no such state is no error: `Equilibrium.success` is False, and `message` says what
         could not be satisfied.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> system = em.build("models/elastic_pendulum.py", formulation="lagrange")
+    >>> em.find_equilibrium(system, {"theta": 0.3})
+    <Equilibrium elastic_pendulum: at rest; theta=0, r=1.0981>
     """
     problem = _problem(system, x0, free, v0, t, inputs, parameters, constant)
     start = problem.start

@@ -34,6 +34,13 @@ class Linearization:
     t, x, v, u : the state; acceleration : (n,) there
     steady : whether these equations stay the same along the motion, coordinates on which nothing depends apart. Where
         not, they hold at this instant: eigenvalues are those of deviations of independent coordinates, and no promise
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> system = em.build("models/elastic_pendulum.py", formulation="lagrange")
+    >>> em.find_equilibrium(system, {"theta": 0.3}).linearize().modes()[0].words
+    'oscillates at 0.4757 Hz, undamped: theta'
     """
 
     model: CompiledModel
