@@ -67,7 +67,8 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "arguments": ("codegen.model", "runtime"),
     "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
     "running": ("codegen.model", "runtime", "arguments", "results"),
-    "system": ("codegen.model", "runtime", "arguments", "running", "pages"),
+    "linear": ("codegen.model", "runtime", "arguments", "running", "pages"),
+    "system": ("codegen.model", "runtime", "arguments", "running", "linear", "pages"),
     "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "system"),
     "building": (
         "codegen.model",
@@ -121,6 +122,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "results",
         "running",
         "ensembles",
+        "linear",
         "system",
         "building",
         "pages",

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from .codegen.model import t as t
     from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
     from .fmu.export import export_fmu as export_fmu
+    from .linear.assemble import assemble as assemble
+    from .linear.equilibrium import find_equilibrium as find_equilibrium
+    from .linear.linearization import Linearization as Linearization
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
@@ -39,6 +42,7 @@ _HOME = {
     "Ensemble": ".results.ensemble",
     "Event": ".codegen.model",
     "Friction": ".codegen.model",
+    "Linearization": ".linear.linearization",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.proof",
@@ -48,8 +52,10 @@ _HOME = {
     "Stepper": ".running.stepper",
     "StopReason": ".runtime",
     "System": ".system.system",
+    "assemble": ".linear.assemble",
     "build": ".building.build",
     "draw": ".codegen.model",
+    "find_equilibrium": ".linear.equilibrium",
     "from_mechanics": ".codegen.mechanics",
     "export_fmu": ".fmu.export",
     "load_model": ".building.loading",

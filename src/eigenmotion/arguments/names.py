@@ -1,5 +1,6 @@
 """Values given by name: overlaid on defaults, with unknown names refused in words that help."""
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from math import isfinite
@@ -16,6 +17,13 @@ Vector = NDArray[np.float64]
 def spelled(key: object) -> str:
     """Return the name of a key: a string, or a SymPy symbol or function of time."""
     return str(key).removesuffix("(t)")
+
+
+def rate_name(key: object) -> str:
+    """Return the name of a key; the rate of a coordinate, as in `initial`, goes by the coordinate's."""
+    text = spelled(key)
+    rate = re.fullmatch(r"Derivative\((.+)\(t\), t\)", text)
+    return rate[1] if rate else text
 
 
 def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Mapping[str, str] | None = None) -> str:

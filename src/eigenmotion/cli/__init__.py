@@ -16,6 +16,8 @@ COMMANDS = {
     "explain": "Say what the generated code carries, and what it leaves out and why.",
     "run": "Simulate a model; print a summary, draw it, save it.",
     "sweep": "Simulate a model for many values of parameters and starts; store every run.",
+    "linearize": "Eigenvalues and modes of a model at a state.",
+    "equilibrium": "Find where a model stays as it is.",
     "new": "Write a model file to start from.",
     "export": "Write a model as a unit that other tools import (FMI).",
     "page": "Write a page on which a model moves, alive, in any browser.",

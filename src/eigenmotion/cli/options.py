@@ -123,7 +123,7 @@ def assignments(texts: tuple[str, ...], option: str) -> dict[str, str]:
     return {name.strip(): value.strip() for name, _, value in (text.partition("=") for text in texts)}
 
 
-def values(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float]]:
+def values(model: Model, settings: tuple[str, ...], option: str = "--set") -> dict[str, dict[str, float]]:
     """--set NAME=VALUE ... -> the arguments parameters, inputs, x0 and v0 of `simulate`, those that are given.
 
     Raises
@@ -131,7 +131,7 @@ def values(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float
     UsageError
         A name that the model does not have, or a value that is no number.
     """
-    given = {name: _number(name, text) for name, text in assignments(settings, "--set").items()}
+    given = {name: _number(name, text, option) for name, text in assignments(settings, option).items()}
     positions = [spelled(key) for key in model.coordinates]
     kinds = {
         "parameters": [spelled(key) for key, _ in model.parameters],
@@ -141,18 +141,18 @@ def values(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float
     }
     known = [name for names in kinds.values() for name in names]
     if unknown := sorted(given.keys() - set(known)):
-        raise click.UsageError(f"--set {unknown[0]}: not known to {model.name}, which has {', '.join(known)}")
+        raise click.UsageError(f"{option} {unknown[0]}: not known to {model.name}, which has {', '.join(known)}")
     chosen = {
         kind: {name.removesuffix("'"): given[name] for name in names if name in given} for kind, names in kinds.items()
     }
     return {kind: numbers for kind, numbers in chosen.items() if numbers}
 
 
-def _number(name: str, text: str) -> float:
+def _number(name: str, text: str, option: str) -> float:
     try:
         return float(text)
     except ValueError as error:
-        raise click.UsageError(f"--set {name}={text}: {text} is not a number") from error
+        raise click.UsageError(f"{option} {name}={text}: {text} is not a number") from error
 
 
 def check_writable(folder: Path, option: str) -> None:

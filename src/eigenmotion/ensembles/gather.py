@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments.members import Column, Members
-from ..arguments.names import Vector, by_name, by_spelling, overlay, vector
+from ..arguments.names import Vector, by_name, by_spelling, overlay, rate_name, vector
 from ..arguments.signals import Signal, as_signal
 from ..codegen.model.normalise import ModelError, shown
 from ..runtime import EvaluationError, Prepared
-from ..system.velocities import rate_name
 
 if TYPE_CHECKING:
     from ..system.system import System

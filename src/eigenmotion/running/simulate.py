@@ -1,6 +1,6 @@
 """A run: its options, the checks before it, and its result."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, Never
 
@@ -18,6 +18,7 @@ from .compiled import run_compiled
 from .error_estimate import with_error_estimate
 from .methods import AUTO, METHODS, Method
 from .restart import given_start
+from .sensitivities import directions, sensitivity
 from .start import check_direction, start_state
 from .stiff import simulate_stiff
 
@@ -29,6 +30,7 @@ STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "start", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
     *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
+    "sensitivities",
 )
 
 
@@ -52,6 +54,7 @@ def simulate(
     stabilisation: str = "project",
     dependent_constraints: str = "refuse",
     estimate_error: "bool | System" = False,
+    sensitivities: Sequence[Any] | None = None,
     **misspelt: Any,
 ) -> Solution:
     """Integrate the motion from t_span[0] to t_span[1], forwards or backwards.
@@ -93,6 +96,10 @@ def simulate(
         True: run again at a hundredth of the tolerances or less; the solution's `error_estimate` is the difference and
         `error_cost` what that took, about twice the time of a run of dop853. A System, the same model in another
         formulation: let that one do the second run, so that what a formulation got wrong shows too.
+    sensitivities
+        Names of parameters ("K1"), constant inputs, initial positions ("theta1") and rates ("theta1'"), or
+        quasi-velocities: `Solution.sensitivity[name]` has `dx`, `dv` (n, k), the exact derivatives of the rows, with a
+        start that the constraints move, and through events at which forces jump. For compiled methods.
 
     Returns
     -------
@@ -129,10 +136,15 @@ def simulate(
     if task.inputs.sampled:
         _check_sampled(task, chosen, estimate_error)
     check_direction(compiled, task.t_start, task.t_end)
+    asked = None if sensitivities is None else directions(system, sensitivities, task, chosen, v0)
     if estimate_error is False:
-        return run_task(task, chosen)
-    checker = None if estimate_error is True else _checker(estimate_error)
-    return with_error_estimate(task, chosen, checker, run_task)
+        solution = run_task(task, chosen)
+    else:
+        checker = None if estimate_error is True else _checker(estimate_error)
+        solution = with_error_estimate(task, chosen, checker, run_task)
+    if asked is not None:
+        solution["sensitivity"] = sensitivity(task, solution, asked)
+    return solution
 
 
 def _checked(

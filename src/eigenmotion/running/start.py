@@ -67,6 +67,13 @@ def check_modes(model: CompiledModel) -> None:
         )
 
 
+def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
+    """Refuse a state that is off the constraints by more than rounding in what the user computed, as `start_state`."""
+    exact = np.zeros(model.n)
+    if model.start(t, x, v, prepared, 0.0, exact) is None:
+        _Start(model, prepared, t, x, v).examined(*forgiven(0.0, exact))
+
+
 def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
     """Refuse to extrapolate Omega (32) from where eigenvalues that part coincide: nothing says how axes turn."""
     C, s = (part[0] for part in model.eigenfactor_rows(np.array([t]), x[None], prepared))

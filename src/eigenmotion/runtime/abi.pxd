@@ -181,3 +181,16 @@ cdef extern from "eigenmotion.h" nogil:
         size_t saved
         void (*close)(void *) noexcept nogil
         void (*draw)(double, const double *, const double *, double *) noexcept nogil
+        int n_arguments
+        int (*motion_derivatives)(double, const double *, const double *, const double *, const double *, int,
+                                  double *, double *, double *, double *, em_fault *) noexcept nogil
+        void (*constraint_partials)(double, const double *, const double *, const double *, double *) noexcept nogil
+        void (*output_partials)(double, const double *, const double *, const double *, const double *,
+                                const double *, const double *, double *) noexcept nogil
+        void (*event_partials)(double, const double *, const double *, const double *, const double *,
+                               double *) noexcept nogil
+        void (*quasi_partials)(double, const double *, const double *, const double *, double *) noexcept nogil
+        int (*motion_along)(double, const double *, const double *, const double *, const double *, int, int,
+                            const double *, const double *, double *, double *, double *, em_fault *) noexcept nogil
+        int (*tangent)(double, const double *, const double *, const double *, int, int, double *, const double *,
+                       em_fault *) noexcept nogil

@@ -12,11 +12,13 @@ from ..arguments.names import Vector, overlay, vector
 from ..arguments.options import least_norm_of
 from ..arguments.signals import Inputs, Signal, bind
 from ..codegen.model.normalise import ModelError, number, real
+from ..linear.linearize import linearize
 from ..pages.notebook import table
 from ..running.consistent import ConsistentState, Projection
 from ..running.simulate import simulate
 from ..running.stepper import stepper
 from ..runtime import CompiledModel, EvaluationError, Prepared, plain
+from .derivatives import rhs_parameter_jacobian
 from .description import Description
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .velocities import initial_rates
@@ -155,14 +157,15 @@ class System(Description):
             M is singular, constraint rows depend on each other, or eigenvalues of one block coincide; names which.
         """
         c = self._defaults if parameters is None else self.prepare(parameters)
-        u = None if inputs is None else self._signals(inputs, t)
+        u = None if inputs is None else self.signals(inputs, t)
         try:
             return self._compiled.rhs(t, y, c, u, out)
         except (TypeError, ValueError, OverflowError) as error:  # afterwards: solvers call this in a loop
             self._place(t, y)
             raise _ours(error) from error
 
-    def _signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
+    def signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
+        """Return u (n_inputs,) at t: of a mapping over the defaults, or an array in the order of `System.inputs`."""
         if isinstance(inputs, Mapping) and any(isinstance(u, tuple | list | Signal) for u in inputs.values()):
             return self.bind(inputs).at(t)
         return overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
@@ -195,7 +198,7 @@ class System(Description):
         """
         t, y = self._place(t, y)
         try:
-            return self._compiled.jacobian(t, y, self.prepare(parameters), self._signals(inputs, t))
+            return self._compiled.jacobian(t, y, self.prepare(parameters), self.signals(inputs, t))
         except (TypeError, ValueError, OverflowError) as error:
             raise _ours(error) from error
 
@@ -244,7 +247,7 @@ class System(Description):
         if found is not None:
             return found
         c, t = self.prepare(parameters), number(t, "t")
-        return self._compiled.acceleration(t, *self.start(x, v, t, c), c, self._signals(inputs, t), least_norm)
+        return self._compiled.acceleration(t, *self.start(x, v, t, c), c, self.signals(inputs, t), least_norm)
 
     def project_initial_state(
         self,
@@ -293,8 +296,10 @@ class System(Description):
     def _x(self, x: Coordinates) -> Vector:
         return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
 
-    simulate = simulate  # the functions as methods, with their options
+    simulate = simulate  # functions as methods, with their options
     stepper = stepper
+    linearize = linearize
+    rhs_parameter_jacobian = rhs_parameter_jacobian
 
 
 def _ours(error: Exception) -> Exception:

@@ -1,13 +1,12 @@
 """Velocities in rates xdot and in quasi-velocities y = P(x, t) xdot (3)."""
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments.names import Vector, by_spelling, overlay, spelled, unknown
+from ..arguments.names import Vector, by_spelling, overlay, rate_name, unknown
 from ..codegen.model import ModelError
 from ..codegen.model.pivots import is_singular
 from ..runtime import CompiledModel, Prepared
@@ -85,13 +84,6 @@ def _default_quasi(model: CompiledModel, c: Prepared, t: float, x: Vector) -> Ve
     if model.initial_y is not None:
         return model.initial_y
     return transformation(model, c, t, x) @ model.initial_v
-
-
-def rate_name(key: object) -> str:
-    """Return the name of a key; the rate of a coordinate, as in `initial`, goes by the coordinate's."""
-    text = spelled(key)
-    rate = re.fullmatch(r"Derivative\((.+)\(t\), t\)", text)
-    return rate[1] if rate else text
 
 
 def _check_names(model: CompiledModel, given: Mapping[str, Any]) -> None:

@@ -6,14 +6,17 @@
 #define EM_MECHANICS_H
 
 #include "em_blocks.h"
-#include "em_differentiate.h"
 
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
 
-/* M = L L^T of all coordinates and B = A L^-T (m, n), b (m), Delta = B B^T by its lower triangle. */
+/* M = L L^T of all coordinates and B = A L^-T (m, n), b (m), Delta = B B^T by its lower triangle. Where multipliers push by
+ * other rows than A, Q = P L^-T (m, n) and pushed = B Q^T. */
 typedef struct em_root {
     double L[N * N], r[N];
     double B[EM_SOME_ROWS * N], b[EM_SOME_ROWS], Delta[EM_SOME_ROWS * EM_SOME_ROWS];
+#ifdef EM_PUSHES
+    double Q[EM_SOME_ROWS * N], pushed[EM_SOME_ROWS * EM_SOME_ROWS];
+#endif
 } em_root;
 
 EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root, em_fault *fault) {
@@ -44,48 +47,61 @@ EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int lea
 }
 
 #ifdef EM_PUSHES
-/* lambda (m) <- (B Q^T)^-1 lambda, with Q = P L^-T in place of root->B from then on. 0, or -1 and *fault. */
-EM_COLD int em_push(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
-                    em_root *root, double *lambda, em_fault *fault) {
-    double Q[N_ROWS * N], Delta[N_ROWS * N_ROWS];
+/* Q = P L^-T and B Q^T of a root */
+EM_COLD void em_push(double t, const double *x, const double *v, const double *c, const double *u, em_root *root) {
+    double *const Q = root->Q;
     pushes(t, x, v, c, u, Q);
     for (int row = 0; row < N_ROWS; ++row) em_forward(N, root->L, root->r, Q + row * N);
     for (int i = 0; i < N_ROWS; ++i)
         for (int j = 0; j < N_ROWS; ++j) {
-            Delta[i * N_ROWS + j] = 0.0;
-            for (int k = 0; k < N; ++k) Delta[i * N_ROWS + j] += root->B[i * N + k] * Q[j * N + k];
+            root->pushed[i * N_ROWS + j] = 0.0;
+            for (int k = 0; k < N; ++k) root->pushed[i * N_ROWS + j] += root->B[i * N + k] * Q[j * N + k];
         }
-    memcpy(root->B, Q, sizeof Q);
-    return em_solve_pushed(N_ROWS, Delta, lambda, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault);
 }
+
+/* lambda (m) <- (B Q^T)^-1 lambda. 0, or -1 and *fault. */
+EM_COLD int em_solve_push(const em_root *root, double *lambda, int least_norm, em_fault *fault) {
+    double pushed[N_ROWS * N_ROWS];
+    memcpy(pushed, root->pushed, sizeof pushed);
+    return em_solve_pushed(N_ROWS, pushed, lambda, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault);
+}
+#define EM_REACTIONS(root) (root)->Q
+#else
+#define EM_REACTIONS(root) (root)->B
 #endif
 
-/* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0. */
-EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
-                            int least_norm, double *a, double *lambda, em_fault *fault) {
-    em_root root;
+/* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0, with the root at x. */
+EM_COLD int em_acceleration_of(em_root *root, double t, const double *x, const double *v, const double *c,
+                               const double *u, int least_norm, double *a, double *lambda, em_fault *fault) {
     double gamma[EM_SOME_ROWS], terms[EM_SOME_ROWS];
-    if (em_root_at(t, x, c, &root, fault)) return -1;
     motion_bias(t, x, v, c, u, a, gamma);
-    em_forward(N, root.L, root.r, a);
+    em_forward(N, root->L, root->r, a);
     for (int row = 0; row < N_ROWS; ++row) {
         terms[row] = fabs(gamma[row]);
         for (int k = 0; k < N; ++k) {
-            gamma[row] += root.B[row * N + k] * a[k];
-            terms[row] += fabs(root.B[row * N + k] * a[k]);
+            gamma[row] += root->B[row * N + k] * a[k];
+            terms[row] += fabs(root->B[row * N + k] * a[k]);
         }
     }
 #ifdef EM_PUSHES
-    if (em_push(t, x, v, c, u, least_norm, &root, gamma, fault)) return -1;
+    em_push(t, x, v, c, u, root);
+    if (em_solve_push(root, gamma, least_norm, fault)) return -1;
 #else
-    if (em_delta(&root, gamma, terms, least_norm, fault)) return -1;
+    if (em_delta(root, gamma, terms, least_norm, fault)) return -1;
 #endif
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
-        for (int k = 0; k < N; ++k) a[k] -= root.B[row * N + k] * gamma[row];
+        for (int k = 0; k < N; ++k) a[k] -= EM_REACTIONS(root)[row * N + k] * gamma[row];
     }
-    em_backward(N, root.L, root.r, a);
+    em_backward(N, root->L, root->r, a);
     return 0;
+}
+
+EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
+                            int least_norm, double *a, double *lambda, em_fault *fault) {
+    em_root root;
+    if (em_root_at(t, x, c, &root, fault)) return -1;
+    return em_acceleration_of(&root, t, x, v, c, u, least_norm, a, lambda, fault);
 }
 
 /* x (n) <- x - M^-1 A^T Delta^-1 e, e (m) the residual: the least change in the mass metric that removes it. */
@@ -223,26 +239,6 @@ EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, doubl
         em_put(b, sb, s);
     }
     return 0;
-}
-
-/* What the rate of (x, v) needs besides them. */
-typedef struct em_forces {
-    const double *c, *u;
-    int least_norm;
-} em_forces;
-
-static int em_motion_rate(const void *with, double t, const double *z, double *rate, em_fault *fault) {
-    const em_forces *forces = with;
-    double lambda[EM_SOME_ROWS];
-    memcpy(rate, z + N, N * sizeof *rate);
-    return em_acceleration(t, z, z + N, forces->c, forces->u, forces->least_norm, rate + N, lambda, fault);
-}
-
-/* J (2 n, 2 n) of (x, v) -> (v, xddot), constraints included. */
-EM_COLD int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
-                               em_fault *fault) {
-    const em_forces forces = {c, u, least_norm};
-    return em_differentiate(em_motion_rate, &forces, 2 * N, t, z, J, fault);
 }
 
 /* out (n_outputs) at x, v */

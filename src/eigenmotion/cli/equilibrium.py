@@ -1,0 +1,43 @@
+"""`eigenmotion equilibrium`."""
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from eigenmotion.building.build import make
+from eigenmotion.building.extension import load
+from eigenmotion.building.toolchain import toolchain
+from eigenmotion.linear.equilibrium import Equilibrium, find_equilibrium
+from eigenmotion.linear.words import description
+
+from .options import Shape, model, setting, shaping, values
+from .progress import clock
+
+
+@click.command("equilibrium")
+@model
+@setting
+@click.option("--free", multiple=True, metavar="NAME",
+              help="What to solve for: a coordinate, theta' for a rate, an input, a parameter; all coordinates unless "
+              "some are named.")  # fmt: skip
+@shaping
+def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **shape: Any) -> int:
+    """Find where MODEL stays as it is, at rest unless rates are set; print the state and its modes.
+
+    Where there is no such state near the one that is set, what is left is printed, with exit code 2.
+    """
+    order = Shape(**shape).order(model)
+    given: dict[str, Any] = dict(values(order.model, settings))
+    with clock():
+        system = load(make(order, toolchain()))
+        found = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
+        text = description(found.linearize()) if found.success else found.message
+    click.echo("\n".join([text, *_solved(found, free)]))
+    return 0 if found.success else 2
+
+
+def _solved(found: Equilibrium, free: tuple[str, ...]) -> list[str]:
+    """Say what inputs and parameters were found, where these were solved for."""
+    given = found.inputs | found.parameters
+    return [f"{name} = {given[name]:.9g}" for name in free if name in given]

@@ -1,0 +1,1 @@
+"""What deviations from a motion obey, and where mechanisms rest."""

@@ -1,0 +1,86 @@
+"""A system at one state: what it accelerates with there, and every derivative of that."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments.names import Vector
+from ..codegen.model.normalise import number
+from ..runtime import CompiledModel, Prepared
+
+if TYPE_CHECKING:
+    from ..system.system import System
+
+
+@dataclass(frozen=True)
+class Place:
+    """A state, and what acts there. x, v : (n,); u : (n_inputs,)"""
+
+    model: CompiledModel
+    prepared: Prepared
+    t: float
+    x: Vector
+    v: Vector
+    u: Vector
+
+    def at(self, t: float, x: Vector, v: Vector) -> "Place":
+        """Return another state of the same system."""
+        return Place(self.model, self.prepared, t, x, v, self.u)
+
+    @cached_property
+    def motion(self) -> tuple[Vector, Vector, Vector, Vector]:
+        """a (n,), lambda (m,) and their derivatives (n, n_arguments), (m, n_arguments).
+
+        Raises
+        ------
+        EvaluationError
+            M is singular, or constraint rows contradict each other.
+        """
+        return self.model.motion_derivatives(self.t, self.x, self.v, self.prepared, self.u, True)
+
+    @cached_property
+    def constraints(self) -> Vector:
+        """(h + m, n_arguments), of phi and A v + b."""
+        return self.model.constraint_partials(self.t, self.x, self.v, self.prepared)
+
+    @cached_property
+    def jacobian(self) -> Vector:
+        """(2 n, 2 n), of (x, v) -> (v, a)."""
+        n = self.model.n
+        return np.block([[np.zeros((n, n)), np.eye(n)], [self.motion[2][:, : 2 * n]]])
+
+    @cached_property
+    def inertia(self) -> Vector:
+        """(n,) square roots of the diagonal of M: units in which coordinates can be compared."""
+        diagonal = np.diag(self.model.factored_matrix(self.t, self.x, self.prepared))
+        return np.asarray(np.sqrt(diagonal))
+
+    @cached_property
+    def time(self) -> float:
+        """The time in which deviations change [s], the shortest; 1 where nothing acts on them."""
+        n, unit = self.model.n, self.inertia
+        by_x, by_v = (unit[:, None] * part / unit for part in np.split(self.motion[2][:, : 2 * n], 2, axis=1))
+        rate = max(float(np.sqrt(np.linalg.norm(by_x))), float(np.linalg.norm(by_v)))
+        return 1.0 / rate if rate > 0.0 else 1.0
+
+    @cached_property
+    def units(self) -> Vector:
+        """(2 n,) what x and v are to be multiplied by to be compared: inertia, and the time in which they change."""
+        return np.concatenate([self.inertia / self.time, self.inertia])
+
+
+def place(
+    system: "System",
+    x: Mapping[Any, float] | ArrayLike | None,
+    v: Mapping[Any, float] | ArrayLike | None,
+    t: float,
+    parameters: Any,
+    inputs: Mapping[Any, Any] | ArrayLike | None,
+) -> Place:
+    """Return the state that arguments of users name."""
+    prepared, t = system.prepare(parameters), number(t, "t")
+    return Place(system.compiled, prepared, t, *system.start(x, v, t, prepared), system.signals(inputs, t))

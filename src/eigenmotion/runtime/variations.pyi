@@ -1,0 +1,26 @@
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from .faults import EvaluationError
+from .point import PointModel, Prepared, Vector
+
+def tangent(
+    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, least_norm: bool, S: Vector, P: Vector
+) -> Vector: ...
+def vary(
+    model: PointModel,
+    c: Prepared,
+    inputs: tuple[Any, ...],
+    t: Vector,
+    z: Vector,
+    events: ArrayLike,
+    S: Vector,
+    P: Vector,
+    size: Vector,
+    rtol: float,
+    atol: Vector,
+    max_steps: int,
+    stabilise: bool,
+    least_norm: bool,
+) -> tuple[Vector, EvaluationError | None, int, int]: ...

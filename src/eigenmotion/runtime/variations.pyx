@@ -1,0 +1,111 @@
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+"""How a compiled motion changes with what it starts from and what it is given: em_variations.h along the rows of a run."""
+
+from cpython.exc cimport PyErr_CheckSignals
+from libc.math cimport isinf
+from libc.stdlib cimport calloc, free
+
+from .abi cimport em_fault, em_model, em_signal, em_signal_kind
+from .arrays cimport Numbers, given, zeros
+from .point cimport PointModel, Prepared
+
+import numpy as np
+
+from .faults import EvaluationError, StopReason, explain
+
+
+cdef extern from "em_variations.h" nogil:
+    ctypedef struct em_variations:
+        const em_model *model
+        const double *c
+        const em_signal *inputs
+        int columns
+        int least_norm
+        int stabilise
+        int n_given
+        double rtol
+        const double *atol
+        const double *size
+        long max_steps
+        size_t n_rows
+        const double *t
+        const double *z
+        const double *P
+        const int *event
+        double *S
+        int (*poll)(void *) noexcept nogil
+        void *poll_argument
+        em_fault fault
+        double t_reached
+        long n_rhs
+        long n_steps
+
+    int em_vary(em_variations *)
+
+
+_REASONS = tuple(StopReason)
+
+
+cdef int poll(void *argument) noexcept with gil:
+    try:
+        PyErr_CheckSignals()
+    except BaseException:
+        return 1
+    return 0
+
+
+def tangent(PointModel model not None, double t, x, v, Prepared c not None, bint least_norm, S, P):
+    """S (2 n, columns): the nearest directions along which the constraints stay satisfied."""
+    cdef em_fault fault
+    cdef int columns = S.shape[1]
+    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
+    cdef Numbers made = given(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
+    cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
+    if model.model.tangent != NULL and model.model.tangent(t, q.data, w.data, c.c, least_norm, columns, made.data,
+                                                           rest.data, &fault) != 0:
+        raise model.failure(&fault)
+    return made.array
+
+
+def vary(PointModel model not None, Prepared c not None, tuple inputs, t, z, events, S, P, size, double rtol, atol,
+         long max_steps, bint stabilise, bint least_norm):
+    """S (k, 2 n, columns) at the rows t (k,), z (k, 2 n), of which `events` (k,) says which are at one; from S (2 n,
+    columns) at the first. NaN where a pass did not get; and what ended it, None where nothing did; steps, evaluations."""
+    cdef em_variations pass_
+    cdef Py_ssize_t k = len(t), j
+    cdef int columns = S.shape[1], status
+    cdef Numbers T = given(t, (k,), "t"), Z = given(z, (k, 2 * model.n), "z")
+    cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
+    cdef Numbers made = given(np.full((k, 2 * model.n, columns), np.nan), (k, 2 * model.n, columns), "S")
+    cdef Numbers sizes = given(size, (columns,), "size"), absolute = given(atol, (model.n,), "atol")
+    cdef int[::1] at = np.ascontiguousarray(events, dtype=np.intc)
+    cdef em_signal *signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
+    cdef list held = []
+    if signals == NULL:
+        raise MemoryError
+    made.array[0] = S
+    try:
+        for j, (kind, times, values) in enumerate(inputs):
+            held.append((given(times, (len(times),), "times"), given(values, (len(values),), "values")))
+            signals[j].kind, signals[j].count = <em_signal_kind> (<int> kind), len(times)
+            signals[j].times, signals[j].values = (<Numbers> held[j][0]).data, (<Numbers> held[j][1]).data
+        pass_.model, pass_.c, pass_.inputs, pass_.columns = model.model, c.c, signals, columns
+        pass_.least_norm, pass_.stabilise, pass_.rtol, pass_.n_rows = least_norm, stabilise, rtol, k
+        pass_.atol, pass_.size, pass_.max_steps = absolute.data, sizes.data, max_steps
+        pass_.n_given = model.n_arguments - 2 * model.n
+        pass_.t, pass_.z, pass_.P, pass_.S, pass_.event = T.data, Z.data, rest.data, made.data, &at[0]
+        pass_.poll, pass_.poll_argument, pass_.n_rhs, pass_.n_steps = poll, NULL, 0, 0
+        pass_.t_reached = T.data[0]
+        with nogil:
+            status = em_vary(&pass_)
+    finally:
+        free(signals)
+    if status == 0:
+        return made.array, None, pass_.n_steps, pass_.n_rhs
+    if _REASONS[<int> pass_.fault.status] is StopReason.INTERRUPTED:
+        raise KeyboardInterrupt
+    if isinf(pass_.fault.size):
+        said = EvaluationError(f"{model.name}: a force jumps at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
+    else:
+        said = model.failure(&pass_.fault)
+    return made.array, said, pass_.n_steps, pass_.n_rhs

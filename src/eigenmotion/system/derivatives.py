@@ -1,0 +1,41 @@
+"""Derivatives of right-hand sides by what users give."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arguments.names import Vector, vector
+from ..codegen.model.normalise import ModelError, real
+
+if TYPE_CHECKING:
+    from .system import System
+
+
+def rhs_parameter_jacobian(
+    self: "System",
+    t: float,
+    y: ArrayLike,
+    parameters: Any = None,
+    inputs: Mapping[Any, Any] | ArrayLike | None = None,
+) -> Vector:
+    """Return d rhs / d parameters, (n_state, n_parameters), exact: for users of SciPy who integrate sensitivities.
+
+    Raises
+    ------
+    ModelError
+        The formulation carries eta in place of xdot: "lagrange" and "inverse" have this.
+    EvaluationError
+        As `rhs`.
+    """
+    c, n = self.compiled, self.n
+    if c.formulation not in ("lagrange", "inverse"):
+        raise ModelError(f"{c.name}: formulation {c.formulation!r} carries eta, which depends on parameters, too; "
+                         "build with 'lagrange' or 'inverse', or ask simulate for sensitivities")  # fmt: skip
+    t, y = real(t, "t"), vector(y, "y")
+    if y.shape != (2 * n,):
+        raise ModelError(f"y has shape {y.shape}, but this model needs {(2 * n,)}")
+    _, _, da, _ = c.motion_derivatives(t, y[:n], y[n:], self.prepare(parameters), self.signals(inputs, t), False)
+    first = 2 * n + c.n_inputs
+    return np.vstack([np.zeros((n, len(c.parameters))), da[:, first : first + len(c.parameters)]])

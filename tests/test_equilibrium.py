@@ -1,0 +1,124 @@
+"""Equilibria, trim and closed loops, against closed forms; and what cannot be satisfied, said."""
+
+import numpy as np
+import pytest
+from sympy import symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion import ModelError
+
+from .generation import system_for, system_of
+from .test_linearize import cart, top
+
+
+def test_a_load_on_a_spring():
+    system = system_of("elastic_pendulum", "lagrange")
+    p = system.parameters
+    found = em.find_equilibrium(system, {"theta": 0.3})
+    assert found.success
+    np.testing.assert_allclose(found.x, [0.0, p["L"] + p["m"] * p["g"] / p["k"]], rtol=1e-14)
+    assert found.message == "at rest"
+
+
+def test_parameters_and_inputs_can_be_solved_for():
+    """What stiffness holds the load at 1.2, and what force a cart that moves at 2."""
+    system = system_of("elastic_pendulum", "lagrange")
+    found = em.find_equilibrium(system, {"theta": 0.0, "r": 1.2}, free=["k"])
+    assert found.parameters["k"] == pytest.approx(9.81 / 0.2, rel=1e-13)
+    moving = em.find_equilibrium(system_for(cart(), "lagrange"), v0={"x": 2.0}, free=["u"])
+    assert moving.success
+    assert moving.inputs == pytest.approx({"u": 0.6})
+
+
+def test_units_make_no_difference():
+    system = system_of("elastic_pendulum", "lagrange")
+    for length in (1e-6, 1e6):
+        given = {"L": length, "g": 9.81 * length}
+        found = em.find_equilibrium(system, {"theta": 0.3, "r": 1.2 * length}, parameters=given)
+        np.testing.assert_allclose(found.x / [1, length], [0.0, 1.0981], rtol=1e-13)
+
+
+def test_where_there_is_none():
+    x = dynamicsymbols("x")
+    F = symbols("F", positive=True)
+    pushed = em.Model(name="pushed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, forces=[F], parameters={F: 2.0})
+    found = em.find_equilibrium(system_for(pushed, "lagrange"))
+    assert not found.success
+    assert "x'' = 2" in found.message
+    assert not em.find_equilibrium(system_of("driven_pendulum", "lagrange")).success
+
+
+def test_a_state_passed_through_is_none():
+    found = em.find_equilibrium(system_of("pendulum", "lagrange"), {"theta": 0.1}, v0=[1.0])
+    assert not found.success
+    assert "for an instant only" in found.message
+
+
+def test_from_where_the_gradient_vanishes():
+    """A level pendulum: |a| is largest there, and Newton's method knows no way."""
+    system = system_of("pendulum", "lagrange")
+    for angle in (np.pi / 2, -np.pi / 2):
+        found = em.find_equilibrium(system, [angle])
+        assert found.success
+        np.testing.assert_allclose(np.sin(found.x), 0.0, atol=1e-15)
+
+
+@pytest.mark.parametrize("wrong", [{"free": ["q"]}, {"free": []}, {"free": "theta"}, {"free": [0]}, {"constant": ["l"]},
+                                   {"x0": {"q": 1.0}}, {"v0": [1.0, 2.0]}, {"parameters": {"m": float("nan")}},
+                                   {"inputs": {"u": 1.0}}, {"t": None}])  # fmt: skip
+def test_mistakes_of_equilibria_have_names(wrong):
+    with pytest.raises(ModelError):
+        em.find_equilibrium(system_of("pendulum", "lagrange"), **wrong)
+
+
+# --- closed loops -----------------------------------------------------------------------------------------------------
+
+
+def loop(x):
+    a, b, c, d = 0.4, 1.0, 0.8, 1.0
+    q1, q2, q3 = x
+    return [a * np.cos(q1) + b * np.cos(q2) - c * np.cos(q3) - d, a * np.sin(q1) + b * np.sin(q2) - c * np.sin(q3)]
+
+
+@pytest.mark.parametrize("crank", [0.2, 1.0, 2.5, 4.0, 6.0])
+def test_a_loop_is_closed_on_either_branch_and_its_rate_kept(crank):
+    system, seen = system_of("four_bar", "lagrange"), set()
+    for guess in ([0.5, 1.5], [-0.8, -1.8]):
+        found = em.assemble(system, [crank, *guess], {"q1": 3.0}, keep=["q1"])
+        x, v = found
+        assert x[0] == crank
+        assert v[0] == 3.0
+        np.testing.assert_allclose(loop(x), 0.0, atol=1e-14)
+        ahead, behind = (np.array(loop(x + step * v)) for step in (1e-6, -1e-6))
+        np.testing.assert_allclose((ahead - behind) / 2e-6, 0.0, atol=1e-8)
+        assert found.same_branch == ("model's start" in found.message)
+        np.testing.assert_allclose(found.x - found.dx, [crank, *guess])
+        seen.add(found.branch)
+    assert seen == {-1, 1}
+
+
+def test_a_loop_that_cannot_be_closed():
+    with pytest.raises(ModelError, match=r"cannot be closed: tried .* row 0 by"):
+        em.assemble(system_of("four_bar", "lagrange"), parameters={"b": 5.0})
+    with pytest.raises(ModelError, match="with q1, q2, q3 kept"):
+        em.assemble(system_of("four_bar", "lagrange"), [1.0, 1.0, 1.0], keep=["q1", "q2", "q3"])
+    with pytest.raises(ModelError, match=r"\(q1, q2\) contradict"):
+        em.assemble(system_of("four_bar", "lagrange"), v0={"q1": 1.0, "q2": 1.0})
+    with pytest.raises(ModelError, match="'q7'"):
+        em.assemble(system_of("four_bar", "lagrange"), keep=["q7"])
+
+
+def test_a_spin_that_is_asked_for_stays():
+    """The projection takes from the spin what the others do not have; assemble does not."""
+    system = system_of("rolling_disk", "lagrange")
+    _, v = em.assemble(system, {"phi": 0.5}, {"psi": 3.0, "phi": 0.1})
+    assert v[4] == 3.0
+    assert v[2] == 0.1
+    A, b = system.pfaffian(system.start({"phi": 0.5})[0])
+    np.testing.assert_allclose(A @ v + b, 0.0, atol=1e-15)
+
+
+def test_without_constraints_nothing_moves():
+    x, v = em.assemble(top(), [0.1, 0.2, 0.3], [1.0, 2.0, 3.0])
+    np.testing.assert_array_equal([*x, *v], [0.1, 0.2, 0.3, 1.0, 2.0, 3.0])

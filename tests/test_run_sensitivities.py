@@ -1,0 +1,140 @@
+"""Derivatives of whole motions, against closed forms, differences of runs, and through jumps of forces."""
+
+import numpy as np
+import pytest
+from sympy import Piecewise, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion import ModelError
+
+from .generation import system_for, system_of
+
+TIGHT = {"rtol": 1e-11, "atol": 1e-13}
+
+
+def differences(system, name, end, h=1e-4, **given):
+    """The same by central differences of runs whose starts are projected."""
+
+    def run(change):
+        p, (x, v) = system.parameters, system.start()
+        if name in p:
+            p[name] += change
+        elif name in system.coordinates:
+            x[system.coordinates.index(name)] += change
+        else:
+            v[system.coordinates.index(name[:-1])] += change
+        x, v = system.project_initial_state(x, v, parameters=p)
+        run = system.simulate((0, end), x0=x, v0=v, parameters=p, t_eval=[end], rtol=1e-12, atol=1e-14, **given)
+        return np.concatenate([run.x[:, -1], run.v[:, -1]])
+
+    return (8 * (run(h) - run(-h)) - (run(2 * h) - run(-2 * h))) / (12 * h)
+
+
+@pytest.mark.parametrize(("name", "by"), [
+    ("dual_link", ["K1", "l3", "theta1", "theta2'"]), ("four_bar", ["a", "q1", "q1'"]),
+    ("rolling_disk", ["r", "theta", "psi'"]), ("driven_pendulum", ["l", "a", "x"]),
+])  # fmt: skip
+@pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
+def test_against_differences_of_runs(name, by, formulation):
+    """Constraints included: starts that a length moves, and initial values that the others follow."""
+    system = system_of(name, formulation)
+    x, v = system.project_initial_state()
+    run = system.simulate((0.0, 1.0), x0=x, v0=v, sensitivities=by, **TIGHT)
+    for one in by:
+        found, right = run.sensitivity[one], differences(system, one, 1.0)
+        assert found.dx.shape == run.x.shape
+        end = np.concatenate([found.dx[:, -1], found.dv[:, -1]])
+        np.testing.assert_allclose(end, right, atol=1e-7 * np.abs(right).max())
+        n = system.n
+        for k in (0, -1):
+            D = system.compiled.constraint_partials(run.t[k], run.x[:, k], run.v[:, k], system.prepare())
+            z = np.concatenate([found.dx[:, k], found.dv[:, k]])
+            given = D[:, 2 * n + list(system.parameters).index(one)] if one in system.parameters else 0.0
+            np.testing.assert_allclose(D[:, : 2 * n] @ z + given, 0.0, atol=1e-11 * max(1.0, np.abs(z).max()))
+
+
+def oscillator() -> em.Model:
+    x, u = dynamicsymbols("x u")
+    k, d = symbols("k d", positive=True)
+    return em.Model(
+        name="oscillator", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=k * x**2 / 2,
+        forces=[u - d * x.diff()], inputs={u: 0.0}, parameters={k: 4.0, d: 0.0}, initial={x: 1.0},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "ra15"])
+@pytest.mark.parametrize("end", [3.0, -3.0])
+def test_closed_form(method, end):
+    """x = cos 2t: dx/dk = -t sin(2 t) / 4, dx/dx0 = cos 2t, dx/dv0 = sin(2 t) / 2, dx/du = (1 - cos 2 t) / 4."""
+    run = system_for(oscillator(), "lagrange").simulate((0, end), method=method, sensitivities=["k", "x", "x'", "u"],
+                                                        rtol=1e-10, atol=1e-12)  # fmt: skip
+    t = run.t
+    right = {"k": -t * np.sin(2 * t) / 4, "x": np.cos(2 * t), "x'": np.sin(2 * t) / 2, "u": (1 - np.cos(2 * t)) / 4}
+    for name, expected in right.items():
+        np.testing.assert_allclose(run.sensitivity[name].dx[0], expected, atol=1e-8)
+
+
+def test_units_change_nothing():
+    system = system_for(oscillator(), "lagrange")
+    here = system.simulate((0, 3), t_eval=[3.0], sensitivities=["x", "k"], **TIGHT).sensitivity
+    for length in (1e-6, 1e6):
+        there = system.simulate((0, 3), x0=[length], t_eval=[3.0], sensitivities=["x", "k"], rtol=1e-11,
+                                atol=1e-13 * length).sensitivity  # fmt: skip
+        np.testing.assert_allclose(there["x"].dx, here["x"].dx, rtol=1e-9)
+        np.testing.assert_allclose(there["k"].dx / length, here["k"].dx, rtol=1e-9)
+
+
+def thrust(stated: bool) -> em.Model:
+    """Free fall from x0, with a thrust F below the height s."""
+    x = dynamicsymbols("x")
+    F, s, g = symbols("F s g", positive=True)
+    return em.Model(name=f"thrust{int(stated)}", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2,
+                    forces=[-g + F * Piecewise((1, x < s), (0, True))], parameters={F: 30.0, s: 1.0, g: 10.0},
+                    initial={x: 2.25}, events={"on": x - s} if stated else {})  # fmt: skip
+
+
+def test_directions_jump_where_a_force_does():
+    """At t_on = sqrt(2 (x0 - s) / g) = 1/2 the velocity is -g t_on; then x = s - g t_on w + (F - g) w^2 / 2."""
+    end, t_on, w = 0.8, 0.5, 0.3
+    run = system_for(thrust(True), "lagrange").simulate((0, end), t_eval=[end], sensitivities=["x", "s", "F"], **TIGHT)
+    by_time = 10.0 * (t_on - w) - 20.0 * w  # dx / dt_on, and dt_on / dx0 = -dt_on / ds = 1 / (g t_on)
+    right = {"x": by_time / 5.0, "s": 1.0 - by_time / 5.0, "F": w**2 / 2}
+    for name, expected in right.items():
+        assert run.sensitivity[name].dx[0, 0] == pytest.approx(expected, rel=1e-7)
+
+
+def test_a_jump_that_no_event_states_is_refused():
+    with pytest.raises(ModelError, match=r"a force jumps at about t = 0\.[45].*give the model an event"):
+        system_for(thrust(False), "lagrange").simulate((0, 0.8), sensitivities=["x"])
+
+
+def test_inputs_that_are_sampled():
+    """The scene is linear: the derivative by x0 is that without inputs, whatever the samples."""
+    system, t = system_for(oscillator(), "lagrange"), np.linspace(0, 3, 4)
+    for kind in ("hold", "linear", "cubic"):
+        signal = em.Signal(t, [0.0, 2.0, -1.0, 3.0], kind)
+        run = system.simulate((0, 3), inputs={"u": signal}, sensitivities=["x"], **TIGHT)
+        np.testing.assert_allclose(run.sensitivity["x"].dx[0], np.cos(2 * run.t), atol=1e-8)
+    with pytest.raises(ModelError, match="'u' is sampled"):
+        system.simulate((0, 3), inputs={"u": signal}, sensitivities=["u"])
+
+
+def test_parameter_jacobian():
+    system = system_for(oscillator(), "lagrange")
+    np.testing.assert_array_equal(system.rhs_parameter_jacobian(0.0, [3.0, 5.0]), [[0, 0], [-3.0, -5.0]])
+    with pytest.raises(ModelError, match="carries eta"):
+        system_of("dual_link").rhs_parameter_jacobian(0.0, np.zeros(20))
+
+
+@pytest.mark.parametrize("wrong", [{"sensitivities": ["q"]}, {"sensitivities": "k"}, {"sensitivities": 3},
+                                   {"sensitivities": ["k"], "method": "Radau"}])  # fmt: skip
+def test_mistakes(wrong):
+    with pytest.raises(ModelError):
+        system_for(oscillator(), "lagrange").simulate((0, 1), **wrong)
+
+
+def test_nothing_to_do():
+    system = system_for(oscillator(), "lagrange")
+    assert system.simulate((0, 1), sensitivities=[]).sensitivity == {}
+    np.testing.assert_array_equal(system.simulate((1, 1), sensitivities=["x", "k"]).sensitivity["x"].dx, [[1.0]])
