@@ -52,6 +52,8 @@ METHODS = _table(
     Method("dopri5", order=5, number=1),
     Method("dop853", order=8, number=2),
     Method("ra15", order=15, number=3, iterates=True),
+    Method("radau5", order=5, implicit=True, number=4, iterates=True),
+    Method("radau9", order=9, implicit=True, number=5, iterates=True),
     Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau"),
     Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF"),
     Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA"),

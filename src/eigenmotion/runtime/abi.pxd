@@ -34,6 +34,8 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef enum em_method:
         EM_RA15
+        EM_RADAU5
+        EM_RADAU9
 
     ctypedef struct em_rows:
         size_t count
@@ -76,6 +78,8 @@ cdef extern from "eigenmotion.h" nogil:
         long n_steps
         long n_rejected
         long n_bounded
+        long n_jacobians
+        long n_factors
         long n_stiff
         double t_reached
         const em_model *model

@@ -130,7 +130,7 @@ cdef class Run:
         cdef int status = self.status()
         return {
             "t": t, "y": y.T, "sol": None, "t_events": t_events, "y_events": y_events,
-            "nfev": self.run.n_rhs, "njev": 0, "nlu": 0, "status": status, "message": self.message(),
+            "nfev": self.run.n_rhs, "njev": self.run.n_jacobians, "nlu": self.run.n_factors, "status": status, "message": self.message(),
             "success": status >= 0, "nsteps": self.run.n_steps, "nrejected": self.run.n_rejected,
             "n_bounded": self.run.n_bounded, "n_stiff": self.run.n_stiff, "stop": self.stop,
             "error_estimate": None, "error_cost": None,

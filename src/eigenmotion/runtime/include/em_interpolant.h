@@ -26,7 +26,7 @@ static int em_interpolate(const em_run *run, size_t step, double t, double *y) {
     int mode = at->mode;
     scheme.evaluate(F, scheme.terms, (t - at->t) / at->h, inside);
     if (em_settle(run, &mode, EM_KEEP_MODE | at->kept, t, inside, memory, t - at->t, &fault) < 0) return -1;
-    return model_publish(mode, t, inside, run->prepared, memory, y, &fault);
+    return em_publish(run, mode, t, inside, memory, y, &fault);
 }
 
 #endif

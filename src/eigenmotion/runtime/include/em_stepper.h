@@ -29,6 +29,15 @@ static int em_enter_pieces(em_walk *w) {
 
 /* --- the start of a run --- */
 
+/* The published state as x and v. */
+static int em_enter_motion(em_walk *w) {
+    double v[N];
+    if (em_xdot(w->run, 0, w->t, w->y, v, &w->reason)) return -1;
+    memcpy(w->y + N, v, sizeof v);
+    w->mode = EM_MOTION;
+    return 0;
+}
+
 /* The published state as the internal one, and the first rows. */
 static int em_enter(em_walk *w) {
     em_run *run = w->run;
@@ -36,7 +45,8 @@ static int em_enter(em_walk *w) {
     memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
     if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
-    const int settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
+    int settled = w->scheme.mode == EM_MOTION ? em_enter_motion(w) : 0;
+    if (settled == 0) settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
     if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
     return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
@@ -80,7 +90,7 @@ static void em_commit(em_walk *w) {
     em_run *run = w->run;
     ++run->n_steps;
     w->longest_step = em_max(w->longest_step, fabs(w->h));
-    run->n_bounded += w->mode != 0;
+    run->n_bounded += w->mode == 1;
     run->n_stiff += w->stiff;
     w->t = w->t_new;
     w->mode = w->mode_new;
