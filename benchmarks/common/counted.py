@@ -12,10 +12,11 @@ TIMER, COUNTER = (Path(__file__).with_name(name) for name in ("right_hand_side.c
 
 
 def timer(name: str, work: Path) -> Callable[[int], float]:
-    """Link the timer with NAME_steps.o and NAME_aside.o of a folder; return calls -> nanoseconds a call."""
+    """Link the timer with the units of NAME.c in a folder; return calls -> nanoseconds a call."""
     tools = toolchain()
     command = (*tools.command, *STANDARD, *tools.optimised, f"-DMODEL={name}_model", f"-I{INCLUDE}")
-    run((*command, f"{name}_steps.o", f"{name}_aside.o", str(TIMER), "-lm", "-o", "timer"), work)
+    units = [f"{name}_{unit}.o" for unit in ("steps", "aside", "derivatives")]
+    run((*command, *units, str(TIMER), "-lm", "-o", "timer"), work)
 
     def nanoseconds(calls: int) -> float:
         done = subprocess.run([work / "timer", str(calls)], capture_output=True, text=True, check=True)

@@ -122,6 +122,23 @@ class Factored:
 
 
 @dataclass(frozen=True, slots=True)
+class PartialKernels:
+    """Partial derivatives, row-major; None: there are no such rows.
+
+    state, forcing : of the residuals of motion at fixed a, lambda: by x, v; by inputs, parameters, time
+    constraints, events, quasi : of phi and A v + b, of events, of quasi-velocities: by x, v, inputs, parameters, time
+    outputs : by a, lambda and these
+    """
+
+    state: Kernel
+    forcing: Kernel
+    constraints: Kernel | None
+    outputs: Kernel | None
+    events: Kernel | None
+    quasi: Kernel | None
+
+
+@dataclass(frozen=True, slots=True)
 class Kernels:
     """The model-specific straight-line part of each function.
 
@@ -141,6 +158,7 @@ class Kernels:
     events: Kernel
     quasi: Kernel
     drawing: Kernel
+    partials: PartialKernels
     published: Stages
     triangular: Stages
     settled: Stages

@@ -80,17 +80,17 @@ class Terms:
     @cached_property
     def T2(self) -> Node:
         """1/2 v^T M v (4)"""
-        return self.graph.scale(self._dot(self._velocities, self._momentum), HALF)
+        return self.graph.scale(self.dot(self._velocities, self._momentum), HALF)
 
     @cached_property
     def T1(self) -> Node:
         """G^T v (4)"""
-        return self._dot(self.G, self._velocities)
+        return self.dot(self.G, self._velocities)
 
     @cached_property
     def gamma(self) -> tuple[Node, ...]:
         """(m,) Adot v + bdot, with bdot the total derivative: what A xddot must cancel (39)"""
-        return tuple(self.graph.add(self._dot(row, self._velocities), self.along(b))
+        return tuple(self.graph.add(self.dot(row, self._velocities), self.along(b))
                      for row, b in zip(self.Adot, self.b, strict=True))  # fmt: skip
 
     @cached_property
@@ -133,9 +133,10 @@ class Terms:
 
     @cached_property
     def _momentum(self) -> list[Node]:
-        return [self._dot(row, self._velocities) for row in self.M]
+        return [self.dot(row, self._velocities) for row in self.M]
 
-    def _dot(self, first: Iterable[Node], second: Iterable[Node]) -> Node:
+    def dot(self, first: Iterable[Node], second: Iterable[Node]) -> Node:
+        """Return the scalar product."""
         pairs = zip(first, second, strict=True)
         return self.graph.sum((self.graph.mul(a, b), ONE) for a, b in pairs)
 
@@ -173,7 +174,7 @@ class Terms:
     def _plus_rows(self, forces: tuple[Node, ...], rows: Rows, factors: Iterable[Node]) -> tuple[Node, ...]:
         """Add rows^T W factors, factors (m,)."""
         weighted = [self.graph.mul(w, factor) for w, factor in zip(self.W, factors, strict=True)]
-        return tuple(self.graph.add(force, self._dot(weighted, (row[k] for row in rows)))
+        return tuple(self.graph.add(force, self.dot(weighted, (row[k] for row in rows)))
                      for k, force in enumerate(forces))  # fmt: skip
 
     def _motion(self, gradient_of_L: tuple[Node, ...]) -> Motion:
@@ -181,7 +182,7 @@ class Terms:
         Mdot, force = tuple(tuple(map(self.along, row)) for row in self.factored), self._force(gradient_of_L)
         if not self.mechanics.augmented:
             return Motion(Mdot, force)
-        force = self._plus_rows(force, self.Adot, [self._dot(row, self._velocities) for row in self.A])
+        force = self._plus_rows(force, self.Adot, [self.dot(row, self._velocities) for row in self.A])
         return Motion(Mdot, self._plus_rows(force, self.A, (self.graph.negative(self.along(b)) for b in self.b)))
 
 

@@ -23,7 +23,12 @@ STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend it
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
-UNITS = {"steps": "EM_ASIDE_ELSEWHERE", "aside": "EM_ASIDE_ALONE", "lanes": "EM_ON_LANES"}
+UNITS = {
+    "steps": "EM_ASIDE_ELSEWHERE",
+    "aside": "EM_ASIDE_ALONE",
+    "derivatives": "EM_ASIDE_ALONE=2",
+    "lanes": "EM_ON_LANES",
+}
 """What a model's C file is compiled to, side by side, and the macro that says so."""
 FLAGS = "EIGENMOTION_CFLAGS"
 _MACROS = ("-dM", "-E", "-x", "c", os.devnull)

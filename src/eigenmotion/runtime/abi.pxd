@@ -153,3 +153,12 @@ cdef extern from "eigenmotion.h" nogil:
         int dimension
         const em_shape *shapes
         void (*draw)(double, const double *, const double *, double *) noexcept nogil
+        int n_arguments
+        int (*motion_derivatives)(double, const double *, const double *, const double *, const double *, int,
+                                  double *, double *, double *, double *, em_fault *) noexcept nogil
+        void (*constraint_partials)(double, const double *, const double *, const double *, double *) noexcept nogil
+        void (*output_partials)(double, const double *, const double *, const double *, const double *,
+                                const double *, const double *, double *) noexcept nogil
+        void (*event_partials)(double, const double *, const double *, const double *, const double *,
+                               double *) noexcept nogil
+        void (*quasi_partials)(double, const double *, const double *, const double *, double *) noexcept nogil

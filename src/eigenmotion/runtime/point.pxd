@@ -7,7 +7,7 @@ from .arrays cimport Numbers
 cdef class PointModel:
     cdef const em_model *model
     cdef readonly str name, formulation, close_eigenvalues, schur
-    cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events, lanes, dimension, n_drawn
+    cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly tuple quasi_velocities, event_kinds, shapes
     cdef readonly bint augmented

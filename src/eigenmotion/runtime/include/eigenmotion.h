@@ -193,7 +193,7 @@ typedef struct em_model {
     int (*eigenfactors)(double t, const double *x, const double *c, double *C, double *s, em_fault *fault);
     int (*output)(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                   double *out, em_fault *fault);                                           /* (n_outputs) */
-    /* J (n_state, n_state) of rhs; J (2 n, 2 n) of (x, v) -> (v, xddot): by differences (em_differentiate.h). */
+    /* J (n_state, n_state) of rhs; J (2 n, 2 n) of (x, v) -> (v, xddot), exact (em_derivatives.h). */
     int (*jacobian)(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault);
     int (*motion_jacobian)(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
                            em_fault *fault);
@@ -221,6 +221,21 @@ typedef struct em_model {
     int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
     const em_shape *shapes;  /* (n_shapes) */
     void (*draw)(double t, const double *x, const double *c, double *p); /* all numbers of the shapes */
+
+    /* Exact derivatives, row-major, by the arguments (n_arguments): x, v, inputs, parameters, time; in c only what the
+     * parameters are counts. Those of xddot and lambda: da (n, n_arguments), dlambda (m, n_arguments). */
+    int n_arguments;
+    int (*motion_derivatives)(double t, const double *x, const double *v, const double *c, const double *u,
+                              int least_norm, double *a, double *lambda, double *da, double *dlambda, em_fault *fault);
+    void (*constraint_partials)(double t, const double *x, const double *v, const double *c,
+                                double *D); /* (h + m, n_arguments), of phi and A v + b; NULL where m is 0 */
+    void (*output_partials)(double t, const double *x, const double *v, const double *a, const double *lambda,
+                            const double *c, const double *u,
+                            double *D); /* (n_outputs, n + m + n_arguments), first by a, lambda; or NULL */
+    void (*event_partials)(double t, const double *x, const double *v, const double *c, const double *u,
+                           double *D); /* (n_events, n_arguments), or NULL */
+    void (*quasi_partials)(double t, const double *x, const double *v, const double *c,
+                           double *D); /* (n_quasi, n_arguments), or NULL */
 } em_model;
 
 #endif

@@ -6,7 +6,6 @@
 #define EM_MECHANICS_H
 
 #include "em_blocks.h"
-#include "em_differentiate.h"
 
 enum { EM_SOME_ROWS = N_ROWS ? N_ROWS : 1, EM_SOME_POSITIONS = N_POSITIONS ? N_POSITIONS : 1 };
 
@@ -200,26 +199,6 @@ EM_COLD int em_eigenfactors_of(double t, const double *x, const double *c, doubl
         em_put(b, sb, s);
     }
     return 0;
-}
-
-/* What the rate of (x, v) needs besides them. */
-typedef struct em_forces {
-    const double *c, *u;
-    int least_norm;
-} em_forces;
-
-static int em_motion_rate(const void *with, double t, const double *z, double *rate, em_fault *fault) {
-    const em_forces *forces = with;
-    double lambda[EM_SOME_ROWS];
-    memcpy(rate, z + N, N * sizeof *rate);
-    return em_acceleration(t, z, z + N, forces->c, forces->u, forces->least_norm, rate + N, lambda, fault);
-}
-
-/* J (2 n, 2 n) of (x, v) -> (v, xddot), constraints included. */
-EM_COLD int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
-                               em_fault *fault) {
-    const em_forces forces = {c, u, least_norm};
-    return em_differentiate(em_motion_rate, &forces, 2 * N, t, z, J, fault);
 }
 
 /* out (n_outputs) at x, v */

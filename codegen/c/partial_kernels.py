@@ -1,0 +1,51 @@
+"""Kernels of partial derivatives: dense blocks, in which what is not zero is assigned."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ..graph.store import Node
+from ..physics.partials import Partials
+from ..physics.terms import Terms
+from .kernel import Array, Draft, Entry, Kernel, Symbols, written
+from .program import PartialKernels
+
+MOTION = ("t", "x", "v", "a", "lambda", "c", "u")
+
+
+def partial_kernels(terms: Terms, symbols: Symbols) -> PartialKernels:
+    """Write them. What is made of parameters only is computed in place: nobody prepares what few ask for."""
+    return _Writing(terms, symbols).kernels()
+
+
+class _Writing:
+    def __init__(self, terms: Terms, symbols: Symbols) -> None:
+        self.terms, self.symbols, self.partials = terms, symbols, Partials(terms)
+
+    def kernels(self) -> PartialKernels:
+        mechanics, partials = self.terms.mechanics, self.partials
+        arguments = (*partials.state, *partials.given)
+        outputs, events, quasi = (
+            [self.terms.node(expression) for _, expression in named]
+            for named in (mechanics.outputs, mechanics.events, mechanics.quasi_velocities)
+        )
+        return PartialKernels(
+            state=self.dense("state_partials", partials.residual, partials.state, *MOTION),
+            forcing=self.dense("forcing_partials", partials.residual, partials.given, *MOTION),
+            constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
+            outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
+            events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
+            quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
+        )
+
+    def if_any(self, name: str, roots: Sequence[Node], columns: Sequence[str], *arguments: str) -> Kernel | None:
+        return self.dense(name, roots, columns, *arguments) if roots else None
+
+    def dense(self, name: str, roots: Sequence[Node], columns: Sequence[str], *arguments: str) -> Kernel:
+        """D (roots, columns)."""
+        graph, D = self.terms.graph, Array("D", "")
+        flat = [entry for row in self.partials.of(roots, columns) for entry in row]
+        expanded = [(k, self.terms.expanded(entry)) for k, entry in enumerate(flat)]
+        entries = [Entry(D, (f"[{k}]",), node) for k, node in expanded if node != graph.zero]
+        draft = Draft(name, entries or [Entry(D, ("[0]",), graph.zero)], (*arguments, "D"), aside=True)
+        return written(graph, [draft], self.symbols, None)[0]

@@ -1,0 +1,123 @@
+/* em_derivatives.h: exact derivatives of the constrained acceleration and its multipliers.
+ *
+ *   r = M a + A^T lambda - bias = 0,  s = A a + gamma = 0                                                     (11) (39)
+ *
+ * hold at every x, v, u, p, t. So the derivatives of a and lambda solve the same system as they themselves, with the same
+ * factors: M da + A^T dlambda = -dr, A da = -ds, where dr, ds are the partial derivatives at fixed a, lambda
+ * (derivatives.c.jinja). Of rows that depend on each other those count that are independent here: off the constraints
+ * these are the smooth system whose motion is the same. */
+#ifndef EM_DERIVATIVES_H
+#define EM_DERIVATIVES_H
+
+#include "em_mechanics.h"
+
+/* The factors of the system at a place: L, B = A L^-T, and D = L_D L_D^T of B B^T. rows: flags of those that count. */
+typedef struct em_factors {
+    em_root root;
+    double L[EM_SOME_ROWS * EM_SOME_ROWS], r[EM_SOME_ROWS];
+    int rows;
+} em_factors;
+
+/* least_norm: 0, 1 or flags that say which rows are kept */
+EM_COLD int em_factors_at(double t, const double *x, const double *c, int least_norm, em_factors *f, em_fault *fault) {
+    double unused[EM_SOME_ROWS] = {0.0};
+    double *const Delta = f->root.Delta;
+    if (em_root_at(t, x, c, &f->root, fault)) return -1;
+    f->rows = least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0;
+    if (N_ROWS == 0) return 0;
+    if (f->rows == EM_LEAST_NORM) {
+        int kept;
+        if (em_independent_rows(EM_SOME_ROWS, Delta, EM_DEPENDENT, &kept) < N_ROWS) f->rows |= kept;
+        else f->rows = 0;
+    }
+    if (f->rows >= EM_FIRST_KEPT) em_drop_rows(EM_SOME_ROWS, Delta, unused, f->rows);
+    int row = f->rows ? -1 : em_vanished_row(EM_SOME_ROWS, Delta);
+    if (row < 0) row = em_cholesky(EM_SOME_ROWS, Delta, f->L, f->r, EM_SINGULAR_PIVOT);
+    return row < 0 ? 0 : em_fail(fault, EM_DEPENDENT_CONSTRAINTS, row, -1, NAN);
+}
+
+/* Of W (n + m, columns): rows k += factor row i. */
+EM_INLINE void em_add_row(int columns, double factor, const double *restrict from, double *restrict to) {
+    EM_ALONG
+    for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
+}
+
+EM_INLINE void em_scale_row(int columns, double factor, double *restrict row) {
+    EM_ALONG
+    for (int j = 0; j < columns; ++j) row[j] *= factor;
+}
+
+/* X (n, columns) <- L^-1 X, or L^-T X */
+EM_COLD void em_forward_rows(int n, int columns, const double *L, const double *r, double *X) {
+    for (int i = 0; i < n; ++i) {
+        for (int k = 0; k < i; ++k) em_add_row(columns, -L[i * n + k], X + k * columns, X + i * columns);
+        em_scale_row(columns, r[i], X + i * columns);
+    }
+}
+
+EM_COLD void em_backward_rows(int n, int columns, const double *L, const double *r, double *X) {
+    for (int i = n - 1; i >= 0; --i) {
+        for (int k = i + 1; k < n; ++k) em_add_row(columns, -L[k * n + i], X + k * columns, X + i * columns);
+        em_scale_row(columns, r[i], X + i * columns);
+    }
+}
+
+/* W (n + m, columns): partial derivatives of r, s -> derivatives of a, lambda. Multipliers of rows that do not count
+ * are zero. */
+EM_COLD void em_solve_motion(const em_factors *f, int columns, double *W) {
+    double *const a = W, *const lambda = W + N * columns;
+    for (int k = 0; k < N; ++k) em_scale_row(columns, -1.0, a + k * columns);
+    em_forward_rows(N, columns, f->root.L, f->root.r, a);
+    for (int row = 0; row < N_ROWS; ++row)
+        for (int k = 0; k < N; ++k) em_add_row(columns, f->root.B[row * N + k], a + k * columns, lambda + row * columns);
+    for (int row = 0; row < N_ROWS && f->rows >= EM_FIRST_KEPT; ++row)
+        if (!(f->rows & EM_FIRST_KEPT << row)) memset(lambda + row * columns, 0, columns * sizeof *lambda);
+    em_forward_rows(N_ROWS, columns, f->L, f->r, lambda);
+    em_backward_rows(N_ROWS, columns, f->L, f->r, lambda);
+    for (int k = 0; k < N; ++k)
+        for (int row = 0; row < N_ROWS; ++row)
+            em_add_row(columns, -f->root.B[row * N + k], lambda + row * columns, a + k * columns);
+    em_backward_rows(N, columns, f->root.L, f->root.r, a);
+}
+
+/* a (n), lambda (m) of the rows that count, and the factors there. */
+EM_COLD int em_motion_at(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+                         em_factors *f, double *a, double *lambda, em_fault *fault) {
+    if (em_factors_at(t, x, c, least_norm, f, fault)) return -1;
+    return em_acceleration(t, x, v, c, u, f->rows, a, lambda, fault);
+}
+
+/* J (2 n, 2 n) of z = (x, v) -> (v, xddot), constraints included. */
+EM_COLD int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
+                               em_fault *fault) {
+    em_factors factors;
+    double a[N], lambda[EM_SOME_ROWS], W[(N + N_ROWS) * 2 * N];
+    if (em_motion_at(t, z, z + N, c, u, least_norm, &factors, a, lambda, fault)) return -1;
+    state_partials(t, z, z + N, a, lambda, c, u, W);
+    em_solve_motion(&factors, 2 * N, W);
+    memset(J, 0, 2 * N * N * sizeof *J);
+    for (int k = 0; k < N; ++k) J[k * 2 * N + N + k] = 1.0;
+    memcpy(J + 2 * N * N, W, 2 * N * N * sizeof *J);
+    return 0;
+}
+
+/* da (n, n_arguments), dlambda (m, n_arguments): by x, v, inputs, parameters, time; a (n), lambda (m). */
+EM_COLD int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u,
+                                  int least_norm, double *a, double *lambda, double *da, double *dlambda,
+                                  em_fault *fault) {
+    em_factors factors;
+    double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
+    if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
+    state_partials(t, x, v, a, lambda, c, u, by_state);
+    forcing_partials(t, x, v, a, lambda, c, u, by_given);
+    em_solve_motion(&factors, 2 * N, by_state);
+    em_solve_motion(&factors, N_GIVEN, by_given);
+    for (int row = 0; row < N + N_ROWS; ++row) {
+        double *const to = row < N ? da + row * N_ARGUMENTS : dlambda + (row - N) * N_ARGUMENTS;
+        memcpy(to, by_state + row * 2 * N, 2 * N * sizeof *to);
+        memcpy(to + 2 * N, by_given + row * N_GIVEN, N_GIVEN * sizeof *to);
+    }
+    return 0;
+}
+
+#endif
