@@ -34,6 +34,7 @@ SWING = Model(
 )
 SPAN, ROWS = (0.0, 2.0), np.linspace(0.0, 2.0, 5)
 TIGHT = {"rtol": 1e-8, "atol": 1e-8}
+TOLD = ("nfev", "nsteps", "nrejected", "n_bounded", "n_stiff", "njev", "nlu", "stop", "message", "status", "method")
 SPEEDS = np.linspace(0.0, 9.0, 13)  # the fast ones go over the top
 
 
@@ -46,9 +47,9 @@ def same(one: em.Solution, other: em.Solution) -> bool:
     names = ("t", "y", "x", "v", "energy", "multipliers")
     arrays = all(np.array_equal(one[name], other[name], equal_nan=True) for name in names)
     events = zip([*one.t_events, *one.y_events], [*other.t_events, *other.y_events], strict=True)
-    told = all(one[name] == other[name] for name in ("nfev", "nsteps", "nrejected", "stop", "message", "status"))
+    told = all(one[name] == other[name] for name in TOLD)
     outputs = all(np.array_equal(one.outputs[name], other.outputs[name]) for name in one.outputs)
-    return arrays and told and outputs and all(np.array_equal(*pair) for pair in events)
+    return set(one) == set(other) and arrays and told and outputs and all(np.array_equal(*pair) for pair in events)
 
 
 @pytest.mark.parametrize(("method", "rtol", "count"), [("dop853", 1e-8, 13), ("ra15", 1e-8, 13), ("Radau", 1e-3, 2)])
@@ -140,6 +141,17 @@ def test_a_member_that_fails_is_named_and_costs_the_others_nothing(swing):
     assert "4 failed (1 non-finite state, 3 start refused)" in repr(runs)
     for k in wrong:
         assert (runs[k].success, runs[k].message, runs[k].x.shape[0]) == (False, runs.message(k), 2)
+        assert set(runs[k]) == set(runs[1])
+        assert (runs[k].drawing, runs[k].method) == (None, "dop853")
+
+
+def test_the_method_is_chosen_once_for_all(swing):
+    together = simulate_ensemble(swing, SPAN, v0={"q": [0.0, 1.0]}, method="auto", rtol=1e-9)
+    least_norm = simulate_ensemble(swing, SPAN, method="auto", rtol=1e-9, dependent_constraints="least_norm")
+    alone = swing.simulate(SPAN, method="auto", rtol=1e-9, dependent_constraints="least_norm")
+    assert together.method == together[1].method
+    assert swing.simulate(SPAN, v0={"q": 1.0}, method=together.method, rtol=1e-9).nfev == together.nfev[1]
+    assert least_norm.method == alone.method
 
 
 def test_words_of_a_refused_start_are_those_of_simulate():

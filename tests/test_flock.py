@@ -12,7 +12,9 @@ import pytest
 import eigenmotion as em
 from eigenmotion import Signal, StopReason, simulate_ensemble
 
+from .generation import system_for
 from .test_ensemble import ROWS, SPAN, SWING, TIGHT, bits
+from .test_stiff import damped_link
 
 MODELS = Path(__file__).parents[1] / "models"
 COUNT = 21
@@ -32,7 +34,8 @@ def link() -> em.System:
 
 def check_alike(one: em.Solution, other: em.Solution) -> None:
     """Say that they are the same but for rounding."""
-    assert (one.stop, one.nsteps, one.nrejected, one.nfev) == (other.stop, other.nsteps, other.nrejected, other.nfev)
+    told = ("stop", "nsteps", "nrejected", "nfev", "n_stiff", "method")
+    assert [one[name] for name in told] == [other[name] for name in told]
     assert np.allclose(one.t, other.t, rtol=0, atol=1e-10)
     assert np.allclose(one.y, other.y, rtol=1e-9, atol=1e-9)
     for mine, theirs in zip(one.t_events or [], other.t_events or [], strict=True):
@@ -108,6 +111,21 @@ def test_any_tolerance_serves(link, rtol):
     runs = simulate_ensemble(link, SPAN, parameters={"K1": [0.5, 1.0]}, rtol=rtol, atol=rtol)
     for k, spring in enumerate((0.5, 1.0)):
         check_alike(runs[k], link.simulate(SPAN, parameters={"K1": spring}, rtol=rtol, atol=rtol, t_eval=[SPAN[1]]))
+
+
+def test_a_run_in_each_lane_is_chosen_before_nodes_in_them(swing):
+    assert swing.compiled.flocks == (swing.compiled.lanes > 1)
+    found = simulate_ensemble(swing, SPAN, v0={"q": SPEEDS}, method="auto", rtol=1e-9)
+    assert found.method == ("dop853" if swing.compiled.lanes > 1 else swing.simulate(SPAN, method="auto").method)
+
+
+def test_a_lane_that_stability_holds_back_says_so():
+    stiff = system_for(damped_link(), formulation="lagrange")
+    runs = simulate_ensemble(stiff, (0.0, 0.02), parameters={"g": [9.0, 9.81]}, rtol=1e-5)
+    alone = stiff.simulate((0.0, 0.02), parameters={"g": 9.0}, rtol=1e-5, t_eval=[0.02])
+    assert runs.message(0) == alone.message
+    assert "The scene is stiff" in runs.message(0)
+    check_alike(runs[0], alone)
 
 
 def test_unstabilised_and_other_methods_are_run_number_by_number(link):

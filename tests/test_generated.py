@@ -197,9 +197,8 @@ def c_text(model, formulation):
     return next(file.text for file in compiler.generate(model, Choices(formulation)).files if file.name.endswith(".c"))
 
 
-@pytest.mark.parametrize(
-    "formulation", ["eigenfactor", *(pytest.param(one, marks=pytest.mark.nightly) for one in FORMULATIONS[1:])]
-)
+@pytest.mark.nightly
+@pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_any_word_of_the_file_is_a_name_to_have(formulation, tmp_path):
     """Exhaustive where the test above samples: every word of a generated file at once, the names of C among them."""
     plain = ("p1", "p2", "p3", "w")

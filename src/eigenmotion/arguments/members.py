@@ -19,12 +19,14 @@ class Asked:
     """What all members share. t_eval (nt,): times of the rows; else as `Task`.
 
     method : em_method of eigenmotion.h; None where the method is not compiled
+    iterates : whether its steps are found by iteration
     end_only : the one row of a run is where it ends
     """
 
     model: CompiledModel
     method: int | None
     name: str
+    iterates: bool
     t_start: float
     t_end: float
     rtol: float

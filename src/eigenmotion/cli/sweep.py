@@ -1,10 +1,9 @@
 """`eigenmotion sweep`."""
 
-import re
 import time
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,20 +13,20 @@ import numpy as np
 
 from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import Model, ModelError
-from eigenmotion.ensembles.design import KINDS, Design, Distribution
+from eigenmotion.ensembles.design import KINDS, Design
 from eigenmotion.ensembles.progress import Progress, duration
-from eigenmotion.ensembles.simulate_ensemble import simulate_ensemble
+from eigenmotion.ensembles.simulate_ensemble import chosen_method, simulate_ensemble
 from eigenmotion.pages.figures import FORMATS, require_matplotlib
 from eigenmotion.pages.figures import save as save_figure
 from eigenmotion.results import spread
 from eigenmotion.results.stores import STORES, Parts, arrays_of, require
-from eigenmotion.running.methods import METHODS
+from eigenmotion.running.methods import AUTO, METHODS
 from eigenmotion.system.system import System
 
-from .options import Finite, Shape, assignments, check_writable, ending, model, setting, shaping, values
+from .options import Finite, Shape, check_writable, ending, model, setting, shaping, values
 from .progress import clock
+from .swept import MOST, design_of
 
-_MOST = 10**9
 _WORDS = 3  # failures of a kind that are told
 _AT_ONCE = 64  # parts that go to other machines together
 
@@ -39,14 +38,14 @@ _AT_ONCE = 64  # parts that go to other machines together
               help="K values from A to B, or a list; of several, every one with every other.")  # fmt: skip
 @click.option("--sample", "samples", multiple=True, metavar="NAME=KIND(A,B)",
               help=f"Values drawn at random: {', '.join(KINDS.values())}.")  # fmt: skip
-@click.option("-n", "n", type=click.IntRange(1, _MOST), metavar="N", help="Samples, at each point of the grid.")
+@click.option("-n", "n", type=click.IntRange(1, MOST), metavar="N", help="Samples, at each point of the grid.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
 @setting
 @click.option("--rows", type=click.IntRange(1), default=1, show_default=True, metavar="K",
               help="Rows of each run, evenly over the time; 1: its end.")  # fmt: skip
 @click.option("--rtol", type=Finite(), default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
-@click.option("--method", default="dop853", show_default=True, metavar="NAME", help=f"{', '.join(METHODS)}.")
+@click.option("--method", default="dop853", show_default=True, metavar="NAME", help=f"{', '.join(METHODS)}, or {AUTO}.")
 @click.option("-o", "--output", "store", type=click.Path(path_type=Path), required=True, metavar="FILE",
               help=f"Where the runs go: {', '.join(f'FILE{ending}' for ending in STORES)}.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(1), metavar="N", help="Threads; as many as there are cores.")
@@ -83,11 +82,12 @@ def command(
     """
     _check_targets(store, plot, workers, scheduler)
     order = Shape(**shape).order(model)
-    design = _design(order.model, sweeps, samples, n, seed)
+    design = design_of(order.model, sweeps, samples, n, seed)
     times = np.linspace(0.0, t_end, rows) if rows > 1 else np.array([t_end])
-    given = {"rtol": rtol, "atol": atol, "method": method, "t_eval": times if rows > 1 else None}
     with clock():
         system = system_of(order)
+    named = chosen_method(system, method, rtol).name  # "auto" is the machine's choice: those that go on keep to it
+    given = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
     told = _told(design, given, sources=order.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
     parts = Parts(store, told, -(-design.count // chunk), times, system.coordinates)
     if resume and parts.is_done:
@@ -200,65 +200,11 @@ def _check_targets(store: Path, plot: Path | None, workers: int | None, schedule
     require(store)
 
 
-def _design(model: Model, sweeps: tuple[str, ...], samples: tuple[str, ...], n: int | None, seed: int) -> Design:
-    if not sweeps and not samples:
-        raise click.UsageError("nothing is swept: give --sweep or --sample")
-    if bool(samples) != (n is not None):
-        raise click.UsageError("-n says how many samples --sample draws: give both")
-    grid = {name: _values(name, text) for name, text in assignments(sweeps, "--sweep").items()}
-    drawn = {name: _distribution(name, text) for name, text in assignments(samples, "--sample").items()}
-    if twice := sorted(grid.keys() & drawn.keys()):
-        raise click.UsageError(f"{twice[0]} is swept and sampled: give one of the two")
-    try:
-        values(model, tuple(f"{name}=0" for name in (*grid, *drawn)))
-    except click.UsageError as error:
-        raise click.UsageError(error.message.replace("--set", "--sweep, --sample")) from error
-    design = Design(grid, drawn, n or 1, seed)
-    if design.count > _MOST:
-        raise click.UsageError(f"{design.count:.3g} runs: at most {_MOST:.0e} in one sweep")
-    return design
-
-
-def _values(name: str, text: str) -> list[float]:
-    """A:B:K or V,V,... -> values."""
-    option = f"--sweep {name}={text}"
-    pieces = text.split(":")
-    try:
-        if len(pieces) == 1:
-            found = [float(value) for value in text.split(",")]
-        else:
-            low, high, count = pieces
-            found = np.linspace(float(low), float(high), int(count)).tolist()
-    except ValueError as error:
-        raise click.UsageError(f"{option}: expected A:B:K, K values from A to B, or a list V,V,...") from error
-    if not found or not np.isfinite(found).all():
-        raise click.UsageError(f"{option}: there must be values, and finite ones")
-    return found
-
-
-def _distribution(name: str, text: str) -> Distribution:
-    """KIND(A,B) -> what is drawn from."""
-    option = f"--sample {name}={text}"
-    found = re.fullmatch(r"\s*(\w+)\s*\(([^,]+),([^,]+)\)\s*", text)
-    try:
-        if found is None:
-            raise ValueError
-        numbers = float(found[2]), float(found[3])
-        if not np.isfinite(numbers).all():
-            raise ValueError
-        return Distribution(found[1].lower(), *numbers)
-    except ModelError as error:
-        raise click.UsageError(f"{option}: {error}") from error
-    except ValueError as error:
-        raise click.UsageError(f"{option}: expected one of {', '.join(KINDS.values())}") from error
-
-
 @contextmanager
 def _executor(scheduler: str | None) -> Iterator[Any]:
     """Give the executor of a Dask cluster, or None: threads here."""
     if scheduler is None:
-        with nullcontext() as none:
-            yield none
+        yield None
         return
     try:
         from distributed import Client  # noqa: PLC0415, an optional package

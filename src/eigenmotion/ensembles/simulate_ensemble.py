@@ -14,8 +14,9 @@ from ..arguments.options import OptionError, choice, least_norm_of, rows_at, spa
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.ensemble import Ensemble
-from ..running.methods import METHODS
-from ..running.simulate import STABILISATIONS, is_system
+from ..running.choosing import automatic_of_many
+from ..running.methods import AUTO, METHODS, Method
+from ..running.simulate import NAMES, STABILISATIONS, is_system
 from . import memory
 from .executors import in_executor
 from .gather import gather
@@ -25,7 +26,6 @@ from .threads import cores, in_threads
 if TYPE_CHECKING:
     from ..system.system import System
 
-_METHODS = {name.lower(): name for name in METHODS}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "t_eval", "method", "rtol", "atol", "first_step", "max_step", "max_steps"),
     *("stabilisation", "dependent_constraints", "workers", "executor", "progress"),
@@ -66,7 +66,8 @@ def simulate_ensemble(
     t_eval
         (nt,) times of the rows; None: the end state only.
     method, rtol, atol, first_step, max_step, max_steps, stabilisation, dependent_constraints
-        As of `simulate`. Methods that are not compiled run in Python, one after the other: give them an executor.
+        As of `simulate`; "auto" chooses once for all, as `Ensemble.method` says. Methods that are not compiled run in
+        Python, one after the other: give them an executor.
     workers
         Threads of this process; None: as many as there are cores.
     executor
@@ -89,15 +90,16 @@ def simulate_ensemble(
         that is out of range, or more rows than there is memory for.
     """
     _check_call(system, positional, misspelt)
-    name: str = choice(method, _METHODS, "method")
     start, end = span(t_span)
     relative, absolute = tolerances(system.compiled, rtol, atol)
+    least_norm = least_norm_of(dependent_constraints)
+    chosen = chosen_method(system, method, relative, least_norm)
     times = rows_at(t_eval, start, end)
     asked = Asked(
-        system.compiled, METHODS[name].number, name, start, end, relative, absolute,
+        system.compiled, chosen.number, chosen.name, chosen.iterates, start, end, relative, absolute,
         np.array([end]) if times is None else times, times is None,
         *step_limits(first_step, max_step, max_steps, abs(end - start)),
-        choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm_of(dependent_constraints),
+        choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm,
     )  # fmt: skip
     members = gather(system, start, x0, v0, parameters, inputs)
     _check_signals(system, members, start, end)
@@ -107,6 +109,12 @@ def simulate_ensemble(
         if executor is None:
             return Ensemble(asked, members, in_threads(asked, members, _threads(workers), report))
         return Ensemble(asked, members, in_executor(asked, members, _executor(executor, workers), report))
+
+
+def chosen_method(system: "System", method: object, rtol: float, least_norm: bool = False) -> Method:
+    """Return the method of that name; of "auto" the one that ensembles take on this machine."""
+    name = choice(method, NAMES, "method")
+    return automatic_of_many(system.compiled, rtol, least_norm) if name == AUTO else METHODS[name]
 
 
 def _silent(_: int) -> None:

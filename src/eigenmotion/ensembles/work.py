@@ -6,12 +6,12 @@ import numpy as np
 
 from ..arguments.members import Asked, Members
 from ..codegen.model.normalise import ModelError
-from ..results.found import COUNTS, REASONS, Found
+from ..results.found import REASONS, Found
 from ..results.solution import Solution
 from ..running.methods import METHODS
 from ..running.simulate import run_task
 from ..running.start import start_state
-from ..runtime import EvaluationError, StopReason
+from ..runtime import COUNTS, EvaluationError, StopReason
 from ..runtime.ensemble import Chunk, Stop
 
 _REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFUSED, StopReason.INTERRUPTED))
@@ -27,7 +27,7 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
     else:
         chunk = Chunk(asked, members, stop)
         found = Found(**{name: getattr(chunk, name) for name in _OF_CHUNK})
-        found.counts = np.pad(found.counts, ((0, 0), (0, 2)))
+        found.counts = np.pad(found.counts, ((0, 0), (0, len(COUNTS) - found.counts.shape[1])))
         doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
             doubtful = list(range(members.count))  # eigenvalues that coincide at the start are looked at in Python

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from ..arguments.members import Asked, Members
 from ..arguments.names import Vector
 from ..codegen.model.normalise import ModelError
-from ..runtime import StopReason, explain
+from ..runtime import COUNTS, StopReason, explain, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
-from .found import COUNTS, REASONS, Found
+from .found import REASONS, Found
 from .solution import Solution
 from .trajectory import Trajectory
 
@@ -29,7 +29,7 @@ class Ensemble:
     t_end : (K,) where each run came to: a terminal event or a failure ends it earlier, and later rows are NaN. Where
         only ends were asked for, the row of a run that a terminal event ended is the state at the event
     success : (K,); stop : (K,) of StopReason; failed : indices of runs that failed; message(k) : how run k ended
-    nfev, nsteps : (K,)
+    nfev, nsteps : (K,); method : the name of the one that ran
     swept : name -> (K,): what differs from run to run
 
     ensemble[k] is run k as a Solution, without dense output.
@@ -92,17 +92,26 @@ class Ensemble:
         words = explain(
             stop, model.coordinates, int(found.first[k]), int(found.second[k]), float(found.size[k]), model.events
         )
-        return words if stop is StopReason.FINISHED else f"At t = {found.t_end[k]:.9g}: {words}"
+        stiff = stiffness(int(self._count("n_stiff")[k]), int(self.nsteps[k]), self._asked.iterates)
+        return f"{words if stop is StopReason.FINISHED else f'At t = {found.t_end[k]:.9g}: {words}'}{stiff}"
 
     @property
     def nfev(self) -> NDArray[np.int_]:
         """(K,): right-hand sides."""
-        return self._found.counts[:, 0]
+        return self._count("nfev")
 
     @property
     def nsteps(self) -> NDArray[np.int_]:
         """(K,): accepted steps."""
-        return self._found.counts[:, 1]
+        return self._count("nsteps")
+
+    def _count(self, name: str) -> NDArray[np.int_]:
+        return self._found.counts[:, COUNTS.index(name)]
+
+    @property
+    def method(self) -> str:
+        """The name of the one that ran."""
+        return self._asked.name
 
     # --- their rows ---
 
@@ -184,18 +193,12 @@ class Ensemble:
         rows = np.ascontiguousarray(found.y[k][there])
         stop = REASONS[found.status[k]]
         t_events, y_events = self._events(k)
-        counts = {
-            name: None if count < 0 else count for name, count in zip(COUNTS, found.counts[k].tolist(), strict=True)
-        }
-        record = {
-            "t": t, "y": rows.T, "sol": None, "t_events": t_events, "y_events": y_events, **counts,
-            "status": REASONS.index(stop) if stop.success else -1, "message": self.message(k), "success": stop.success,
-            "stop": stop, "error_estimate": None, "error_cost": None,
-        }  # fmt: skip
+        counts = tuple(None if count < 0 else count for count in found.counts[k].tolist())
+        fields = record(t, rows.T, t_events, y_events, stop, self.message(k), asked.name, counts)
         if stop is StopReason.START_REFUSED:
-            return Solution(None, record | self._nothing)
+            return Solution(None, fields | self._nothing)
         prepared = self._model.prepare(members.row("parameters", k))
-        return Solution(Trajectory(asked.task(prepared, members.inputs_of(k), members.row("x", k)), t, rows), record)
+        return Solution(Trajectory(asked.task(prepared, members.inputs_of(k), members.row("x", k)), t, rows), fields)
 
     @property
     def _nothing(self) -> dict[str, Any]:
@@ -207,6 +210,7 @@ class Ensemble:
         }  # fmt: skip
         empty = np.empty(0)
         return {name: np.empty((*shape, 0)) for name, shape in shapes.items()} | {
+            "drawing": None,
             "outputs": dict.fromkeys(self._model.outputs, empty),
             "quasi_velocities": dict.fromkeys(self._model.quasi_velocities, empty),
         }

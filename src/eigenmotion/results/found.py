@@ -8,10 +8,9 @@ from numpy.typing import NDArray
 
 from ..arguments.members import Asked
 from ..arguments.names import Vector
-from ..runtime import StopReason
+from ..runtime import COUNTS, StopReason
 
 REASONS = tuple(StopReason)
-COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "njev", "nlu")
 _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts")
 
 
@@ -19,7 +18,7 @@ _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_cou
 class Found:
     """What came of some members: as `Chunk` has it, and the words for ends that its numbers do not tell.
 
-    counts : (K, 6), the COUNTS of a Solution; -1 where a method does not say
+    counts : (K, 7), the COUNTS of a Solution; -1 where a method does not say
     """
 
     y: Vector

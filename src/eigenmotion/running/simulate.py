@@ -23,7 +23,7 @@ from .stiff import simulate_stiff
 if TYPE_CHECKING:
     from ..system.system import System
 
-_METHODS = {name.lower(): name for name in (*METHODS, AUTO)}
+NAMES = {name.lower(): name for name in (*METHODS, AUTO)}
 STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
@@ -101,7 +101,7 @@ def simulate(
     """
     if positional or misspelt or not is_system(system):
         raise _refused(system, positional, misspelt)
-    named = choice(method, _METHODS, "method")
+    named = choice(method, NAMES, "method")
     compiled = system.compiled
     task = None if inputs is not None else plain.task(
         Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
@@ -112,7 +112,7 @@ def simulate(
             system, t_span, x0, v0, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
-    chosen = automatic(task) if named == AUTO else METHODS[named]
+    chosen = automatic(compiled, task.rtol, task.least_norm) if named == AUTO else METHODS[named]
     if estimate_error is False:
         return run_task(task, chosen)
     checker = None if estimate_error is True else _checker(estimate_error)
@@ -166,8 +166,7 @@ def _checker(given: Any) -> CompiledModel:
 
 def run_task(task: Task, method: Method) -> Solution:
     """Run what has been checked."""
-    found = simulate_stiff(task, method) if method.number is None else _simulate_compiled(task, method.number)
-    found["method"] = method.name
+    found = simulate_stiff(task, method) if method.number is None else _compiled(task, method, method.number)
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in
         found["sol"] = DenseOutput(found.t, partial(_standing, row))
@@ -194,9 +193,9 @@ def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end
     return bound
 
 
-def _simulate_compiled(task: Task, method: int) -> Solution:
-    run = Run(task, method)
-    fields = run.fields
+def _compiled(task: Task, method: Method, number: int) -> Solution:
+    run = Run(task, number)
+    fields = run.fields(method.name)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
     return Solution(Trajectory(task, fields["t"], fields["y"].T), fields)

@@ -93,7 +93,7 @@ class _Start:
         alone, weights = _OF_CONSTRAINTS if self.model.augmented else ("", "")
         raise ModelError(
             f"{self.model.name}: the mass matrix at x0 is not positive definite at coordinate {names[k]!r}{alone}. "
-            f"Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
+            "Give it inertia (check x0 and the parameters in the kinetic energy), or leave the coordinate out."
             f"{weights}"
         )
 

@@ -18,7 +18,7 @@ from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
-from ..runtime import EvaluationError, StopReason, explain
+from ..runtime import EvaluationError, StopReason, explain, record
 from .drift import Drift
 from .methods import Method
 from .watch import Function, Watch
@@ -80,7 +80,7 @@ def simulate_stiff(task: Task, method: Method) -> Solution:
         stop, said = StopReason.INTERRUPTED, ""
     words = said or explain(stop, model.coordinates)
     message = words if stop is StopReason.FINISHED else f"At t = {progress.t[-1]:.9g}: {words}"
-    return _solution(task, progress, stop, message)
+    return _solution(task, progress, stop, message, method.name)
 
 
 def _advance(task: Task, method: Method, progress: _Progress) -> tuple[StopReason, str]:
@@ -191,7 +191,7 @@ def _between(task: Task, interpolant: OdeSolution, t: Vector) -> Vector:
     return _published(task, t, interpolant(t).T)
 
 
-def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -> Solution:
+def _solution(task: Task, progress: _Progress, stop: StopReason, message: str, method: str) -> Solution:
     t, z = np.array(progress.t), np.array(progress.z)
     between = OdeSolution(t, progress.pieces) if progress.pieces else None
     sol = DenseOutput(t, partial(_between, task, between)) if task.dense and between else None
@@ -206,13 +206,8 @@ def _solution(task: Task, progress: _Progress, stop: StopReason, message: str) -
     rows = _published(task, t, z)
     t_events, y_events = _events(task, progress.watch)
     unknown = None if task.t_start != task.t_end else 0
-    fields = {
-        "t": t, "y": rows.T, "sol": sol, "t_events": t_events, "y_events": y_events,
-        "nfev": progress.nfev, "njev": progress.njev, "nlu": progress.nlu,
-        "status": {StopReason.FINISHED: 0, StopReason.TERMINAL_EVENT: 1}.get(stop, -1), "message": message,
-        "success": stop.success, "nsteps": len(progress.t) - 1, "nrejected": unknown, "n_bounded": 0, "n_stiff": 0,
-        "stop": stop, "error_estimate": None, "error_cost": None,
-    }  # fmt: skip
+    counts = progress.nfev, len(progress.t) - 1, unknown, 0, 0, progress.njev, progress.nlu
+    fields = record(t, rows.T, t_events, y_events, stop, message, method, counts, sol)
     return Solution(Trajectory(task, t, rows), fields)
 
 

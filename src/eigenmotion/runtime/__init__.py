@@ -4,7 +4,10 @@ from . import plain as plain
 from .faults import EvaluationError as EvaluationError
 from .faults import StopReason as StopReason
 from .faults import explain as explain
+from .faults import stiffness as stiffness
 from .model import CompiledModel as CompiledModel
 from .point import Prepared as Prepared
 from .point import forgiven as forgiven
+from .run import COUNTS as COUNTS
 from .run import Run as Run
+from .run import record as record

@@ -84,8 +84,12 @@ cdef extern from "eigenmotion.h" nogil:
         double t_reached
         const em_model *model
 
+    ctypedef struct em_flock:
+        int n_live
+
     ctypedef struct em_lanes:
         int width
+        void (*run)(em_flock *) noexcept nogil
 
     ctypedef struct em_model:
         int abi
@@ -149,6 +153,7 @@ cdef extern from "eigenmotion.h" nogil:
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
         const em_lanes *lanes
+        void *(*enter)(em_run *, em_flock *, int) noexcept nogil
         int n_shapes
         int dimension
         const em_shape *shapes

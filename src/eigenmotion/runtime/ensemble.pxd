@@ -28,4 +28,6 @@ cdef extern from "em_ensemble.h" nogil:
         long *event_starts
         long *event_counts
 
+    const int EM_COUNTS
+
     int em_ensemble_run(em_ensemble *e)

@@ -8,7 +8,7 @@ from libc.string cimport memcpy, memset
 
 from .abi cimport em_fault, em_method, em_model, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
-from .ensemble cimport em_ensemble, em_ensemble_run
+from .ensemble cimport EM_COUNTS, em_ensemble, em_ensemble_run
 from .point cimport PointModel
 
 import numpy as np
@@ -48,7 +48,7 @@ cdef class Chunk:
 
     y : (count, n_rows, n_state), published meaning; NaN where a run did not come to
     t_end, status, first, second, size : (count,) where and how it ended: `em_fault`
-    counts : (count, 4): right-hand sides, steps, rejected ones, those that did not run the published equations
+    counts : (count, 5): the first of `COUNTS`
     events, event_times, event_counts : (k, n_state), (k,), (count, n_events): member by member, event by event
     """
 
@@ -148,7 +148,7 @@ cdef class Chunk:
         cdef long[:, ::1] counts, event_counts, event_starts
         self.y = np.full((e.count, e.n_rows, self.model.n_state), NAN)
         self.t_end = np.full(e.count, NAN)
-        self.counts = np.zeros((e.count, 4), dtype=np.int_)
+        self.counts = np.zeros((e.count, EM_COUNTS), dtype=np.int_)
         self.event_counts = np.zeros((e.count, self.model.n_events), dtype=np.int_)
         self.event_starts = np.zeros_like(self.event_counts)
         y, t_end = given(self.y, self.y.shape, "y"), given(self.t_end, self.t_end.shape, "t_end")

@@ -11,6 +11,7 @@ cdef class PointModel:
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
     cdef readonly tuple quasi_velocities, event_kinds, shapes
     cdef readonly bint augmented
+    cdef readonly bint flocks  # runs of an ensemble go in lanes
     cdef readonly object parameter_defaults, input_defaults, initial_x, initial_v, initial_y, scales
     cdef readonly bint conserves_energy
     # whether Omega is continued by extrapolation (32), which cannot start everywhere

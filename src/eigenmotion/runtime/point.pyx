@@ -64,6 +64,7 @@ cdef class PointModel:
         self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"
         self.vector, self.square = (c.n,), (c.n, c.n)
         self.lanes = c.lanes.width if c.lanes != NULL else 0
+        self.flocks = c.enter != NULL and self.lanes > 1 and c.lanes.run != NULL
         self.read_names()
         self.read_defaults()
 

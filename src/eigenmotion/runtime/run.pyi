@@ -3,11 +3,24 @@ from typing import Any
 from .faults import StopReason
 from .point import Prepared, Vector
 
+COUNTS: tuple[str, ...]
+
+def record(
+    t: Vector,
+    y: Vector,
+    t_events: list[Vector] | None,
+    y_events: list[Vector] | None,
+    stop: StopReason,
+    message: str,
+    method: str,
+    counts: tuple[int | None, ...],
+    sol: Any = None,
+) -> dict[str, Any]: ...
+
 class Run:
     stop: StopReason
     def __init__(self, task: Any, method: int) -> None: ...
-    @property
-    def fields(self) -> dict[str, Any]: ...
+    def fields(self, method: str) -> dict[str, Any]: ...
     @property
     def n_dense(self) -> int: ...
     @property

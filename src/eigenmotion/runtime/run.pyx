@@ -5,7 +5,7 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_TERMINAL_EVENT
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15
 from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
@@ -14,8 +14,23 @@ import numpy as np
 
 from .faults import StopReason, explain, stiffness
 
+COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "n_stiff", "njev", "nlu")
+"""What a `Solution` counts."""
 _REASONS = tuple(StopReason)
+_TERMINAL_EVENT = StopReason.TERMINAL_EVENT
 _FINISHED = explain(StopReason.FINISHED, ())
+
+
+cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=None):
+    """The fields that every `Solution` has (results/solution.py), whatever made it; counts as in COUNTS."""
+    nfev, nsteps, nrejected, n_bounded, n_stiff, njev, nlu = counts
+    cdef int status = -1 if not stop.success else 1 if stop is _TERMINAL_EVENT else 0
+    return {
+        "t": t, "y": y, "sol": sol, "t_events": t_events, "y_events": y_events, "nfev": nfev, "njev": njev, "nlu": nlu,
+        "status": status, "message": message, "success": status >= 0, "nsteps": nsteps, "nrejected": nrejected,
+        "n_bounded": n_bounded, "n_stiff": n_stiff, "stop": stop, "method": method, "error_estimate": None,
+        "error_cost": None,
+    }
 
 
 cdef int poll(void *argument) noexcept with gil:
@@ -122,28 +137,18 @@ cdef class Run:
             return None, None
         return tuple(map(list, zip(*[self.table(&self.run.events[k]) for k in range(self.model.n_events)])))
 
-    @property
-    def fields(self):
-        """What came of it, as `Solution` (results/solution.py) names it, but `sol`."""
+    def fields(self, str method):
+        """What came of it, as `record` has it, but `sol`."""
         t, y = self.table(&self.run.rows)
         t_events, y_events = self.events()
-        cdef int status = self.status()
-        return {
-            "t": t, "y": y.T, "sol": None, "t_events": t_events, "y_events": y_events,
-            "nfev": self.run.n_rhs, "njev": self.run.n_jacobians, "nlu": self.run.n_factors, "status": status, "message": self.message(),
-            "success": status >= 0, "nsteps": self.run.n_steps, "nrejected": self.run.n_rejected,
-            "n_bounded": self.run.n_bounded, "n_stiff": self.run.n_stiff, "stop": self.stop,
-            "error_estimate": None, "error_cost": None,
-        }
+        counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
+                  self.run.n_jacobians, self.run.n_factors)
+        return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts)
 
     @property
     def n_dense(self):
         """How many steps are kept for dense output."""
         return self.run.n_dense
-
-    cdef int status(self) noexcept:
-        """As SciPy has it: 0 finished, 1 terminal event, -1 failed."""
-        return <int> self.run.fault.status if self.run.fault.status <= EM_TERMINAL_EVENT else -1
 
     cdef message(self):
         """How the run ended, where, and what to do."""

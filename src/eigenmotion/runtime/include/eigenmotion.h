@@ -131,6 +131,7 @@ typedef struct em_flock {
     double *c, *u;        /* (n_prepared, width), (n_inputs, width) */
     double *t, *t_new, *h, *h_next, *error, *last_error, *longest; /* (width) */
     double *n_steps, *n_rejected, *retries, *n_rhs;
+    double *stiff, *n_stiff, *next_judge; /* (width) 1 where stability keeps steps short; how many; the step at which that is judged */
     double *next_look;    /* (width) right-hand sides, and a time, at which a step is looked at */
     double *t_look;
     int live[EM_MOST_LANES], n_live; /* lanes with a run */

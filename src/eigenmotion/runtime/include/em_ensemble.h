@@ -11,6 +11,8 @@
 
 #include "em_start.h"
 
+enum { EM_COUNTS = 5 };
+
 /* `count` members. Of what differs from member to member each has its row; a stride of 0 is a row that all share. */
 typedef struct em_ensemble {
     const em_model *model;
@@ -26,7 +28,7 @@ typedef struct em_ensemble {
     double *y;                 /* (count, n_rows, n_state), in: NaN; published meaning */
     double *t_end;             /* (count) where the run came to */
     em_fault *fault;           /* (count) how it ended */
-    long *counts;              /* (count, 4) right-hand sides, steps, rejected ones, those of another root */
+    long *counts;              /* (count, EM_COUNTS) right-hand sides, steps, rejected ones, those of another root, stiff ones */
     em_rows events;            /* of all members, in the order in which they ended */
     long *event_starts;        /* (count, n_events) where those of a member's event begin, */
     long *event_counts;        /* and how many they are */
@@ -79,7 +81,7 @@ static void em_ensemble_keep(em_ensemble *e, size_t member, const em_run *run) {
     const em_model *model = e->model;
     const size_t width = (size_t)model->n_state;
     double *const y = e->y + member * e->n_rows * width;
-    const long counts[4] = {run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded};
+    const long counts[EM_COUNTS] = {run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded, run->n_stiff};
     if (run->rows.count) memcpy(y, run->rows.y, run->rows.count * width * sizeof *y);
     if (e->end_only && run->fault.status == EM_TERMINAL_EVENT && run->rows.count == 0) {
         const double *const row = em_ensemble_last_event(model, run);
@@ -87,7 +89,7 @@ static void em_ensemble_keep(em_ensemble *e, size_t member, const em_run *run) {
     }
     e->t_end[member] = run->t_reached;
     e->fault[member] = run->fault;
-    memcpy(e->counts + 4 * member, counts, sizeof counts);
+    memcpy(e->counts + EM_COUNTS * member, counts, sizeof counts);
     for (int k = 0; run->events != NULL && k < model->n_events; ++k) {
         const em_rows *rows = &run->events[k];
         if (rows->count == 0) continue;
@@ -224,7 +226,7 @@ static void em_ensemble_give_up(em_ensemble_flock *w, em_flock *f) {
 
 /* Tables of a flock, one after the other in one block of memory, and what each lane's run starts from. */
 static double *em_ensemble_tables(em_ensemble_flock *w, em_flock *f) {
-    enum { LINE = 8, STAGES = 12, ROWS = 13 };
+    enum { LINE = 8, STAGES = 12, ROWS = 16 };
     const em_model *model = w->e->model;
     const size_t width = (size_t)model->lanes->width, c = (size_t)model->n_prepared + 1, n = (size_t)model->n_state;
     const size_t states = (n + 3) / 4 * 4, inputs = (size_t)model->n_inputs + 1;
@@ -235,7 +237,8 @@ static double *em_ensemble_tables(em_ensemble_flock *w, em_flock *f) {
     double **const tables[] = {&f->K, &f->y, &f->y_new, &f->f_new, &f->c, &f->u};
     const size_t sizes[] = {STAGES * states, states, states, states, c, inputs};
     double **const numbers[ROWS] = {&f->t, &f->t_new, &f->h, &f->h_next, &f->error, &f->last_error, &f->longest, &f->n_steps,
-                                    &f->n_rejected, &f->retries, &f->n_rhs, &f->next_look, &f->t_look};
+                                    &f->n_rejected, &f->retries, &f->n_rhs, &f->stiff, &f->n_stiff, &f->next_judge,
+                                    &f->next_look, &f->t_look};
     for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = place, place += sizes[k] * width;
     for (int k = 0; k < ROWS; ++k) *numbers[k] = place, place += width;
     for (int lane = 0; lane < EM_MOST_LANES; ++lane) {

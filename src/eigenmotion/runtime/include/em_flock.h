@@ -20,7 +20,8 @@ enum {
 typedef struct em_lane_state {
     real *y, *y_new, *f_new, *c, *u;
     real (*K)[EM_FLOCK_STATE];
-    real *t, *t_new, *h, *h_next, *error, *last_error, *longest, *n_steps, *n_rejected, *retries, *n_rhs, *next_look, *t_look;
+    real *t, *t_new, *h, *h_next, *error, *last_error, *longest, *n_steps, *n_rejected, *retries, *n_rhs;
+    real *stiff, *n_stiff, *next_judge, *next_look, *t_look;
 } em_lane_state;
 
 EM_INLINE real em_lane_max(real a, real b) { return em_where(a > b, a, b); }
@@ -89,6 +90,19 @@ EM_INLINE em_truth em_flock_finite(const real *a) {
     return sum == 0.0;
 }
 
+/* Whether stability keeps steps short, of lanes of which that is judged now (em_rk_judge); argument: of the last stage. */
+EM_INLINE void em_flock_judge(em_lane_state *w, const real *argument, const real *weight) {
+    const int last = EM_DOP853_TABLEAU.stages - 1;
+    real apart = em_real(0.0), driven = em_real(0.0);
+    for (int k = 0; k < 2 * N; ++k) {
+        const real state = (w->y_new[k] - argument[k]) * weight[k], rate = (w->f_new[k] - w->K[last][k]) * weight[k];
+        apart += state * state;
+        driven += rate * rate;
+    }
+    const em_truth stiff = *w->h * *w->h * driven > EM_DOP853_STABLE * EM_DOP853_STABLE * apart;
+    *w->stiff = em_where(*w->n_steps >= *w->next_judge, em_where(stiff, em_real(1.0), em_real(0.0)), *w->stiff);
+}
+
 /* An attempt at a step in every lane; -1 in *sound where it gave numbers that can be judged. Returns how far settling moved. */
 static real em_flock_attempt(const em_flock *f, em_lane_state *w, em_truth *sound) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
@@ -106,6 +120,7 @@ static real em_flock_attempt(const em_flock *f, em_lane_state *w, em_truth *soun
         rhs_on_lanes(0, (const double *)&t, (const double *)place, (const double *)w->c, (const double *)w->u, 0,
                      (double *)(last ? w->f_new : w->K[stage]));
     }
+    em_flock_judge(w, argument, weight);
     *sound = em_flock_finite(w->y_new) & (em_flock_finite(w->f_new) | ~(*w->error < 1.0)) & (*w->error < INFINITY);
     return moved;
 }
@@ -144,6 +159,8 @@ static void em_flock_commit(em_lane_state *w, em_truth tried, em_truth took) {
     }
     *w->t = em_where(took, *w->t_new, *w->t);
     *w->longest = em_where(took, em_lane_max(*w->longest, fabs(*w->h)), *w->longest);
+    *w->n_stiff += em_where(took, *w->stiff, none);
+    *w->next_judge += em_where(took & (*w->n_steps >= *w->next_judge), em_real(EM_STIFF_EVERY), none);
     *w->n_steps += em_where(took, one, none);
     *w->n_rejected += em_where(tried & ~took, one, none);
     *w->retries = em_where(took, none, *w->retries + em_where(tried, one, none));
@@ -173,7 +190,7 @@ static void em_flock_run(em_flock *f) {
         (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_FLOCK_STATE])f->K,
         (real *)f->t, (real *)f->t_new, (real *)f->h, (real *)f->h_next, (real *)f->error, (real *)f->last_error,
         (real *)f->longest, (real *)f->n_steps, (real *)f->n_rejected, (real *)f->retries, (real *)f->n_rhs,
-        (real *)f->next_look, (real *)f->t_look};
+        (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_judge, (real *)f->next_look, (real *)f->t_look};
     for (unsigned attempt = 1; f->n_live > 0; ++attempt) {
         em_flock_step(f, &w);
         if (attempt % EM_FLOCK_LOOKS == 0 && f->stopped(f)) return;

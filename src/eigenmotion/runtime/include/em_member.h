@@ -14,15 +14,14 @@ static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
     f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
 }
 
-static void em_member_leave(void *walk) { free(((em_walk *)walk)->block); }
+static void em_member_leave(void *walk) { em_close(walk); }
 
 /* em_model.enter */
 static void *em_member_enter(em_run *run, em_flock *f, int lane) {
     const int width = EM_MODEL_LANES.width;
-    em_walk *w = NULL;
-    run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
-    if (em_rows_prepare(run) || (w = em_walk_create(run)) == NULL) return NULL;
-    if (em_enter(w) || w->t == run->t_end || em_begin(w)) return em_member_leave(w), NULL;
+    em_walk *const w = em_open(run);
+    if (w == NULL) return NULL;
+    if (w->ended || w->t == run->t_end || em_begin(w)) return em_close(w), NULL;
     for (int k = 0; k < N_STATE; ++k) {
         EM_LANE(f->y, k) = w->y[k];
         EM_LANE(f->K, k) = w->K[0][k];
@@ -31,6 +30,7 @@ static void *em_member_enter(em_run *run, em_flock *f, int lane) {
     for (int k = 0; k < N_INPUTS; ++k) EM_LANE(f->u, k) = w->u[k];
     f->t[lane] = w->t;
     f->h_next[lane] = w->h_next;
+    f->stiff[lane] = f->n_stiff[lane] = f->next_judge[lane] = 0.0;
     f->last_error[lane] = f->longest[lane] = f->n_steps[lane] = f->n_rejected[lane] = f->retries[lane] = 0.0;
     f->n_rhs[lane] = (double)run->n_rhs;
     em_member_plan(w, f, lane);
@@ -63,6 +63,8 @@ static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     w->retries = (int)f->retries[lane];
     w->run->n_steps = (long)f->n_steps[lane];
     w->run->n_rejected = (long)f->n_rejected[lane];
+    w->run->n_stiff = (long)f->n_stiff[lane];
+    w->stiff = f->stiff[lane] > 0.0;
     w->run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
     w->size_norm = 1.0;
     w->moved = SETTLES;

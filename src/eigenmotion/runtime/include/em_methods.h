@@ -21,10 +21,9 @@
                            em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0};              \
     }
 
-/* Somewhat less than where stability ends on the negative real axis, since steps that it holds back go to and fro. rk34
- * has no second state at the end of a step. */
-static int em_dopri5_judge(em_walk *w) { return em_rk_judge(&EM_DOPRI5_TABLEAU, 2.6, w); }
-static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, 4.0, w); }
+/* rk34 has no second state at the end of a step. */
+static int em_dopri5_judge(em_walk *w) { return em_rk_judge(&EM_DOPRI5_TABLEAU, EM_DOPRI5_STABLE, w); }
+static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, EM_DOP853_STABLE, w); }
 
 EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU, NULL)
 EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU, em_dopri5_judge)

@@ -65,8 +65,6 @@ EM_INLINE int em_rk_step(const em_tableau *rk, em_walk *w) {
     return 0;
 }
 
-#define EM_STIFF_EVERY 16 /* steps of which one is looked at */
-
 /* Whether stability keeps steps short (Hairer & Wanner, Solving Ordinary Differential Equations II, IV.2): at the end of
  * the step the last stage's state and the step's own say how fast neighbours drive apart or together; `stable` is up to
  * where the method bears that. */

@@ -13,10 +13,9 @@
 
 static double em_spacing(const em_walk *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
 
-/* t_new and h of a step of size `size`, no further than t_end or the signals' next sample. */
+/* t_new and h of a step of size `size`, no further than the goal or the signals' next sample. */
 static void em_aim(em_walk *w, double size) {
-    const double t_end = w->run->t_end;
-    const double bound = w->direction * (w->signals_end - t_end) < 0.0 ? w->signals_end : t_end;
+    const double bound = w->direction * (w->signals_end - w->t_goal) < 0.0 ? w->signals_end : w->t_goal;
     w->t_new = w->t + w->direction * size;
     if (w->direction * (w->t_new - bound) > 0.0) w->t_new = bound;
     w->h = w->t_new - w->t;
@@ -67,7 +66,7 @@ static int em_underflow(em_walk *w, double size, em_fault obstacle) {
 /* Attempts until one succeeds; proposes the size of the next step. */
 static int em_step_forward(em_walk *w) {
     em_run *run = w->run;
-    if (run->n_steps >= run->max_steps) return em_end(w, EM_TOO_MANY_STEPS);
+    if (run->n_steps >= w->most_steps) return em_end(w, EM_TOO_MANY_STEPS);
     const double least = 10.0 * em_spacing(w);
     const double proposed = em_max(least, em_min(w->h_next, run->max_step));
     em_fault obstacle = {EM_FINISHED, -1, -1, 0.0};
@@ -84,8 +83,8 @@ static int em_step_forward(em_walk *w) {
         else if (w->error_norm < 1.0) break;
         ++run->n_rejected;
     }
-    /* A step cut short at a sample says little: the size proposed before stands. */
-    const int cut = w->t_new == w->signals_end && size >= fabs(w->h);
+    /* A step cut short, at a sample or the goal, says little: the size proposed before stands. */
+    const int cut = (w->t_new == w->signals_end || w->t_new == w->t_goal) && size >= fabs(w->h);
     w->h_next = cut ? em_max(size, proposed) : size;
     return EM_GO_ON;
 }

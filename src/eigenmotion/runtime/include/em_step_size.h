@@ -49,7 +49,7 @@ static double em_second_derivative(em_walk *w, double h) {
 static double em_first_size(em_walk *w) {
     const em_run *run = w->run;
     const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
-    const double span = fabs(run->t_end - run->t_start), order = w->scheme.error_order;
+    const double span = fabs(w->t_goal - w->t), order = w->scheme.error_order;
     const double h0 = d1 * span > 1.0 ? em_min(0.01 * em_max(d0, 1.0) / d1, span) : 1e-6 * span;
     const double d2 = em_second_derivative(w, h0), slope = em_max(d1, d2 * h0);
     if (!(d2 > 0.0)) return em_min(100.0 * h0, em_min(span, run->max_step));

@@ -1,9 +1,10 @@
-/* em_stepper.h: a run, em_model.simulate, and the states between its steps, em_model.interpolate.
+/* em_stepper.h: a run as a handle that is opened, advanced and closed; and in one go, em_model.simulate.
  *
  * Included at the end of a generated NAME.c, whose enumerators and static functions it uses (docs/architecture.md); no
- * state of its own, all memory belongs to the run. From the inside out: em_walk.h (what a run carries), em_norm.h,
- * em_methods.h (the methods), em_interpolant.h, em_watch.h (events), em_trust.h (what an accepted step is worth),
- * em_record.h (rows), em_step_size.h, em_step.h (one step), and here the loop.
+ * state of its own, all memory belongs to the run and is taken as it opens, but for the tables of rows that somebody wants
+ * kept. From the inside out: em_walk.h (what a run carries), em_norm.h, em_methods.h (the methods), em_interpolant.h,
+ * em_watch.h (events), em_trust.h (what an accepted step is worth), em_record.h (rows), em_step_size.h, em_step.h (one
+ * step), and here the loop.
  */
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H
@@ -55,6 +56,7 @@ static int em_enter(em_walk *w) {
 /* The first right-hand side, event values and step size. */
 static int em_begin(em_walk *w) {
     em_run *run = w->run;
+    w->begun = 1;
     em_enter_pieces(w);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_weigh_start(w);
@@ -77,6 +79,8 @@ static em_walk *em_walk_create(em_run *run) {
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
+    w->t_goal = run->t_end;
+    w->most_steps = run->max_steps;
     w->looks_every = 1;
     timespec_get(&w->looked, TIME_UTC);
     w->polled = w->looked;
@@ -102,8 +106,14 @@ static void em_commit(em_walk *w) {
     memcpy(w->side, w->side_new, sizeof w->side);
 }
 
-/* One accepted step, and f anew where a signal jumps at its end. */
-static int em_advance(em_walk *w) {
+/* Rates and event values anew at a state whose rates have jumped: where another piece of a signal begins. */
+static int em_resume(em_walk *w) {
+    if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
+    return N_EVENTS > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
+}
+
+/* One accepted step. */
+static int em_go_on(em_walk *w) {
     if (em_step_forward(w)) return EM_END;
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
@@ -112,21 +122,37 @@ static int em_advance(em_walk *w) {
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
-    if (w->t != w->signals_end || !em_enter_pieces(w)) return EM_GO_ON;
-    if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
-    return N_EVENTS > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
+    return w->t == w->signals_end && em_enter_pieces(w) ? em_resume(w) : EM_GO_ON;
 }
+
+/* --- the handle --- */
+
+/* A run at its start, or NULL without memory. Whether it is over already `ended` says, and run->fault why. */
+static em_walk *em_open(em_run *run) {
+    run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+    if (em_rows_prepare(run)) return NULL;
+    em_walk *w = em_walk_create(run);
+    if (w == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, sizeof *w), NULL;
+    w->ended = em_enter(w);
+    return w;
+}
+
+/* Steps up to t_goal exactly, none beyond. Returns `ended`: whether the run is over. */
+static int em_advance(em_walk *w, double t_goal) {
+    w->t_goal = t_goal;
+    if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
+    while (!w->ended && w->t != t_goal) w->ended = em_go_on(w);
+    return w->ended;
+}
+
+static void em_close(em_walk *w) { free(w->block); }
 
 /* em_model.simulate: run from t_start to t_end. Returns run->fault.status. */
 static int em_simulate(em_run *run) {
-    run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
-    if (em_rows_prepare(run)) return run->fault.status;
-    em_walk *w = em_walk_create(run);
-    if (w == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, sizeof *w), run->fault.status;
-    int ended = em_enter(w);
-    if (!ended && w->t != run->t_end) ended = em_begin(w);
-    while (!ended && w->t != run->t_end) ended = em_advance(w);
-    free(w->block);
+    em_walk *w = em_open(run);
+    if (w == NULL) return (int)run->fault.status;
+    em_advance(w, run->t_end);
+    em_close(w);
     return (int)run->fault.status;
 }
 

@@ -146,4 +146,10 @@ static const em_tableau EM_DOP853_TABLEAU = {
     },
 };
 
+/* Somewhat less than where stability ends on the negative real axis, since steps that it holds back go to and fro; it is
+ * looked at in one step of some. */
+#define EM_DOPRI5_STABLE 2.6
+#define EM_DOP853_STABLE 4.0
+#define EM_STIFF_EVERY 16
+
 #endif

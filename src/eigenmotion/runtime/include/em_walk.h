@@ -119,6 +119,8 @@ struct em_walk {
     em_scheme scheme;
     const double *end_rate;                    /* f at t_new, y_raw where the step knows it, else NULL */
     double rtol, direction, t, t_new, h;
+    double t_goal;                             /* where the loop goes now: no step goes beyond */
+    long most_steps;                           /* accepted ones there may be on the way */
     double stretch;                            /* rtol^(-1 / order): h stretch is the time on which the motion varies */
     double h_next;                             /* size the controller proposes, positive */
     double signals_end;                        /* where the first piece ends: no step goes beyond */
@@ -138,6 +140,7 @@ struct em_walk {
     int mode, mode_new, moved, has_interpolant, n_found;
     int stiff;                                 /* whether something else than their error keeps steps short */
     int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
+    int begun, ended;                          /* the first step is known; the run is over, with run->fault */
     size_t next_t_eval;
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
     struct timespec polled;

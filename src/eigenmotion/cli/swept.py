@@ -1,0 +1,74 @@
+"""The values that `eigenmotion sweep` is given, in words: NAME=A:B:K, NAME=V,V,..., NAME=KIND(A,B)."""
+
+import re
+
+import click
+import numpy as np
+
+from eigenmotion.codegen.model import Model, ModelError
+from eigenmotion.ensembles.design import KINDS, Design, Distribution
+
+from .options import assignments, values
+
+MOST = 10**9
+"""Runs of one sweep."""
+
+
+def design_of(model: Model, sweeps: tuple[str, ...], samples: tuple[str, ...], n: int | None, seed: int) -> Design:
+    """Return what --sweep, --sample, -n and --seed say.
+
+    Raises
+    ------
+    UsageError
+        Names the model does not have, values that are none, or more runs than a sweep holds.
+    """
+    if not sweeps and not samples:
+        raise click.UsageError("nothing is swept: give --sweep or --sample")
+    if bool(samples) != (n is not None):
+        raise click.UsageError("-n says how many samples --sample draws: give both")
+    grid = {name: _values(name, text) for name, text in assignments(sweeps, "--sweep").items()}
+    drawn = {name: _distribution(name, text) for name, text in assignments(samples, "--sample").items()}
+    if twice := sorted(grid.keys() & drawn.keys()):
+        raise click.UsageError(f"{twice[0]} is swept and sampled: give one of the two")
+    try:
+        values(model, tuple(f"{name}=0" for name in (*grid, *drawn)))
+    except click.UsageError as error:
+        raise click.UsageError(error.message.replace("--set", "--sweep, --sample")) from error
+    design = Design(grid, drawn, n or 1, seed)
+    if design.count > MOST:
+        raise click.UsageError(f"{design.count:.3g} runs: at most {MOST:.0e} in one sweep")
+    return design
+
+
+def _values(name: str, text: str) -> list[float]:
+    """A:B:K or V,V,... -> values."""
+    option = f"--sweep {name}={text}"
+    pieces = text.split(":")
+    try:
+        if len(pieces) == 1:
+            found = [float(value) for value in text.split(",")]
+        else:
+            low, high, count = pieces
+            found = np.linspace(float(low), float(high), int(count)).tolist()
+    except ValueError as error:
+        raise click.UsageError(f"{option}: expected A:B:K, K values from A to B, or a list V,V,...") from error
+    if not found or not np.isfinite(found).all():
+        raise click.UsageError(f"{option}: there must be values, and finite ones")
+    return found
+
+
+def _distribution(name: str, text: str) -> Distribution:
+    """KIND(A,B) -> what is drawn from."""
+    option = f"--sample {name}={text}"
+    found = re.fullmatch(r"\s*(\w+)\s*\(([^,]+),([^,]+)\)\s*", text)
+    try:
+        if found is None:
+            raise ValueError
+        numbers = float(found[2]), float(found[3])
+        if not np.isfinite(numbers).all():
+            raise ValueError
+        return Distribution(found[1].lower(), *numbers)
+    except ModelError as error:
+        raise click.UsageError(f"{option}: {error}") from error
+    except ValueError as error:
+        raise click.UsageError(f"{option}: expected one of {', '.join(KINDS.values())}") from error
