@@ -23,7 +23,6 @@ from eigenmotion.cli import report as cli
 from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, recommendation
 from eigenmotion.report.recommend import recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
-from eigenmotion.running.methods import COMPILED
 
 from .generation import model_of, system_of
 from .measuring import undisturbed
@@ -104,6 +103,12 @@ def test_the_error_at_the_end_is_that_of_a_run(found, formulation, method, rtol)
         assert (m.nfev, m.nsteps) == (run.nfev, run.nsteps)
 
 
+SCATTER = {"ra15": 5.0}
+"""Of a fitted order. Nine decades of tolerance are some 15 to 60 steps by nodes, and from one to the next the slope is
+anything between 4 and 34, since the error at so few steps is a matter of where they end; `test_nodes` sees the order at
+steps of one size."""
+
+
 def test_curves_slope_as_the_orders_say(found):
     ours = [c for c in found.curves if c.family == "eigenmotion"]
     (radau,) = [c for c in ours if c.method == "Radau"]
@@ -112,10 +117,7 @@ def test_curves_slope_as_the_orders_say(found):
     assert len(orders) == len(FORMULATIONS) * len(METHODS)
     for label, order in orders.items():
         method = label.split()[1]
-        least = METHODS[method] - (
-            5.0 if COMPILED[method].iterates else 0.5
-        )  # what it iterates is of order 12, and scatters
-        assert least < order < METHODS[method] + 1.5, label
+        assert METHODS[method] - SCATTER.get(method, 0.5) < order < METHODS[method] + 1.5, label
 
 
 def test_progress_runs_from_start_to_end(found, progress):

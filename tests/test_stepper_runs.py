@@ -249,3 +249,14 @@ def test_methods_agree_on_everything_at_once(build: Build, pair: tuple[str, str]
     assert first.run.t_reached == pytest.approx(4.5, rel=1e-14)
     np.testing.assert_allclose(first.y, second.y, atol=1e-8)
     np.testing.assert_allclose(first.event_times(0), second.event_times(0), rtol=1e-8)
+
+
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "ra15"])
+def test_a_span_on_which_nothing_happens_takes_a_step(systems, method):
+    """However short: its first size is not a fraction of the span."""
+    system = systems("dual_link")
+    whole = system.simulate((0.0, 1e-6), method=method)
+    for span in (1e-9, 1e-12, 1e-15):
+        short = system.simulate((0.0, span), method=method)
+        assert (short.nsteps, short.nrejected) == (1, 0)
+        assert np.allclose(short.x[:, -1], whole.x[:, 0], rtol=0, atol=1e-12)

@@ -16,7 +16,7 @@
 #define EM_COLD static __attribute__((noinline, unused))
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))
-#define EM_RARE __attribute__((cold)) /* called by no step: for size, which takes a compiler less time */
+#define EM_RARE __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
 #if defined(EM_ASIDE_ALONE) || defined(EM_ASIDE_ELSEWHERE)
 #define EM_ASIDE /* in an object file of its own; what is linked shows nothing of it (-fvisibility=hidden) */
 #else

@@ -45,14 +45,15 @@ static double em_second_derivative(em_walk *w, double h) {
 
 /* The first step's size, after Hairer, Norsett & Wanner, II.4, in whatever unit the time is: d0, d1, d2, the sizes of
  * the state and its derivatives in tolerances, tell the rate at which the motion varies, and a step h is off by about
- * d1 h (rate h)^p. A state smaller than its tolerance says as little as one of that size. */
+ * d1 h (rate h)^p. A state smaller than its tolerance says as little as one of that size, and a span on which the motion
+ * is less than a tolerance as little as a hundredth of it. */
 static double em_first_size(em_walk *w) {
     const em_run *run = w->run;
     const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
     const double span = fabs(w->t_goal - w->t), order = w->scheme.error_order;
-    const double h0 = d1 * span > 1.0 ? em_min(0.01 * em_max(d0, 1.0) / d1, span) : 1e-6 * span;
+    const double h0 = d1 * span > 1.0 ? em_min(0.01 * em_max(d0, 1.0) / d1, span) : 0.01 * span;
     const double d2 = em_second_derivative(w, h0), slope = em_max(d1, d2 * h0);
-    if (!(d2 > 0.0)) return em_min(100.0 * h0, em_min(span, run->max_step));
+    if (!(d2 > 0.0)) return em_min(h0, run->max_step); /* at rest: something may set in later */
     const double rate = em_max(sqrt(d2 / em_max(d0, 1.0)), d2 / slope);
     const double h1 = pow(0.01 * rate / slope, 1.0 / (order + 1)) / rate;
     return em_min(em_min(100.0 * h0, h1), em_min(span, run->max_step));
