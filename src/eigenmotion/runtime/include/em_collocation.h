@@ -163,7 +163,8 @@ static int em_finish_stages(const em_radau_iia *rk, em_walk *w) {
 
 static int em_collocation_step(const em_radau_iia *rk, em_walk *w) {
     em_remember_stages(w);
-    if (em_average_signals(rk, w)) return -1;
+    em_weigh_start(w);
+    em_average_signals(rk, w);
     w->end_rate = NULL;
     const int found = em_solve_stages(rk, w);
     if (found == EM_NO_RATE) return -1;

@@ -18,7 +18,7 @@
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
                            em_##name##_step, judge,                                                      \
-                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0};              \
+                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0};           \
     }
 
 /* rk34 has no second state at the end of a step. */
@@ -31,7 +31,7 @@ EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU, em_dop853_judge)
 
 static em_scheme em_ra15(void) {
     return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
-                       em_nodes_sketch, em_nodes_evaluate, 0};
+                       em_nodes_sketch, em_nodes_evaluate, 0, 0};
 }
 
 #define EM_COLLOCATION(name, tableau)                                                                    \
@@ -41,7 +41,7 @@ static em_scheme em_ra15(void) {
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.stages, 1.0, 0.0, 8.0, tableau.stages, em_##name##_step, NULL,        \
                            em_##name##_interpolate, em_##name##_sketch, em_collocation_evaluate,         \
-                           EM_MOTION};                                                                   \
+                           EM_MOTION, 1};                                                                \
     }
 
 EM_COLLOCATION(radau5, EM_RADAU5_TABLEAU)

@@ -21,7 +21,7 @@ static int em_enter_pieces(em_walk *w) {
         const em_signal *u = &w->run->inputs[i];
         if (u->kind == EM_CONSTANT) continue;
         w->piece[i] = em_signal_piece(u, w->t, w->direction);
-        const double end = em_signal_end(u, w->piece[i], w->direction);
+        const double end = em_signal_end(u, w->piece[i], w->direction, w->scheme.averages);
         if (w->direction * (end - w->signals_end) < 0.0) w->signals_end = end;
         jumps |= u->kind == EM_HOLD;
     }

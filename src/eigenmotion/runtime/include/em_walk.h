@@ -46,6 +46,7 @@ typedef struct em_scheme {
     int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
     void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
     int mode;                       /* in which it starts: 0, or EM_MOTION, in which it stays */
+    int averages;                   /* whether steps cross the samples of linear signals */
 } em_scheme;
 
 /* A number g at a time; two of different signs, and whose they are. */
@@ -149,7 +150,11 @@ struct em_walk {
 };
 
 static void em_signals(em_walk *w, double t) {
-    for (int i = 0; i < N_INPUTS; ++i) w->u[i] = em_signal_at(&w->run->inputs[i], w->piece[i], t);
+    for (int i = 0; i < N_INPUTS; ++i) {
+        const em_signal *u = &w->run->inputs[i];
+        const int crosses = u->kind == EM_LINEAR && w->scheme.averages;
+        w->u[i] = em_signal_at(u, crosses ? em_signal_piece(u, t, w->direction) : w->piece[i], t);
+    }
 }
 
 /* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
