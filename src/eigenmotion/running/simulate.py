@@ -14,7 +14,7 @@ from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
 from ..runtime import CompiledModel, EvaluationError, Run, plain
-from .choosing import automatic
+from .choosing import automatic_of_run
 from .error_estimate import with_error_estimate
 from .methods import AUTO, METHODS, Method
 from .start import start_state
@@ -65,10 +65,12 @@ def simulate(
         Mapping name -> number, (times, values) (linear interpolation), or Signal.
     method
         "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
-        often the quickest where motions are smooth and tolerances tight; "auto": one of the last two, by tolerance,
-        formulation and processor, which `Solution.method` names. "Radau", "BDF", "LSODA" (SciPy), "CVODE"
-        (SUNDIALS): implicit, for stiff scenes, on the motion (x, v); what they integrate is not projected, so that
-        drift adds up, but every row and event is ("project"). Upper or lower case.
+        often the quickest where motions are smooth and tolerances tight; "radau5", "radau9": compiled, implicit, for stiff
+        scenes, Radau IIA of orders 5 and 9 on the motion (x, v), the latter from rtol = 1e-5 on; "auto": "radau9" where
+        the scene is stiff at its start, else one of the two before, by tolerance, formulation and processor, which
+        `Solution.method` names. "Radau", "BDF", "LSODA" (SciPy), "CVODE" (SUNDIALS): implicit too, with steps in
+        Python; what they integrate is not projected, so that drift adds up, but every row and event is ("project").
+        Upper or lower case.
     rtol, atol
         A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
         (carried over to the velocity; 1e-9 where missing).
@@ -112,11 +114,15 @@ def simulate(
             system, t_span, x0, v0, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
-    chosen = automatic(compiled, task.rtol, task.least_norm) if named == AUTO else METHODS[named]
+    chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if estimate_error is False:
-        return run_task(task, chosen)
-    checker = None if estimate_error is True else _checker(estimate_error)
-    return with_error_estimate(task, chosen, checker, run_task)
+        solution = run_task(task, chosen)
+    else:
+        checker = None if estimate_error is True else _checker(estimate_error)
+        solution = with_error_estimate(task, chosen, checker, run_task)
+    if why:
+        solution["message"] += why
+    return solution
 
 
 def _checked(
