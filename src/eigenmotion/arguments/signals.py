@@ -38,7 +38,9 @@ class Signal:
     times: ArrayLike
     values: ArrayLike
     kind: Literal["hold", "linear", "cubic"] = "linear"
-    _fitted: list[tuple[Any, Vector]] = field(init=False, repr=False, default_factory=list)  # the spline, once it has been asked for
+    _fitted: list[tuple[Any, Vector]] = field(
+        init=False, repr=False, default_factory=list
+    )  # the spline, once it has been asked for
 
     def __post_init__(self) -> None:
         for name in ("times", "values"):
