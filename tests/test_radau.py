@@ -103,22 +103,17 @@ def test_a_step_of_a_linear_motion_is_pade_s_approximant(build, method, k, d):
     assert (np.abs(factors) <= 1 + 1e-12).all()
 
 
-def tightest_fixed_steps(compiled, method, count):
-    """Under tolerances just loose enough for the steps: the iteration ends at a part of them."""
-    for exponent in np.arange(14.0, 0.0, -0.5):
-        tolerance = {"rtol": 10.0**-exponent, "atol": 10.0**-exponent}
-        result = fixed_steps(compiled, method, count, 8.0, [2.0, 0.0], dense=1, max_steps=2 * count, **tolerance)
-        if result.run.n_rejected == 0 and result.run.n_steps <= count + 1:
-            return result
-    raise AssertionError
+SOLVED = Mechanism(rhs=PENDULUM.rhs, preamble="#define EM_NEAR_ENOUGH 1e-9")
+"""A pendulum whose stages are solved to rounding, however large an error is allowed."""
 
 
 @pytest.mark.parametrize("method", RADAU)
 def test_orders(build, method):
     """Of the ends of steps 2 s - 1, of the polynomial within s."""
     order, ends, within = ORDER[method], [], []
-    for count in (20, 40) if method == "radau5" else (8, 16):
-        result = tightest_fixed_steps(build(PENDULUM), method, count)
+    for count in (40, 80) if method == "radau5" else (16, 32):
+        result = fixed_steps(build(SOLVED), method, count, 8.0, [2.0, 0.0], dense=1, atol=1e-3)
+        assert result.run.n_steps <= count + 1
         ends.append(np.abs(result.y[0] - pendulum_angle(result.t, 2.0)).max())
         inside = [(t + q * h, result.at(i, t + q * h)[0]) for i, t, h in result.steps() for q in (0.2, 0.5, 0.75)]
         t, x = np.array(inside).T
@@ -194,7 +189,7 @@ def test_both_orders_agree_on_rows_events_and_dense_output():
                                                    ("driven_pendulum", "inverse")])  # fmt: skip
 @pytest.mark.parametrize("method", RADAU)
 def test_the_motion_of_explicit_steps_in_every_formulation(name, formulation, method):
-    """Constraints (of velocities, too, and moved by time), eigenfactors and quasi-velocities included; and backwards."""
+    """Constraints (of velocities, too, and moved by time), eigenfactors, quasi-velocities; and backwards."""
     system, times = system_of(name, formulation), np.linspace(0.0, 1.0, 9)
     tight = {"rtol": 1e-10, "atol": 1e-10, "t_eval": times}
     explicit, stiff = (system.simulate((0.0, 1.0), method=m, **tight) for m in ("dop853", method))

@@ -79,7 +79,7 @@ class Signal:
 
     @property
     def _spline(self) -> tuple[Any, Vector]:
-        """The not-a-knot spline and its coefficients, made once. SciPy takes a while to import: few signals are cubic."""
+        """Not-a-knot spline and its coefficients, made once. SciPy's takes a while to import."""
         if not self._fitted:
             made = import_module("scipy.interpolate").CubicSpline(np.asarray(self.times), np.asarray(self.values))
             self._fitted.append((made, made.c.T.ravel()))

@@ -65,12 +65,11 @@ def simulate(
         Mapping name -> number, (times, values) (linear interpolation), or Signal.
     method
         "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
-        often the quickest where motions are smooth and tolerances tight; "radau5", "radau9": compiled, implicit, for stiff
-        scenes, Radau IIA of orders 5 and 9 on the motion (x, v), the latter from rtol = 1e-5 on; "auto": "radau9" where
-        the scene is stiff at its start, else one of the two before, by tolerance, formulation and processor, which
-        `Solution.method` names. "Radau", "BDF", "LSODA" (SciPy), "CVODE" (SUNDIALS): implicit too, with steps in
-        Python; what they integrate is not projected, so that drift adds up, but every row and event is ("project").
-        Upper or lower case.
+        often the quickest where motions are smooth and tolerances tight; "radau5", "radau9": compiled, implicit, for
+        stiff scenes, Radau IIA of orders 5 and 9 on the motion (x, v); "auto": "radau9" where the scene is stiff at its
+        start, else "dop853" or "ra15", by tolerance, formulation and processor, which `Solution.method` names. "Radau",
+        "BDF", "LSODA" (SciPy), "CVODE" (SUNDIALS): implicit too, with steps in Python; what they integrate is not
+        projected, so that drift adds up, but every row and event is ("project"). Upper or lower case.
     rtol, atol
         A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
         (carried over to the velocity; 1e-9 where missing).

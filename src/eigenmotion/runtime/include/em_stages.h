@@ -11,7 +11,9 @@
 #include "em_coupled.h"
 #include "em_shared.h"
 
-#define EM_NEAR_ENOUGH 0.01 /* of the tolerances, to the iteration */
+#ifndef EM_NEAR_ENOUGH
+#define EM_NEAR_ENOUGH 0.01 /* of the tolerances, to the iteration; tests of the order ask for less */
+#endif
 #define EM_STAGNANT 0.5     /* the factor from which on changes no longer fall off */
 #define EM_STAGE_ROUNDING (16.0 * DBL_EPSILON)
 
