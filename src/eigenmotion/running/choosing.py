@@ -8,7 +8,7 @@ from math import inf, sqrt
 import numpy as np
 
 from ..arguments.options import Task
-from ..runtime import CompiledModel, EvaluationError
+from ..runtime import CompiledModel
 from .methods import METHODS, Method
 
 _LEAST_LANES = 4
@@ -23,6 +23,7 @@ _DAMPED = 0.1
 """its rate has at least this part of it real, for what oscillates for long has to be resolved;"""
 _STEPS = 2000.0
 """and stability would take at least about so many explicit steps."""
+_NONE = np.empty(0)
 
 
 def automatic_of_run(task: Task) -> tuple[Method, str]:
@@ -44,17 +45,14 @@ def _dying_rate(task: Task) -> float:
 
     From the eigenvalues of the motion's Jacobian at the start, which do not depend on units or coordinates.
     """
-    span, model = task.t_end - task.t_start, task.model
-    v = model.velocity_rows(np.array([task.t_start]), task.y[None], task.prepared)
-    z = np.concatenate([task.y[: model.n], v[0]])
-    try:
-        J = model.motion_jacobian(task.t_start, z, task.prepared, task.inputs.at(task.t_start), task.least_norm)
-    except EvaluationError:
-        return 0.0
-    slopes = J[model.n :].ravel()
-    size = sqrt(slopes.dot(slopes))
+    span, model, prepared = task.t_end - task.t_start, task.model, task.prepared
+    u = task.inputs.at(task.t_start) if model.n_inputs else _NONE
+    size = model.slopes_size(task.t_start, task.y, prepared, u, task.least_norm)
     if not 4 * _STEPS < (sqrt(size) + size) * abs(span) < inf:  # no eigenvalue is larger
         return 0.0
+    v = model.velocity_rows(np.array([task.t_start]), task.y[None], prepared)
+    z = np.concatenate([task.y[: model.n], v[0]])
+    J = model.motion_jacobian(task.t_start, z, prepared, u, task.least_norm)
     roots = np.linalg.eigvals(J)
     sizes, dies = np.abs(roots), -roots.real * span
     dying = (dies > _SPANS) & (dies > _DAMPED * sizes * abs(span))
