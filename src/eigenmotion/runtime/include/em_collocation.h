@@ -150,7 +150,7 @@ static int em_finish_stages(const em_radau_iia *rk, em_walk *w) {
     memcpy(w->y_new, w->y, sizeof w->y);
     memcpy(w->y_new, q->X[rk->stages - 1], sizeof q->X[0]);
     memcpy(w->y_new + N, q->V[rk->stages - 1], sizeof q->V[0]);
-    em_set_weights(w, w->y, w->K[0], w->y_new, w->y_new + N);
+    em_weigh_stages(rk, w);
     if (em_estimate_stages(rk, w)) return -1;
     q->outdated = q->contraction > EM_WELL || (w->error_norm >= 1.0 && !em_slopes_are_fresh(w));
     w->size_norm = em_size_by(rk, w, em_max(w->error_norm, 1e-10));

@@ -42,7 +42,15 @@ EM_COLD int em_motion_publish(double t, const double *y, const double *c, double
     memcpy(row, y, N_STATE * sizeof *row);
     return EM_CARRIES_MOTION ? 0 : state(t, y, y + N, c, row, fault);
 }
+
+/* M (n, n), or what is factored in its place */
+static void em_mass_at(double t, const double *x, const double *c, double *M) { factored(t, x, c, M); }
 #else
+static void em_mass_at(double t, const double *x, const double *c, double *M) {
+    (void)t, (void)x, (void)c;
+    for (int k = 0; k < N * N; ++k) M[k] = k % (N + 1) == 0;
+}
+
 EM_COLD int em_motion_rhs(double t, const double *y, const double *c, const double *u, double *memory, int flags,
                           double *dy, em_fault *fault) {
     return model_rhs(0, t, y, c, u, memory, flags, dy, fault);

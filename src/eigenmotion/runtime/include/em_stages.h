@@ -16,6 +16,7 @@
 #endif
 #define EM_STAGNANT 0.5     /* the factor from which on changes no longer fall off */
 #define EM_STAGE_ROUNDING (16.0 * DBL_EPSILON)
+#define EM_SHAKEN (1000.0 * DBL_EPSILON) /* the part of a motion that its rounding may be */
 
 enum { EM_SOLVED, EM_NOT_SOLVED, EM_NO_RATE }; /* no rate: somewhere; w->reason says why */
 
@@ -29,12 +30,33 @@ static void em_stage_states(const em_radau_iia *rk, em_walk *w) {
     em_by_stages(rk, w->h, w->y, q->V, q->X);
 }
 
-/* What counts in x and v, from the start to where the guess ends. What is 0 and has no absolute tolerance says nothing. */
+/* v^T M v */
+static double em_square_of_motion(const double *M, const double *v) {
+    double sum = 0.0;
+    for (int k = 0; k < N * N; ++k) sum += M[k] * v[k / N] * v[k % N];
+    return em_max(sum, 0.0);
+}
+
+/* What counts in x and v, from the start of the step to its end. Where there is no absolute tolerance it is one of the
+ * rounding of the motion as a whole, in the mass metric: a solution of equations mixes what others leave of rounding into a
+ * coordinate that does not move. */
 static void em_weigh_stages(const em_radau_iia *rk, em_walk *w) {
     const em_implicit *q = &w->stages;
-    em_set_weights(w, w->y, w->K[0], q->X[rk->stages - 1], q->V[rk->stages - 1]);
+    const double *const v = q->V[rk->stages - 1], *const atol = w->run->atol;
+    double M[N * N], least[2 * N];
+    int relative = 0;
+    em_set_weights(w, w->y, w->K[0], q->X[rk->stages - 1], v);
+    for (int k = 0; k < N; ++k) relative |= !(atol[k] > 0.0);
+    if (!relative) return;
+    em_mass_at(w->t, w->y, w->run->prepared, M);
+    const double speed = sqrt(em_max(em_square_of_motion(M, w->K[0]), em_square_of_motion(M, v)));
+    for (int k = 0; k < N; ++k) {
+        least[N + k] = EM_SHAKEN * speed / sqrt(M[k * N + k]);
+        least[k] = fabs(w->h) * least[N + k];
+    }
     for (int k = 0; k < 2 * N; ++k)
-        if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
+        if (least[k] * w->weight[k] > 1.0) w->weight[k] = 1.0 / least[k];
+        else if (w->weight[k] >= 1.0 / DBL_MIN) w->weight[k] = 0.0;
 }
 
 /* dy <- the rate at t, x, v (n), of stage i; i = -1: at the start. Signals are those of em_averages.h where the step
