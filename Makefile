@@ -1,4 +1,4 @@
-# What a newcomer runs: `make demo`. What CI runs: `make test` and `make check`; at night: `make nightly`.
+# What a newcomer runs: `make demo`. What CI runs: `make test`, `make check` and `make docs`; at night: `make nightly`.
 # Needs python3, a C compiler and make.
 
 PYTHON ?= python3
@@ -7,8 +7,12 @@ BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 MODELS := $(filter-out models/__init__.py,$(wildcard models/*.py))
 TYPES  := build/types/eigenmotion
+DOCS   := $(VENV)/.docs
+LIVE   ?= $(basename $(notdir $(MODELS)))
+WORKED := docs/made/tutorial.done
+SHOWN  := $(LIVE:%=docs/made/%.done)
 
-.PHONY: demo test fuzz nightly check lint types generated regenerate bench clean
+.PHONY: demo test fuzz nightly docs check lint types generated regenerate bench clean
 .DELETE_ON_ERROR:
 
 demo: $(READY)
@@ -33,6 +37,21 @@ nightly: fuzz
 	    CC=$$compiler $(BIN)/pytest -n auto $(PYTEST_ARGS) || exit 1; \
 	done
 
+# The site, in build/site: every warning is an error. LIVE="pendulum four_bar" makes live pages of these models only
+docs: $(DOCS) $(WORKED) $(SHOWN)
+	$(BIN)/sphinx-build -q -W --keep-going -d build/doctrees docs build/site
+	@echo "the site: build/site/index.html"
+
+# A page of the documentation, worked through: what its snippets draw is shown on it
+$(WORKED): docs/made/%.done: docs/%.md docs/making/work.py docs/making/snippets.py $(wildcard src/eigenmotion/live/page/*) | $(READY)
+	$(BIN)/python docs/making/work.py $*
+	touch $@
+
+# A model of the gallery: its picture, its live page, and what a run takes
+$(SHOWN): docs/made/%.done: models/%.py docs/making/exhibit.py $(wildcard src/eigenmotion/live/page/*) | $(READY)
+	$(BIN)/python docs/making/exhibit.py $*
+	touch $@
+
 check: lint types generated
 
 lint: $(READY)
@@ -56,7 +75,7 @@ bench: $(READY)
 	for script in benchmarks/*.py; do echo "== $$script"; $(BIN)/python "$$script" || exit 1; done
 
 clean:
-	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis src/*.egg-info
+	rm -rf $(VENV) build dist docs/made docs/gallery .pytest_cache .mypy_cache .ruff_cache .hypothesis src/*.egg-info
 	rm -f generated/*.so src/eigenmotion/runtime/*.c src/eigenmotion/runtime/*.so
 	find . -name __pycache__ -prune -exec rm -rf {} +
 
@@ -66,4 +85,9 @@ $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.py
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	rm -f src/eigenmotion/runtime/*.so # of modules that are no more
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster]'
+	touch $@
+
+# What the site is made with, of no use to anybody else
+$(DOCS): $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt 'eigenmotion[docs]'
 	touch $@

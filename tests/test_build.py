@@ -161,7 +161,10 @@ def test_a_missing_compiler_is_named_with_a_remedy(own_cache, monkeypatch, where
 
 def test_no_compiler_at_all(monkeypatch, tmp_path):
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(em.CompilerNotFoundError, match="cc gcc clang not found"):
+    monkeypatch.setattr("eigenmotion.building.toolchain.find_spec", lambda name: None)
+    with pytest.raises(
+        em.CompilerNotFoundError, match=r"cc gcc clang not found.*pip install 'eigenmotion\[compiler\]'"
+    ):
         em.build(swing())
 
 

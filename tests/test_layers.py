@@ -58,6 +58,7 @@ MODULES = modules()
 ROOMS: dict[str, tuple[str, ...]] = {
     "codegen.model": (),
     "codegen.graph": ("codegen.model",),
+    "codegen.mechanics": ("codegen.model", "codegen.graph"),
     "codegen.physics": ("codegen.model", "codegen.graph"),
     "codegen.choices": ("codegen.model",),
     "codegen.c": ("codegen.model", "codegen.graph", "codegen.physics", "codegen.choices"),

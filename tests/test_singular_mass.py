@@ -8,7 +8,7 @@ import sympy
 from sympy import cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
-from eigenmotion import Model, ModelError, t
+from eigenmotion import Model, ModelError, build, t
 
 from .generation import relative, system_for
 from .honest import FORMULATIONS, check_honest
@@ -195,6 +195,13 @@ def test_the_mass_matrix_and_the_energy_stay_those_of_the_user():
     np.testing.assert_array_equal(system.mass_matrix_gradient([0.4, 0.0]), np.zeros((2, 2, 2)))
     assert system.energy([0.0, 0.0], [1.0, 3.0]) == 1.0
     assert any("M is singular" in line for line in system.left_out)
+
+
+def test_a_build_proves_a_coordinate_that_only_follows():
+    """Its row carries nothing: what is found there is rounding, beside what the multipliers are computed from."""
+    shadow = Model(name="shadow", coordinates=[X, Y], kinetic_energy=(1 + X**2) * X.diff() ** 2 / 2,
+                   potential_energy=sin(X), nonholonomic_constraints=[Y.diff() - cos(Y) * X.diff() / 3])  # fmt: skip
+    assert build(shadow, formulation="cholesky", flags="-O0").n == 2
 
 
 @FORMS

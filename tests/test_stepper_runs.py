@@ -15,11 +15,11 @@ import pytest
 from .stepping import (
     CONSTANT,
     CUBIC,
+    EXPLICIT,
     FINISHED,
     HOLD,
     INTERRUPTED,
     LINEAR,
-    EXPLICIT,
     METHODS,
     NON_FINITE_STATE,
     OUT_OF_MEMORY,

@@ -2,6 +2,15 @@
 
 A position is a sequence of two expressions (x, y), y upwards, or of three (x, y, z), z upwards, in coordinates,
 parameters and time. One drawing is in the plane or in space.
+
+Examples
+--------
+>>> from sympy import cos, sin, symbols
+>>> from sympy.physics.mechanics import dynamicsymbols
+>>> from eigenmotion import draw
+>>> theta, l = dynamicsymbols("theta"), symbols("l", positive=True)
+>>> mass = l * sin(theta), -l * cos(theta)
+>>> drawing = [draw.Ground((0, 0)), draw.Line((0, 0), mass), draw.Disk(mass, l / 10), draw.Trace(mass)]
 """
 
 from __future__ import annotations

@@ -13,7 +13,15 @@ from .normalise import ModelError, expression, shown, t, truth
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """A zero crossing: direction 1 upwards, -1 downwards, 0 both; a terminal one ends the run."""
+    """A zero crossing: direction 1 upwards, -1 downwards, 0 both; a terminal one ends the run.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> from eigenmotion import Event
+    >>> theta = dynamicsymbols("theta")
+    >>> events = {"limit": Event(theta - 1, direction=1, terminal=True), "bottom": theta}
+    """
 
     expression: Any
     direction: int = 0

@@ -28,6 +28,13 @@ def multiplier(row: int) -> sympy.Expr:
     ----------
     row
         0, 1, ...: holonomic constraints first, then nonholonomic ones, in the order of the model.
+
+    Examples
+    --------
+    The force of the first row, and a torque of twice the second, as outputs of a model:
+
+    >>> from eigenmotion import multiplier
+    >>> outputs = {"force": -multiplier(0), "torque": 2 * multiplier(1)}
     """
     if not isinstance(row, int) or isinstance(row, bool) or not 0 <= row <= _MOST_ROWS:
         raise ModelError(f"multiplier({shown(row)}): the row of a constraint is counted 0, 1, 2, ...")
@@ -57,6 +64,24 @@ class Model(Mechanism):
     ------
     ModelError
         See `codegen.model.checks`.
+
+    Examples
+    --------
+    >>> from sympy import cos, symbols
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> from eigenmotion import Model
+    >>> theta = dynamicsymbols("theta")
+    >>> m, l, g = symbols("m l g", positive=True)
+    >>> model = Model(
+    ...     name="pendulum",
+    ...     coordinates=[theta],
+    ...     kinetic_energy=m * (l * theta.diff()) ** 2 / 2,
+    ...     potential_energy=-m * g * l * cos(theta),
+    ...     parameters={m: 1.0, l: 1.0, g: 9.81},
+    ...     initial={theta: 2.0},
+    ... )
+    >>> model.equations().M
+    Matrix([[l**2*m]])
     """
 
     def __init__(

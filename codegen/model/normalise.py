@@ -23,7 +23,16 @@ _SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 60
 
 
 class ModelError(ValueError):
-    """A mistake in a model. The message names the model, the symbol and the remedy."""
+    """A mistake in a model. The message names the model, the symbol and the remedy.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> em.Model(name="nothing", coordinates=[], kinetic_energy=0)
+    Traceback (most recent call last):
+        ...
+    eigenmotion.codegen.model.normalise.ModelError: Model 'nothing': coordinates is empty. A mechanism has at least one.
+    """
 
 
 def shown(given: object) -> str:

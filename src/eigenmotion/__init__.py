@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from .building.errors import CompilerNotFoundError as CompilerNotFoundError
     from .building.loading import load_model as load_model
     from .building.proof import ProofError as ProofError
+    from .codegen.mechanics import from_mechanics as from_mechanics
     from .codegen.model import Event as Event
     from .codegen.model import Model as Model
     from .codegen.model import ModelError as ModelError
@@ -40,6 +41,7 @@ _HOME = {
     "System": ".system.system",
     "build": ".building.build",
     "draw": ".codegen.model",
+    "from_mechanics": ".codegen.mechanics",
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
     "simulate": ".running.simulate",

@@ -33,6 +33,13 @@ class Signal:
     ------
     ModelError
         Fewer samples than the kind needs, unequal lengths, times that do not increase, or numbers that are not finite.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> pulse = em.Signal([0.0, 1.0, 2.0], [0.0, 5.0, 0.0], kind="hold")
+    >>> pulse([0.5, 1.0, 1.5, 9.0])
+    array([0., 5., 5., 0.])
     """
 
     times: ArrayLike

@@ -59,6 +59,15 @@ def build(
     BuildError
         The compiler refused the code; carries its words. CompilerNotFoundError where there is none, FolderError where
         the cache or `output` cannot be written to.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> em.build(model)
+    <System pendulum: n=1, m=0, 2 states, eigenfactor>
+    >>> em.build(model, formulation="lagrange").formulation
+    'lagrange'
     """
     wanted = order(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
     folder = None if output is None else _folder(output)

@@ -35,6 +35,12 @@ def load_model(path: str | PathLike[str], **keywords: object) -> Model:
     ------
     ModelError
         The file is not there, fails (says where), defines no `model`, or knows no such keyword.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> em.load_model("models/chain.py", n=3).name
+    'chain_3'
     """
     file = _file(path)
     with _loading, _importable(file.parent):

@@ -8,6 +8,7 @@ import sys
 import sysconfig
 from dataclasses import dataclass, field
 from functools import cached_property
+from importlib.util import find_spec
 from pathlib import Path
 
 from .cache import key
@@ -31,6 +32,8 @@ UNITS = {
 }
 """What a model's C file is compiled to, side by side, and the macro that says so."""
 FLAGS = "EIGENMOTION_CFLAGS"
+ZIG = (sys.executable, "-m", "ziglang", "cc", "-fno-sanitize=undefined")
+"""Clang with a library, of the `ziglang` wheel; where nothing is optimised, it would stop at undefined behaviour."""
 _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
 
@@ -105,7 +108,7 @@ class Toolchain:
 
 
 def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchain:
-    """Return the compiler to use: the argument, else $CC, else the first of cc, gcc, clang.
+    """Return the compiler to use: the argument, else $CC, else the first of cc, gcc, clang, else that of ziglang.
 
     Parameters
     ----------
@@ -117,7 +120,7 @@ def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchai
     Raises
     ------
     CompilerNotFoundError
-        The compiler asked for, or any, is not on the PATH.
+        The compiler asked for is not on the PATH, or there is none.
     BuildError
         The command or the flags are no words of a shell.
     """
@@ -128,11 +131,18 @@ def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchai
         found = shutil.which(command[0])
         if found:  # absolute, for it is started in other folders; links stay, for some compilers go by their own name
             return Toolchain((os.path.abspath(found), *command[1:]), more)  # noqa: PTH100
+    if not chosen and zig_is_there():
+        return Toolchain(ZIG, more)
     raise CompilerNotFoundError(
-        f"no C compiler: {' '.join(command[0] for command in candidates)} not found. Install GCC or Clang "
-        "(Debian, Ubuntu: apt install gcc libc6-dev; macOS: xcode-select --install; Windows: use WSL), "
-        "or set CC to the compiler's command"
+        f"no C compiler: {' '.join(command[0] for command in candidates)} not found. "
+        "Install GCC or Clang (Debian, Ubuntu: apt install gcc libc6-dev; macOS: xcode-select --install; Windows: use "
+        "WSL), or pip install 'eigenmotion[compiler]' (the ziglang wheel), or set CC to the compiler's command"
     )
+
+
+def zig_is_there() -> bool:
+    """Whether the ziglang wheel is installed."""
+    return find_spec("ziglang") is not None
 
 
 def _words(text: object, what: str) -> tuple[str, ...]:

@@ -88,6 +88,16 @@ def simulate_ensemble(
     ModelError
         Before the runs: an unknown name or option, arrays of different lengths, a value that all members share and
         that is out of range, or more rows than there is memory for.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> angles = np.linspace(0.0, 3.0, 1000)
+    >>> runs = em.simulate_ensemble(em.build(model), (0.0, 2.0), x0={"theta": angles}, t_eval=[1.0, 2.0])
+    >>> runs.x.shape, len(runs.failed)
+    ((1000, 1, 2), 0)
     """
     _check_call(system, positional, misspelt)
     start, end = span(t_span)

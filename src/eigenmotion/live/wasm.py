@@ -1,20 +1,18 @@
 """A model's generated C as WebAssembly: by the extra `page`, the `ziglang` wheel, or a clang with a wasm sysroot."""
 
 import shutil
-import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
-from importlib.util import find_spec
 from pathlib import Path
 
 from ..building.build import cached_sources
 from ..building.cache import entry, guarded, key
 from ..building.errors import BuildError, CompilerNotFoundError
 from ..building.request import Order
-from ..building.toolchain import INCLUDE, run
+from ..building.toolchain import INCLUDE, ZIG, run, zig_is_there
 from ..codegen.c.emit import Sources
 
 _FLAGS = ("-std=c11", "-O2", "-ffp-contract=off", "-mexec-model=reactor", "-Wl,--strip-all", "-w")
@@ -80,8 +78,8 @@ def wasm_compiler() -> WasmCompiler:
 
 
 def _candidates() -> Iterator[tuple[str, ...]]:
-    if find_spec("ziglang") is not None:
-        yield (sys.executable, "-m", "ziglang", "cc", "-target", "wasm32-wasi")
+    if zig_is_there():
+        yield (*ZIG, "-target", "wasm32-wasi")
     if clang := shutil.which("clang"):
         yield (clang, "--target=wasm32-wasi")
 

@@ -33,6 +33,16 @@ class Ensemble:
     swept : name -> (K,): what differs from run to run
 
     ensemble[k] is run k as a Solution, without dense output.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> runs = em.simulate_ensemble(em.build(model), (0.0, 1.0), parameters={"l": [0.5, 1.0, 2.0]})
+    >>> runs
+    <Ensemble of pendulum: 3 runs, 0 failed>
+    >>> runs.x.shape, runs.swept["l"], len(runs[1].t)
+    ((3, 1, 1), array([0.5, 1. , 2. ]), 1)
     """
 
     def __init__(self, asked: Asked, members: Members, found: Found) -> None:

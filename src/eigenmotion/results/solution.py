@@ -101,6 +101,18 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     drawing : a Drawing, its numbers (k, ...), None where the model has none
 
     Where a row has no such value (singular M, dependent constraint rows) it is NaN.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> sol = em.build(model).simulate((0.0, 10.0), rtol=1e-9, dense_output=True)
+    >>> sol.success, str(sol.stop), float(sol.t[-1])
+    (True, 'finished', 10.0)
+    >>> bool(abs(sol.energy - sol.energy[0]).max() < 1e-6)
+    True
+    >>> sol.sol([1.0, 2.0]).shape
+    (2, 2)
     """
 
     __slots__ = ("_rows",)

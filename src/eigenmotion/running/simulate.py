@@ -99,6 +99,14 @@ def simulate(
     ------
     ModelError
         Before the run: an unknown name or option, a value out of range, or a start that the mechanism cannot have.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> sol = em.simulate(em.build(model), (0.0, 1.0), x0={"theta": 1.0}, t_eval=[0.0, 0.5, 1.0], rtol=1e-9)
+    >>> sol.x.round(6)
+    array([[ 1.      ,  0.104258, -0.980067]])
     """
     if positional or misspelt or not is_system(system):
         raise _refused(system, positional, misspelt)

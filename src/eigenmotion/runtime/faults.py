@@ -6,7 +6,14 @@ from math import isfinite
 
 
 class StopReason(StrEnum):
-    """Why a simulation ended. In the order of `em_status` (eigenmotion.h); all but the first two are failures."""
+    """Why a simulation ended. In the order of `em_status` (eigenmotion.h); all but the first two are failures.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> em.StopReason.TERMINAL_EVENT.success, em.StopReason("too many steps").success
+    (True, False)
+    """
 
     FINISHED = "finished"
     TERMINAL_EVENT = "terminal event"

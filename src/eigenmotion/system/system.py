@@ -42,6 +42,16 @@ class System(Description):
         A PyCapsule "eigenmotion.em_model", as generated modules make it.
     module
         Name of the importable module whose `system` this is; as that it pickles, unless `build` knows better.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> system = em.build(model)
+    >>> system.coordinates, system.parameters
+    (('theta',), {'m': 1.0, 'l': 1.0, 'g': 9.81})
+    >>> system.rhs(0.0, system.state({"theta": 1.5})).round(6)
+    array([ 0.      , -9.785426])
     """
 
     __slots__ = ("_defaults", "_inputs")

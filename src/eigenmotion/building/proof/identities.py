@@ -53,7 +53,7 @@ def expressions(model: Model, v: Vector, found: Found, stated: Stated) -> Iterat
 def motion(model: Model, v: Vector, found: Found, stated: Stated) -> Iterator[Identity]:
     """Lagrange's equations (7), the constraints differentiated, and the outputs, which are made of their solution."""
     push = stated.A * found.multipliers[:, :, None]
-    size = np.einsum("kij,kj->ki", geometric(stated.M), np.abs(found.a))
+    size = np.einsum("kij,kj->ki", geometric(found.factored), np.abs(found.a))  # of what gave the multipliers
     names = [f"the equation of motion of {name_of(x)}" for x in model.coordinates]
     yield Identity(names, [stated.momentum_rate, -stated.T_x, stated.V_x, -stated.Q, *_slices(push, 1)], size)
     yield Identity([f"{row}, differentiated," for row in row_names(model)], [stated.row_rate],

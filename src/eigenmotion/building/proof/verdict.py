@@ -28,7 +28,19 @@ _log = logging.getLogger("eigenmotion")
 
 
 class ProofError(BuildError):
-    """The compiled model is not what its energies, forces and constraints say; names the term and the state."""
+    """The compiled model is not what its energies, forces and constraints say; names the term and the state.
+
+    Examples
+    --------
+    It is an error of the compiler or of this program, not of the model; `formulation` or `flags` may lead around it.
+
+    >>> import eigenmotion as em
+    >>> from eigenmotion.models.pendulum import model
+    >>> try:
+    ...     system = em.build(model)
+    ... except em.ProofError:
+    ...     system = em.build(model, flags="-O1")
+    """
 
 
 def prove(model: Model, system: System) -> None:

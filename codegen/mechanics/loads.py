@@ -1,0 +1,141 @@
+"""Loads: what has a potential goes into V, the rest into generalised forces Q."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import sympy
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import (
+    ActuatorBase,
+    DuffingSpring,
+    Force,
+    LinearSpring,
+    Point,
+    ReferenceFrame,
+    System,
+    Torque,
+    Vector,
+)
+
+from ..model import ModelError, t
+from .speeds import Speeds
+from .vanishing import vanish
+
+
+@dataclass(frozen=True, slots=True)
+class Acting:
+    """One load, or those of one actuator.
+
+    Q : (n) generalised forces, sum_k F_k . dv_k / dqdot [J / u_i]
+    V : a potential of them, Q = -dV/dq; None: they have none that is known
+    place : where a single load acts
+    """
+
+    Q: tuple[sympy.Expr, ...]
+    V: sympy.Expr | None
+    place: Point | ReferenceFrame | None
+
+
+def acting_on(system: System, speeds: Speeds) -> list[Acting]:
+    """Return what the loads and actuators of a system do."""
+    single = [_acting(system, speeds, [load], _potential_of(load, system)) for load in system.loads]
+    return single + [_acting(system, speeds, actuator.to_loads(), _stored(actuator)) for actuator in system.actuators]
+
+
+def velocity(point: Point, frame: ReferenceFrame) -> Vector:
+    """Return that of a point, as SymPy knows it.
+
+    Raises
+    ------
+    ModelError
+        It does not; names the point.
+    """
+    try:
+        return point.vel(frame)
+    except ValueError as error:
+        raise ModelError(
+            f"The velocity of the point {point.name} in the frame {frame.name} is not known: {error} "
+            "Connect it by a joint, place it with locatenew from a point that has one, or use set_vel."
+        ) from error
+
+
+def angular_velocity(frame: ReferenceFrame, fixed: ReferenceFrame) -> Vector:
+    """Return that of a frame, as SymPy knows it.
+
+    Raises
+    ------
+    ModelError
+        It does not; names the frame.
+    """
+    try:
+        return frame.ang_vel_in(fixed)
+    except ValueError as error:
+        raise ModelError(
+            f"The angular velocity of the frame {frame.name} in {fixed.name} is not known: {error} "
+            "Connect its body by a joint, orient the frame, or use set_ang_vel."
+        ) from error
+
+
+def _acting(system: System, speeds: Speeds, loads: Sequence[Force | Torque], V: sympy.Expr | None) -> Acting:
+    Q = tuple(sum(column) for column in zip(*(_generalised(load, system.frame, speeds) for load in loads), strict=True))
+    place = loads[0].location if len(loads) == 1 else None
+    if V is not None:
+        power = (entry + V.diff(q) for entry, q in zip(Q, speeds.coordinates, strict=True))
+        V = V if vanish(power) else None
+    return Acting(Q, V, place)
+
+
+def _generalised(load: Force | Torque, frame: ReferenceFrame, speeds: Speeds) -> sympy.ImmutableDenseMatrix:
+    """(n) P^T (F . dv/dw) with the velocities w that the model is written in."""
+    moved = velocity(load.point, frame) if isinstance(load, Force) else angular_velocity(load.frame, frame)
+    moved, vector = (part.xreplace(dict(speeds.written)) for part in (moved, load.vector))
+    try:
+        parts = [vector.dot(moved.diff(w, frame, var_in_dcm=False)) for w in speeds.velocities]
+    except ValueError as error:
+        raise ModelError(f"The load {load} is in a frame that nothing orients in {frame.name}: {error}") from error
+    return speeds.P.T * sympy.ImmutableDenseMatrix(parts)
+
+
+def _potential_of(load: Force | Torque, system: System) -> sympy.Expr | None:
+    """-F . r of a force that stays as it is, such as a weight."""
+    if not isinstance(load, Force):
+        return None
+    try:
+        F, r = load.vector.to_matrix(system.frame), load.point.pos_from(system.fixed_point)
+    except ValueError:  # nothing says where the point is
+        return None
+    if F.atoms(AppliedUndef) or t in F.free_symbols:
+        return None
+    return -load.vector.dot(r)
+
+
+def _stored(actuator: ActuatorBase) -> sympy.Expr | None:
+    """Energy of a spring."""
+    if isinstance(actuator, LinearSpring):
+        return actuator.stiffness * (actuator.pathway.length - actuator.equilibrium_length) ** 2 / 2
+    if isinstance(actuator, DuffingSpring):
+        d = actuator.pathway.length - actuator.equilibrium_length
+        return actuator.linear_stiffness * d**2 / 2 + actuator.nonlinear_stiffness * d**4 / 4
+    return None
+
+
+def weights_counted_twice(system: System, acting: Iterable[Acting]) -> None:
+    """Raise where a force on a body's mass centre is in the body's potential energy, too.
+
+    Raises
+    ------
+    ModelError
+        Names the body.
+    """
+    by_place = {load.place: load.V for load in acting if load.V is not None and load.place is not None}
+    for body in system.bodies:
+        V = by_place.get(body.masscenter)
+        if V is not None and body.potential_energy and vanish(
+            (V - body.potential_energy).diff(q) for q in system.q
+        ):  # fmt: skip
+            raise ModelError(
+                f"The body {body.name} has a potential energy and a load that has the same one: it would count twice. "
+                "Keep one of them."
+            )

@@ -1,0 +1,41 @@
+"""What Sphinx makes the site of: `make docs`."""
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE / "making"))  # the site's own extensions
+
+project = "eigenmotion"
+author = copyright = "eigenmotion developers"
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx_click",
+    "sphinx_copybutton",
+    "docstrings",
+    "gallery",
+    "live",
+]
+exclude_patterns = ["making", "made", "_static"]
+
+myst_enable_extensions = ["colon_fence", "attrs_inline"]
+myst_heading_anchors = 3
+suppress_warnings = ["toc.not_readable"]  # of the how-tos, some are still to come
+copybutton_prompt_text = r">>> |\.\.\. |\$ "
+copybutton_prompt_is_regexp = True
+
+default_role = "code"
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"
+maximum_signature_line_length = 88
+python_use_unqualified_type_names = True
+
+html_theme = "furo"
+html_title = "eigenmotion"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+
+html_copy_source = False
+html_show_sphinx = False
+html_extra_path = [str(HERE / "made" / "extra")] if (HERE / "made" / "extra").is_dir() else []
