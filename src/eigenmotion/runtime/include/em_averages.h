@@ -93,7 +93,7 @@ static double em_off_inside(em_walk *w, int i, double left_out) {
     double dy[EM_WIDTH], off[N];
     em_signals(w, w->t);
     w->u[i] += left_out;
-    if (em_rhs_here(w, w->mode, w->t, w->y, w->memory, dy)) return 0.0;
+    if (em_motion_rate_here(w, w->t, w->y, dy)) return 0.0;
     for (int k = 0; k < N; ++k) off[k] = w->h * (dy[N + k] - w->K[0][N + k]);
     return sqrt(em_weighted_squares(N, off, w->weight + N) / (2 * N));
 }

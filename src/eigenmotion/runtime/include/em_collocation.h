@@ -161,7 +161,8 @@ static int em_finish_stages(const em_radau_iia *rk, em_walk *w) {
     return 0;
 }
 
-static int em_collocation_step(const em_radau_iia *rk, em_walk *w) {
+static int em_collocation_step(em_walk *w) {
+    const em_radau_iia *const rk = w->scheme.radau_iia;
     em_remember_stages(w);
     em_weigh_start(w);
     em_average_signals(rk, w);
@@ -174,7 +175,8 @@ static int em_collocation_step(const em_radau_iia *rk, em_walk *w) {
 /* --- the states within --- */
 
 /* F <- the collocation polynomial's coefficients, by powers of theta. */
-static int em_collocation_interpolate(const em_radau_iia *rk, em_walk *w) {
+static int em_collocation_interpolate(em_walk *w) {
+    const em_radau_iia *const rk = w->scheme.radau_iia;
     const em_implicit *q = &w->stages;
     memset(w->F, 0, sizeof w->F);
     memcpy(w->F[0], w->y, sizeof w->F[0]);
@@ -186,6 +188,8 @@ static int em_collocation_interpolate(const em_radau_iia *rk, em_walk *w) {
             }
     return 0;
 }
+
+static int em_collocation_sketch(em_walk *w) { return em_collocation_interpolate(w), w->scheme.terms; }
 
 static void em_collocation_evaluate(const double *F, int terms, double theta, double *y) {
     memset(y, 0, N_STATE * sizeof *y);

@@ -18,7 +18,7 @@
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
                            em_##name##_step, judge,                                                      \
-                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0};           \
+                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL};     \
     }
 
 /* rk34 has no second state at the end of a step. */
@@ -31,21 +31,13 @@ EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU, em_dop853_judge)
 
 static em_scheme em_ra15(void) {
     return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
-                       em_nodes_sketch, em_nodes_evaluate, 0, 0};
+                       em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL};
 }
 
-#define EM_COLLOCATION(name, tableau)                                                                    \
-    static int em_##name##_step(em_walk *w) { return em_collocation_step(&tableau, w); }                 \
-    static int em_##name##_interpolate(em_walk *w) { return em_collocation_interpolate(&tableau, w); }   \
-    static int em_##name##_sketch(em_walk *w) { return em_##name##_interpolate(w), w->scheme.terms; }    \
-    static em_scheme em_##name(void) {                                                                   \
-        return (em_scheme){tableau.stages, 1.0, 0.0, 8.0, tableau.stages, em_##name##_step, NULL,        \
-                           em_##name##_interpolate, em_##name##_sketch, em_collocation_evaluate,         \
-                           EM_MOTION, 1};                                                                \
-    }
-
-EM_COLLOCATION(radau5, EM_RADAU5_TABLEAU)
-EM_COLLOCATION(radau9, EM_RADAU9_TABLEAU)
+static em_scheme em_collocation(const em_radau_iia *rk) {
+    return (em_scheme){rk->stages, 1.0, 0.0, 8.0, rk->stages, em_collocation_step, NULL, em_collocation_interpolate,
+                       em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk};
+}
 
 /* The table. */
 static em_scheme em_scheme_of(em_method method) {
@@ -53,8 +45,8 @@ static em_scheme em_scheme_of(em_method method) {
         case EM_RK34: return em_rk34();
         case EM_DOPRI5: return em_dopri5();
         case EM_RA15: return em_ra15();
-        case EM_RADAU5: return em_radau5();
-        case EM_RADAU9: return em_radau9();
+        case EM_RADAU5: return em_collocation(&EM_RADAU5_TABLEAU);
+        case EM_RADAU9: return em_collocation(&EM_RADAU9_TABLEAU);
         case EM_DOP853: break;
     }
     return em_dop853();

@@ -46,6 +46,7 @@ EM_COLD int em_motion_publish(double t, const double *y, const double *c, double
 /* M (n, n), or what is factored in its place */
 static void em_mass_at(double t, const double *x, const double *c, double *M) { factored(t, x, c, M); }
 #else
+enum { EM_CARRIES_MOTION = 0 };
 static void em_mass_at(double t, const double *x, const double *c, double *M) {
     (void)t, (void)x, (void)c;
     for (int k = 0; k < N * N; ++k) M[k] = k % (N + 1) == 0;

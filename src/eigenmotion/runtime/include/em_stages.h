@@ -65,9 +65,10 @@ static int em_rate_of_stage(em_walk *w, int i, double t, const double *x, const 
     em_implicit *q = &w->stages;
     memcpy(w->argument, x, N * sizeof *x);
     memcpy(w->argument + N, v, N * sizeof *v);
-    if (!q->averaged) return em_stage_rate(w, t, w->argument, dy);
-    memcpy(w->u, q->u[1 + i], sizeof w->u);
-    return em_rhs_here(w, w->mode, t, w->argument, w->memory, dy);
+    if (N_POSITIONS > 0 && w->near && !q->averaged) return em_settled_rhs(w, t, w->argument, dy);
+    if (q->averaged) memcpy(w->u, q->u[1 + i], sizeof w->u);
+    else if (N_INPUTS > 0) em_signals(w, t);
+    return em_motion_rate_here(w, t, w->argument, dy);
 }
 
 /* r (n) of every stage <- its rate less its acceleration. 0, or -1 and w->reason */

@@ -47,6 +47,7 @@ typedef struct em_scheme {
     void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
     int mode;                       /* in which it starts: 0, or EM_MOTION, in which it stays */
     int averages;                   /* whether steps cross the samples of linear signals */
+    const em_radau_iia *radau_iia;  /* coefficients of an implicit method, else NULL */
 } em_scheme;
 
 /* A number g at a time; two of different signs, and whose they are. */
@@ -163,21 +164,21 @@ static int em_blame(em_walk *w, double t, const double *y);
 /* What is asked of constraint rows. */
 static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
 
-/* dy <- f(t, y) with the signals in w->u. */
-EM_INLINE int em_rhs_here(em_walk *w, int mode, double t, const double *y, double *memory, double *dy) {
+/* dy <- (v, a) at a state of the motion, with the signals in w->u. */
+EM_COLD int em_motion_rate_here(em_walk *w, double t, const double *y, double *dy) {
     em_run *run = w->run;
-    const double *const c = run->prepared;
-    const int flags = em_constraint_flags(run);
     ++run->n_rhs;
-    const int failed = mode == EM_MOTION ? em_motion_rhs(t, y, c, w->u, memory, flags, dy, &w->reason)
-                                         : model_rhs(mode, t, y, c, w->u, memory, flags, dy, &w->reason);
-    return failed ? em_blame(w, t, y) : 0;
+    const int flags = em_constraint_flags(run);
+    return em_motion_rhs(t, y, run->prepared, w->u, w->memory, flags, dy, &w->reason) ? em_blame(w, t, y) : 0;
 }
 
-/* The same with the signals at t. */
+/* dy <- f(t, y) with the signals at t. */
 EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, double *memory, double *dy) {
+    em_run *run = w->run;
     if (N_INPUTS > 0) em_signals(w, t);
-    return em_rhs_here(w, mode, t, y, memory, dy);
+    if (mode == EM_MOTION && !EM_CARRIES_MOTION) return em_motion_rate_here(w, t, y, dy);
+    ++run->n_rhs;
+    return model_rhs(mode, t, y, run->prepared, w->u, memory, em_constraint_flags(run), dy, &w->reason) ? em_blame(w, t, y) : 0;
 }
 
 /* v (n) <- xdot. 0, or -1 and *fault */
