@@ -82,7 +82,8 @@ static int em_stage_residuals(const em_radau_iia *rk, em_walk *w) {
     return 0;
 }
 
-/* Takes over changes of the accelerations. Returns how large those of x and v are, in tolerances. */
+/* Takes over changes of the accelerations; X and V anew, for what a bad guess would leave in them of rounding. Returns how
+ * large the changes of x and v are, in tolerances. */
 static double em_take_changes(const em_radau_iia *rk, em_walk *w, double (*change)[N]) {
     em_implicit *q = &w->stages;
     const double zero[N] = {0.0};
@@ -90,13 +91,10 @@ static double em_take_changes(const em_radau_iia *rk, em_walk *w, double (*chang
     em_by_stages(rk, w->h, zero, change, faster);
     em_by_stages(rk, w->h, zero, faster, farther);
     for (int i = 0; i < rk->stages; ++i) {
-        for (int k = 0; k < N; ++k) {
-            q->a[i][k] += change[i][k];
-            q->V[i][k] += faster[i][k];
-            q->X[i][k] += farther[i][k];
-        }
+        for (int k = 0; k < N; ++k) q->a[i][k] += change[i][k];
         sum += em_weighted_squares(N, farther[i], w->weight) + em_weighted_squares(N, faster[i], w->weight + N);
     }
+    em_stage_states(rk, w);
     memcpy(w->error, farther[rk->stages - 1], sizeof farther[0]);
     memcpy(w->error + N, faster[rk->stages - 1], sizeof faster[0]);
     return sqrt(sum / (2 * N * rk->stages));
