@@ -40,6 +40,7 @@ nightly: fuzz
 # The site, in build/site: every warning is an error. LIVE="pendulum four_bar" makes live pages of these models only
 docs: $(DOCS) $(WORKED) $(SHOWN)
 	$(BIN)/sphinx-build -q -W --keep-going -d build/doctrees docs build/site
+	$(BIN)/python docs/making/links.py build/site
 	@echo "the site: build/site/index.html"
 
 # A page of the documentation, worked through: what its snippets draw is shown on it
@@ -81,10 +82,10 @@ clean:
 
 # The environment, remade when what it is made from changes.
 $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.pyx src/eigenmotion/runtime/*.pxd) \
-          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_ensemble em_lane_functions em_linear em_products em_real em_start em_trigonometry)
+          $(patsubst %,src/eigenmotion/runtime/include/%.h,eigenmotion em_control em_ensemble em_lane_functions em_linear em_products em_real em_start em_trigonometry)
 	test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	rm -f src/eigenmotion/runtime/*.so # of modules that are no more
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster]'
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu]'
 	touch $@
 
 # What the site is made with, of no use to anybody else

@@ -1,6 +1,8 @@
 """From energies to C: the model, its derivation and the text of its program. Pure: SymPy in, text out."""
 
+from .model import Contact as Contact
 from .model import Event as Event
+from .model import Friction as Friction
 from .model import Model as Model
 from .model import ModelError as ModelError
 from .model import multiplier as multiplier

@@ -9,7 +9,7 @@ from .c.emit import Sources, emit
 from .c.lower import Defaults, lower
 from .c.program import Program
 from .choices import STANDARD, Choices
-from .model import Model
+from .model import Model, ModelError
 from .model.normalise import name_of
 from .physics.derive import derive
 from .physics.specialise import ALL_SAVINGS, Saving, specialise
@@ -37,6 +37,11 @@ def generate(
 
 def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS) -> Program:
     """Return the record that the templates print."""
+    if model.switches and choices.schur == "eigenfactor":
+        raise ModelError(
+            f'Model {model.name!r}: contacts change the rows of Delta within a run, of which schur="eigenfactor" '
+            'carries eigenfactors. Build with schur="factor".'
+        )
     scene = specialise(derive(model), model.scales, savings)
     return lower(scene, _defaults(model), choices)
 
@@ -88,4 +93,5 @@ def _defaults(model: Model) -> Defaults:
         v=model.initial_v,
         y=model.initial_y,
         events=model.events,
+        switches=model.switches,
     )

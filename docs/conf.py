@@ -26,6 +26,8 @@ copybutton_prompt_text = r">>> |\.\.\. |\$ "
 copybutton_prompt_is_regexp = True
 
 default_role = "code"
+highlight_language = "none"  # drawings of mechanisms are no Python
+smartquotes = False  # quotes and dashes are code more often than not
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 maximum_signature_line_length = 88

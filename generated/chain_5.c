@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
-/* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
-/* body sha256:36b287fa06579872a237bad444e5970b694f832b5727735a5b6a4fa20ea7f174 */
+/* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
+/* body sha256:d2d3423db9fb673fb11c853d124a0a3049fd6adab287b77b47fb97146c74924d */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1590,7 +1590,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta_1", "theta_2", "theta_3", "theta_4", "theta_5", NULL };
 static const char *const parameter_names[] = { "m_1", "m_2", "m_3", "m_4", "m_5", "l_1", "l_2", "l_3", "l_4", "l_5", "g", NULL };
@@ -1687,6 +1687,14 @@ const em_model chain_5_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &chain_5_lanes,
     .n_shapes = 12,

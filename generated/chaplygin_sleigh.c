@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
-/* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
-/* body sha256:44794d9ef5e0218570766433423401c48c75f64d72ee764dea99d74cf932257d */
+/* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
+/* body sha256:5fca24699a92d31917158d6db3b68fc9f575ee5ac678d8ad3093a23cc68a7b90 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -752,7 +752,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "theta", NULL };
 static const char *const parameter_names[] = { "m", "J", "a", NULL };
@@ -845,6 +845,14 @@ const em_model chaplygin_sleigh_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &chaplygin_sleigh_lanes,
     .n_shapes = 4,

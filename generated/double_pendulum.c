@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
-/* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
-/* body sha256:6cd8887a6b4f2bf764885eb94b1fb118b54074834aa24602e833090a4e0f9904 */
+/* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
+/* body sha256:2cc3194a9ce26a84275086e4d22387e8b9a300358d72c24f42d0355ce6469d1f */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -726,7 +726,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "l1", "l2", "g", NULL };
@@ -817,6 +817,14 @@ const em_model double_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &double_pendulum_lanes,
     .n_shapes = 6,

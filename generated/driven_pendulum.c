@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
-/* input sha256:f03e70c1bada2a6ab9bc3811e7865c0ae1b77524d6c1f3ea721379785f3676f2 */
-/* body sha256:badc059799ddf8fd6671aba2e1246055689fdfce5b8a0be1976ab93c45c5d732 */
+/* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
+/* body sha256:619757bbcfcc2741d096c50140adb7339d0cf06815015dd77e6dbdc42940a5d6 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -661,7 +661,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "a", "w", NULL };
@@ -753,6 +753,14 @@ const em_model driven_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
     .n_shapes = 5,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
-/* body sha256:d96dd9c89723fa3b067827133fbe96bfe1cdb512a092011f75afc35d7d913eec */
+/* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
+/* body sha256:ec0370191149b0edd354bd60912256a1a4f290ae4891b7ca25cd34466d172f58 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1133,7 +1133,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "m3", "l1", "l2", "l3", "K1", "K2", "K3", NULL };
@@ -1233,6 +1233,14 @@ const em_model dual_link_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &dual_link_lanes,
     .n_shapes = 10,

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
-/* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
-/* body sha256:0d480fe56d8597a3bf304f1bf30d6c0dd99df625b50792bedebeb5026544cfd8 */
+/* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
+/* body sha256:b8ce539281cf2e29facfef1d43ccfeee90d8cbf29beed5d38db879f2ed42ffc0 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -523,7 +523,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "r", NULL };
 static const char *const parameter_names[] = { "m", "k", "g", "L", NULL };
@@ -614,6 +614,14 @@ const em_model elastic_pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &elastic_pendulum_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
-/* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
-/* body sha256:6d4bbcab8a9f07f0cd9351dd505f34ba6d3a69cf4eb8342c7879f6a1c8e6057d */
+/* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
+/* body sha256:974bde02f54f74191db1ed87dedc979b02054cd22093d0779d028ad70c7c2d08 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1123,7 +1123,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", NULL };
 static const char *const parameter_names[] = { "a", "b", "c", "d", "density", "g", NULL };
@@ -1219,6 +1219,14 @@ const em_model four_bar_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &four_bar_lanes,
     .n_shapes = 7,

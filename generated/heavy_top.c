@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
-/* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
-/* body sha256:97c493f9c162019e40cfd437eba942c6b1c802f64e9428d274580ee67b9a5a76 */
+/* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
+/* body sha256:4c925aead7c0c800206eb4c18bcb38da64091a6e7f8d6f1d992cd2abc1f3c6ae */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -712,7 +712,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "phi", "theta", "psi", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
@@ -804,6 +804,14 @@ const em_model heavy_top_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &heavy_top_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
-/* body sha256:27427d2c63dcac43b6ecc154884148037ad8ad874bf103e814c07cfe20b4ee6b */
+/* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
+/* body sha256:a90c8dd3c3532d99ca5b143b743342bb0d7cd91e8ec03a0698e278825cffc5e0 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -416,7 +416,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", NULL };
@@ -505,6 +505,14 @@ const em_model pendulum_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &pendulum_lanes,
     .n_shapes = 4,

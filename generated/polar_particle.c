@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
-/* input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9 */
-/* body sha256:07afc41b06dfbdfba2ec9152c7dd6ac94018974919d6d1b96b722d1caa5a4800 */
+/* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
+/* body sha256:129b526147f1ff8573955c0cc4b1efa9e74dbdacba088cb9b35ffbfecf92d326 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -496,7 +496,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "r", "theta", NULL };
 static const char *const parameter_names[] = { "m", "mu", NULL };
@@ -586,6 +586,14 @@ const em_model polar_particle_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &polar_particle_lanes,
     .n_shapes = 3,

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
-/* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
-/* body sha256:c25c9f7bbee15b5aa183cc51e1ba6a171edb4174ec73dcc29e9327a1161e97b7 */
+/* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
+/* body sha256:c90ae1b48a7d08c4e4c7f3aabce8c5da3d1320f199da89457c57ff544f265ef9 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1304,7 +1304,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q_0", "q_1", "q_2", "q_3", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
@@ -1397,6 +1397,14 @@ const em_model quaternion_top_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

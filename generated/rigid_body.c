@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
-/* input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282 */
-/* body sha256:527422bb9ec6dad9f253bc0d0c7beaf61228486762a49b83a075b9a711018e49 */
+/* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
+/* body sha256:735c8c146c871bd6b1116741fafdb2a58aa3743aa9f50592416c54aa22a392af */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -992,7 +992,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "psi", "theta", "phi", NULL };
 static const char *const parameter_names[] = { "J1", "J2", "J3", NULL };
@@ -1083,6 +1083,14 @@ const em_model rigid_body_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
-/* body sha256:f78519b1ab533381c1f2cfb3e8b4ca726d7ab539deaf188e8be5f30e2d6b6df5 */
+/* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
+/* body sha256:422457a563be15a8b7864069a1d308f1f6e1068a6a3a9876639ca2be81f04b1c */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1113,7 +1113,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "phi", "theta", "psi", NULL };
 static const char *const parameter_names[] = { "m", "r", "g", NULL };
@@ -1203,6 +1203,14 @@ const em_model rolling_disk_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
     .n_shapes = 3,

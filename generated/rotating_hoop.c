@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
-/* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
-/* body sha256:b10415566323d4da4f27c3cf361bc50cdcbdcbc86665550d5f6f16272f507687 */
+/* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
+/* body sha256:ebb8bc083515184494d69cf201fd4eb1463964d0bfdc351b67462fc1f5fc24f0 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -449,7 +449,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "R", "Omega", "g", NULL };
@@ -537,6 +537,14 @@ const em_model rotating_hoop_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &rotating_hoop_lanes,
     .n_shapes = 4,

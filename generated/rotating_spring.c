@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
-/* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
-/* body sha256:a8229f0c097ee1e1ee56d799f9f04c7697d05d2affd7303a670c908029f5e205 */
+/* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
+/* body sha256:7683d526a6fb32e388f8a41443e9ea540bb23b07b7b8e14976842379c1136c8b */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -490,7 +490,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", NULL };
 static const char *const parameter_names[] = { "m", "k_x", "k_y", "Omega", NULL };
@@ -580,6 +580,14 @@ const em_model rotating_spring_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &rotating_spring_lanes,
     .n_shapes = 5,

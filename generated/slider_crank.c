@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
-/* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
-/* body sha256:4fe370e3ebacc817e4d279f30041da9b53e89ee6ccd42ec3403378b243fe9a52 */
+/* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
+/* body sha256:e366a3f4ebd631c55b2c362f9c4fe87928e8dd8e5d09aaf67e5d7e3c36978167 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1031,7 +1031,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "phi", "x", NULL };
 static const char *const parameter_names[] = { "r", "l", "m_c", "m_r", "m_s", "g", NULL };
@@ -1126,6 +1126,14 @@ const em_model slider_crank_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &slider_crank_lanes,
     .n_shapes = 6,

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
-/* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
-/* body sha256:ce4d6b2856ae4fef16bef3c4f3dff7be5a51c4a302344c950506f8ee236e9dfa */
+/* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
+/* body sha256:dafb486336d3033b43511fde49197c29e54dc6e5f9d36a152e9ad4930119240f */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1516,7 +1516,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "q_1", "q_2", "q_3", NULL };
 static const char *const parameter_names[] = { "m_1", "m_2", "m_3", "l_1", "l_2", "l_3", "rho", "g", NULL };
@@ -1610,6 +1610,14 @@ const em_model spatial_arm_3_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &spatial_arm_3_lanes,
     .n_shapes = 8,

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
-/* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
-/* body sha256:9e5beb229245d5e7370d669249f9b443f9d005eba0b176a073bacaefadc988aa */
+/* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
+/* body sha256:d0ce4893d4ea37b298dd2a1cb6c90513c4fa2aca20a1c8ef59e20df0e08235f0 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1529,7 +1529,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "p_1", "p_2", "p_3", NULL };
 static const char *const parameter_names[] = { "m", "R", "g", "alpha", NULL };
@@ -1627,6 +1627,14 @@ const em_model sphere_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

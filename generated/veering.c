@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
-/* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
-/* body sha256:af9f350d400ff6ac458adc5c33f879dce6b90367446e8c12e7a4887b4da2d9f5 */
+/* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
+/* body sha256:26cac3775b3232d5ace2188176715f8abcf94acfdecd738d6c43d2fcb15424c4 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -545,7 +545,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "z", NULL };
 static const char *const parameter_names[] = { "gap", "k_x", "k_z", NULL };
@@ -629,6 +629,14 @@ const em_model veering_model = {
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .lanes = &veering_lanes,
 };

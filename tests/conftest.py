@@ -1,7 +1,7 @@
 """Fixtures that files share."""
 
 import signal
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -10,6 +10,7 @@ from eigenmotion import System
 
 from . import generation
 from .expressions import Bench
+from .models_table import HEAVY, Scenario
 
 SCENE = """\
 from sympy import cos, symbols
@@ -29,9 +30,25 @@ LONGEST = ("test_stability", "test_lanes", "test_random_mechanisms", "test_optio
 """Files that take a process a minute: first, so that none of them is what all wait for at the end."""
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Longest files first; `--no-loadscope-reorder` leaves it at that."""
+    """Longest files first, where `--no-loadscope-reorder` leaves it at that; what takes a heavy model, at night."""
     items.sort(key=lambda item: item.path.stem not in LONGEST)
+    for item in items:
+        if item.path.stem != "test_gallery" and HEAVY & {_model_of(given) for given in _given(item)}:
+            item.add_marker(pytest.mark.nightly)
+
+
+def _given(item: pytest.Item) -> Iterable[object]:
+    """Return what a test is parametrised with."""
+    return item.callspec.params.values() if hasattr(item, "callspec") else ()
+
+
+def _model_of(given: object) -> str | None:
+    """Return the file that a scenario, a path or a name stands for."""
+    if isinstance(given, Scenario):
+        return given.file
+    return given.stem if isinstance(given, Path) else given if isinstance(given, str) else None
 
 
 @pytest.fixture(scope="session", autouse=True)

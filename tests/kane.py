@@ -80,10 +80,10 @@ def of_kane(kane: KanesMethod, **given: Any) -> Example:
 
 
 def pendulum_on_cart() -> Example:
-    """Three links on a cart, with a force on it and torques in the joints (`sympy.physics.mechanics.models`)."""
-    kane = n_link_pendulum_on_cart(3, cart_force=True, joint_torques=True)
-    names = symbols("g l:3 m:4")
-    return of_kane(kane, name="links", frame=_frame_of(kane), inputs=dict.fromkeys(dynamicsymbols("F T1:4"), 0.0),
+    """Two links on a cart, with a force on it and torques in the joints (`sympy.physics.mechanics.models`)."""
+    kane = n_link_pendulum_on_cart(2, cart_force=True, joint_torques=True)
+    names = symbols("g l:2 m:3")
+    return of_kane(kane, name="links", frame=_frame_of(kane), inputs=dict.fromkeys(dynamicsymbols("F T1:3"), 0.0),
                    parameters={p: 1.0 + 0.1 * k for k, p in enumerate(names)})  # fmt: skip
 
 

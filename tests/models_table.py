@@ -24,6 +24,7 @@ class Scenario:
     closed_form : (model, t) -> State, or None: the reference is a high-precision integration
     conserved : "energy", "jacobi_integral", or None where time enters or forces act
     spread : random states differ from the start by at most this, in every coordinate and rate
+    heavy : what all models go through, this one goes through at night (`conftest.py`); `test_gallery.py` has it by day
     """
 
     file: str
@@ -32,6 +33,7 @@ class Scenario:
     keywords: tuple[tuple[str, int], ...] = ()
     conserved: str | None = "energy"
     spread: float = 0.3
+    heavy: bool = False
 
     @property
     def path(self) -> Path:
@@ -89,9 +91,21 @@ SCENARIOS = (
     Scenario("slider_crank", 2.0, reduced.slider_crank, spread=0.1),
     Scenario("driven_pendulum", 5.0, reduced.driven_pendulum, conserved=None),
     Scenario("veering", 22.0),
+    Scenario("furuta_pendulum", 2.0, conserved=None),
     Scenario("sphere", 1.0, elementary.sphere),
+    Scenario("andrews", 0.03, published.andrews, spread=0.1, heavy=True),
+    Scenario("bicycle", 1.0, spread=0.1, heavy=True),
+    Scenario("bricard", 1.0, spread=0.2, heavy=True),
+    Scenario("cart_pendulums", 1.0, keywords=(("n", 3),), conserved=None, heavy=True),
+    Scenario("drone", 2.0, conserved=None, heavy=True),
+    Scenario("four_bars", 2.0, reduced.four_bars, keywords=(("n", 2),), spread=0.15, heavy=True),
+    Scenario("governor", 0.02, conserved=None, spread=0.05, heavy=True),
+    Scenario("jansen", 1.0, spread=0.1, heavy=True),
+    Scenario("puma", 0.5, conserved=None, heavy=True),
+    Scenario("snakeboard", 5.0, reduced.snakeboard, conserved=None, heavy=True),
 )
 
+HEAVY = frozenset(name for one in SCENARIOS if one.heavy for name in (one.file, one.name))
 BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
 EVERY = pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
 

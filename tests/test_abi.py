@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from eigenmotion.running import drift, start, watch, witness
-from eigenmotion.running.methods import COMPILED
+from eigenmotion.running.methods import COMPILED, STEPPED
 from eigenmotion.runtime import StopReason
 
 from .stepping import COMPILER, INCLUDE
@@ -88,7 +88,7 @@ def test_tests_see_the_structures_that_c_has(tmp_path):
 
 
 def test_compiled_methods_have_the_numbers_of_the_abi():
-    found = {f"EM_{name.upper()}": method.number for name, method in COMPILED.items()}
+    found = {f"EM_{name.upper()}": method.number for name, method in STEPPED.items()}
     assert found == enumerators("em_method")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import eigenmotion as em
-from eigenmotion.building.toolchain import OPTIMISED, ZIG, Toolchain, toolchain, zig_is_there
+from eigenmotion.building.toolchain import INCLUDE, OPTIMISED, ZIG, Toolchain, toolchain, zig_is_there
 
 PENDULUM = Path(__file__).parents[1] / "models" / "pendulum.py"
 HERE = pytest.mark.skipif(not zig_is_there(), reason="the ziglang wheel is not installed")
@@ -28,10 +28,11 @@ def hidden(folder: Path) -> dict[str, str]:
 
 
 @HERE
-def test_a_model_is_built_and_runs_without_gcc_and_clang(tmp_path):
-    """At the default flags; and it is the motion that the compiler of this machine gives."""
-    done = subprocess.run([sys.executable, "-c", SCRIPT, str(PENDULUM)], env=hidden(tmp_path), capture_output=True,
-                          text=True, check=False)  # fmt: skip
+@pytest.mark.parametrize("flags", ["-O0", pytest.param("", marks=pytest.mark.nightly)], ids=["hurried", "default"])
+def test_a_model_is_built_and_runs_without_gcc_and_clang(flags, tmp_path):
+    """It is the motion that the compiler of this machine gives."""
+    done = subprocess.run([sys.executable, "-c", SCRIPT, str(PENDULUM)], capture_output=True, text=True, check=False,
+                          env=hidden(tmp_path) | {"EIGENMOTION_CFLAGS": flags})  # fmt: skip
     assert done.returncode == 0, done.stderr
     success, *x = done.stdout.split()
     native = em.build(PENDULUM, formulation="lagrange", flags="-O0").simulate((0.0, 5.0), rtol=1e-10, atol=1e-10)
@@ -61,3 +62,16 @@ def test_it_does_not_stop_at_what_c_leaves_open(tmp_path):
 
 def test_compilers_on_the_path_come_first():
     assert "ziglang" not in toolchain("cc").command
+
+
+@HERE
+@pytest.mark.nightly
+@pytest.mark.parametrize("macro", ["EM_ASIDE_ELSEWHERE", "EM_ON_LANES"])
+@pytest.mark.parametrize("target", ["aarch64-linux-gnu", "aarch64-macos", "x86_64-windows-gnu"])
+def test_generated_c_compiles_for_other_systems(target, macro, tmp_path):
+    """As numbers, and in the vectors of their processors; nothing of it is run."""
+    source = Path(__file__).parents[1] / "generated" / "dual_link.c"
+    command = (*ZIG, "-target", target, "-std=c11", "-O2", "-Wall", "-Werror", f"-I{INCLUDE}", f"-D{macro}")
+    done = subprocess.run([*command, "-c", str(source), "-o", "model.o"], cwd=tmp_path, capture_output=True, text=True,
+                          check=False)  # fmt: skip
+    assert done.returncode == 0, done.stderr

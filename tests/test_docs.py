@@ -76,6 +76,7 @@ def test_every_public_name_has_an_example_that_does_what_it_says(name):
 
 
 def test_the_site_names_everything_public():
+    """A new name goes to its place in docs/api.md, and gets an example in its docstring."""
     said = (ROOT / "docs" / "api.md").read_text()
     assert [name for name in dir(eigenmotion) if name in eigenmotion._HOME and f"eigenmotion.{name}\n" not in said] == [
         "draw"
@@ -117,6 +118,17 @@ def test_marks_are_kept_to(folder):
     assert "seen" not in day.names
     assert night.names["seen"] == "night"
     assert day.names["inner"] == 1
+
+
+def test_links_that_lead_nowhere_are_found(tmp_path):
+    links = _module(ROOT / "docs" / "making" / "links.py")
+    (tmp_path / "there.html").write_text('<p id="place"></p>')
+    page = tmp_path / "page.html"
+    page.write_text(
+        '<a href="there.html#place"></a><a href="https://example.org/x"></a><a href="#top" id="top"></a>'
+        '<a href="there.html#nowhere"></a><img src="lost.png"><a href="#below"></a>'
+    )
+    assert [link.split(": ")[1] for link in links.broken(page)] == ["#below", "lost.png", "there.html#nowhere"]
 
 
 def test_a_whole_page_may_be_for_the_night(folder):

@@ -83,6 +83,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     ),
     "reference": ("codegen.model", "arguments"),
     "pages": ("codegen.model", "files"),
+    "fmu": ("codegen.model", "arguments", "running", "building", "files"),
     "live": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "building"),
     "report": (
         "codegen.model",
@@ -124,6 +125,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "building",
         "pages",
         "live",
+        "fmu",
         "report",
         "stability",
         "files",

@@ -132,6 +132,7 @@ def test_keywords_are_allowed_as_names_of_symbols(name):
         ({"initial": {theta: float("inf")}}, ["initial[theta]", "finite"]),
         ({"initial": {dynamicsymbols("thet"): 1}}, ["thet", "Did you mean 'theta'?"]),
         ({"initial": {r.diff(t, 2): 1}}, ["neither a coordinate nor a rate"]),
+        ({"initial": {"theta": 1}}, ["'theta'", "Give the symbol, not its name"]),
         ({"initial": [(r, 1.0), (r, 2.0)]}, ["initial", "two entries for 'r'"]),
         ({"kinetic_energy": "m"}, ["kinetic_energy", "not a SymPy expression"]),
         ({"kinetic_energy": Matrix([m])}, ["not a scalar"]),

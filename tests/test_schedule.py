@@ -157,7 +157,8 @@ def test_the_terms_of_every_model_keep_their_values(name):
     roots = [*terms.motion.force, *terms.bias, *(e for row in terms.motion.Mdot for e in row), *terms.gamma]
     roots += [e for row in terms.M for e in row]
     roots = list(map(terms.expanded, roots))
-    names = [s.name for s in (*terms.mechanics.x, *terms.mechanics.v, *terms.mechanics.parameters)]
+    m = terms.mechanics
+    names = [s.name for s in (*m.x, *m.v, *m.parameters, *m.inputs)]
     values = {name: 0.4 + 0.13 * (k % 9) for k, name in enumerate([*names, "t"])}
     direct = node_by_node(terms.graph, roots, values)
     plan = schedule(terms.graph, roots, hoist=False)

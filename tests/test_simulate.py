@@ -205,6 +205,16 @@ def test_unknown_options_are_type_errors_too():
         bead().simulate((0, 1), rtoll=1)
 
 
+@pytest.mark.parametrize(
+    ("given", "ours"),
+    [({"y0": [0, 1]}, "x0 and v0"), ({"args": ()}, "parameters="), ({"events": []}, r"Model\(events="),
+     ({"method": "RK45"}, "'dopri5'")],
+)  # fmt: skip
+def test_words_of_solve_ivp_are_answered_with_ours(given, ours):
+    with pytest.raises(ModelError, match=rf"of SciPy: .*{ours}"):
+        bead().simulate((0, 1), **given)
+
+
 def test_tolerance_of_a_coordinate_counts():
     fine = bead().simulate((0, 1), **START, rtol=1e-12, atol={"x": 1e-12, "y": 1e-12})
     half = bead().simulate((0, 1), **START, rtol=1e-12, atol={"x": 1e-12, "y": 10.0})

@@ -87,6 +87,15 @@ def test_derived_rows_are_found_like_any_other():
         found["nonsense"]
 
 
+def test_coordinates_are_said_to_be_elsewhere(systems):
+    found = systems("pendulum").simulate((0, 1))
+    with pytest.raises(AttributeError, match=r"'theta' is a coordinate: its values are x\[0\]"):
+        found.theta  # noqa: B018
+    with pytest.raises(KeyError, match=r"its rates v\[0\]"):
+        found["theta"]
+    assert not hasattr(found, "nowhere")
+
+
 def test_representation_is_a_summary(motion):
     assert repr(motion).startswith("<Solution of bead: finished, t = 0 ... 5 in")
     assert len(repr(motion)) < 300

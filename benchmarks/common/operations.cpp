@@ -42,7 +42,12 @@ static inline bool isinf(Counted a) { return std::isinf(a.v); }
 static inline Counted ldexp(Counted a, int exponent) { return std::ldexp(a.v, exponent); }
 static inline Counted frexp(Counted a, int *exponent) { return std::frexp(a.v, exponent); }
 
+#define EM_LANES 1 // one by one: a vector of numbers that count is none
 #define EM_STEPPER_H // no stepper: what it needs is not counted
+#define EM_MEMBER_H
+#define em_member_enter nullptr
+#define em_member_look nullptr
+#define em_member_leave nullptr
 #define em_simulate nullptr
 #define em_interpolate nullptr
 #define em_release nullptr

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+import sympy
+
 from ..choices import Choices
 from ..graph.inverse import LARGEST, inverse
 from ..graph.schedule import Constants
@@ -50,6 +52,7 @@ class _Writing:
             "mass_matrix_gradient": self.gradient("mass_matrix_gradient", self.terms.dM),
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
+            "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
         }  # fmt: skip
         settled = self.stages(self.settled_masses(), self.settled_rates())
         takes_over = self.choices.bounded and self.layout.couples
@@ -113,6 +116,9 @@ class _Writing:
                 for row, entries in enumerate(rows)
                 for local, k in enumerate(block.coordinates)]  # fmt: skip
 
+    def pushed(self) -> list[Entry]:
+        return self.by_row("P", self.terms.P) if self.mechanics.pushes else []
+
     def column(self, name: str, nodes: Iterable[Node], size: str = "N_ROWS") -> list[Entry]:
         return [Entry(Array(name, f"[{size}]"), (f"[{row}]",), node) for row, node in enumerate(nodes)]
 
@@ -133,6 +139,7 @@ class _Writing:
         masses = self.masses([block for block in varying if block.single or not eigen], False)
         gamma = self.column("gamma", self.terms.gamma)
         moving = [*self.rates(varying), *self.forces(self.terms.motion.force), *self.by_row("A", self.terms.A), *gamma]
+        moving.extend(self.pushed())
         if eigen and self.layout.row_groups:
             moving.extend(self.by_row("Adot", self.terms.Adot))
         return self.stages(
@@ -143,7 +150,7 @@ class _Writing:
     def in_velocities(self, masses: list[Entry]) -> Stages:
         """The equations in x, v: what is needed of M, then force - Mdot v, A and gamma."""
         gamma = self.column("gamma", self.terms.gamma)
-        entries = [*masses, *self.forces(self.terms.bias), *self.by_row("A", self.terms.A), *gamma]
+        entries = [*masses, *self.forces(self.terms.bias), *self.by_row("A", self.terms.A), *gamma, *self.pushed()]
         name = self.choices.formulation
         return self.stages(
             Draft(f"{name}_masses", ()),
@@ -233,6 +240,24 @@ class _Writing:
     def events(self) -> Kernel:
         entries = self.column("crossing", (self.terms.node(expression) for _, expression in self.mechanics.events))
         return self.one("model_events", entries, "t", "x", "v", "c", "u", "crossing")
+
+    def impacts(self) -> Kernel:
+        rows = [(*one.N, one.rate, one.restitution) for one in self.mechanics.impacts]
+        return self.moving("impacts", "struck", rows)
+
+    def resets(self) -> Kernel:
+        return self.moving("resets", "after", [one.after for one in self.mechanics.resets])
+
+    def levels(self) -> Kernel:
+        return self.moving("levels", "level", self.mechanics.levels)
+
+    def pushes(self) -> Kernel:
+        return self.moving("pushes", "P", self.mechanics.P.tolist() if self.mechanics.pushes else [])
+
+    def moving(self, name: str, array: str, rows: Sequence[Sequence[sympy.Expr]]) -> Kernel:
+        """Numbers row by row, of expressions in anything but accelerations and multipliers."""
+        entries = self.column(array, (self.terms.node(entry) for row in rows for entry in row))
+        return self.one(name, entries, "t", "x", "v", "c", "u", array, aside=True)
 
     def quasi(self) -> Kernel:
         entries = self.column("y", (self.terms.node(row) for _, row in self.mechanics.quasi_velocities))

@@ -7,18 +7,20 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from ..choices import Choices
-from ..model.model import Event
+from ..model.contacts import Switch
+from ..model.event import Event
 from ..physics.specialise import Kind, Scene
 from .kernels import kernels_of
 from .layout import Layout, laid_out
-from .program import BlockView, EventView, Kernels, Named, Program, ShapeView, Stages
+from .program import BlockView, EventView, Kernels, Named, Program, ShapeView, Stages, SwitchView
 
 
 @dataclass(frozen=True, slots=True)
 class Defaults:
     """The numbers of a model that the generated file carries.
 
-    parameters, inputs : name -> value; x, v : (n); y : (n) or (); events : name -> Event
+    parameters, inputs : name -> value; x, v : (n); y : (n) or (); events : name -> Event;
+    switches : what changes with a mode
     """
 
     parameters: tuple[tuple[str, float], ...]
@@ -27,6 +29,7 @@ class Defaults:
     v: tuple[float, ...]
     y: tuple[float, ...]
     events: tuple[tuple[str, Event], ...]
+    switches: tuple[Switch, ...]
 
 
 def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
@@ -42,7 +45,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
         extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
         on_lanes=not (layout.couples and choices.extrapolate),
-        in_lanes=choices.carries_v and not scene.h,
+        in_lanes=choices.carries_v and not scene.h and not _acts(scene),
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         settling=_settling(scene, layout, bool(turning), choices),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,
@@ -51,7 +54,8 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         coordinates=tuple(Named(x.name, repr(value)) for x, value in zip(mechanics.x, defaults.x, strict=True)),
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
         inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
-        events=tuple(EventView(name, event.direction, int(event.terminal)) for name, event in defaults.events),
+        events=_events(scene, defaults), n_impacts=len(mechanics.impacts), pushes=mechanics.pushes,
+        resets=tuple(int(reset.quasi) for reset in mechanics.resets), switches=_switches(scene, defaults),
         shapes=_shapes(scene), dimension=next((shape.dimension for shape in mechanics.drawing), 0),
         quasi_velocities=tuple(name for name, _ in mechanics.quasi_velocities), initial_y=tuple(map(repr, defaults.y)),
         blocks=blocks, block_of=_block_of(scene), carried=_carried(scene, eigen), scales=tuple(map(repr, scene.scales)),
@@ -59,6 +63,36 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
         costs=_costs(kernels, choices.formulation), kernels=kernels,
+    )  # fmt: skip
+
+
+def _acts(scene: Scene) -> bool:
+    mechanics = scene.mechanics
+    return bool(mechanics.impacts or mechanics.resets or mechanics.levels)
+
+
+def _events(scene: Scene, defaults: Defaults) -> tuple[EventView, ...]:
+    """What each event does, by number."""
+    impacts = {impact.event: k for k, impact in enumerate(scene.mechanics.impacts)}
+    resets = {reset.event: k for k, reset in enumerate(scene.mechanics.resets)}
+    switched = {switch.name for switch in defaults.switches}
+    held = {switch.name: k for k, switch in enumerate(defaults.switches) if not switch.slides}
+    return tuple(
+        EventView(name, event.direction, int(event.terminal), impacts.get(k, -1), resets.get(k, -1), held.get(name, -1),
+                  int(event.keeps_apart or name in switched), int(event.acts or name in switched))
+        for k, (name, event) in enumerate(defaults.events)
+    )  # fmt: skip
+
+
+def _switches(scene: Scene, defaults: Defaults) -> tuple[SwitchView, ...]:
+    """Where the parameters and rows of each switch are."""
+    place = {name: k for k, (name, _) in enumerate(defaults.parameters)}
+    events = {name: k for k, (name, _) in enumerate(defaults.events)}
+    number = {one.name: k for k, one in enumerate(defaults.switches)}
+    return tuple(
+        SwitchView(events[one.name], place[one.holds.name], place[one.slides.name] if one.slides else -1,
+                   number[one.over] if one.over else -1, one.row + (scene.h if one.slides else 0))
+        for one in defaults.switches
     )  # fmt: skip
 
 

@@ -13,8 +13,8 @@ WORDS = frozenset(
     "isnan isfinite memset real".split()
 )
 """Words of C, macros of its library, the functions of it that kernels call, and what they compute with (em_real.h)."""
-MACROS = re.compile(r"(DBL|FLT|LDBL|DECIMAL|FP|MATH|HUGE|EXIT|RAND|MB|M)_\w+|math_errhandling|(?i:em)_.*")
-"""Of the C library and of our headers: replaced wherever they stand, also where a variable has the name."""
+MACROS = re.compile(r"(DBL|FLT|LDBL|DECIMAL|FP|MATH|HUGE|EXIT|RAND|MB|M)_\w+|math_errhandling|__.*|(?i:em)_.*")
+"""Of the C library, our headers and compilers: replaced wherever they stand, also where a variable has the name."""
 
 
 def c_identifier(name: str) -> str:

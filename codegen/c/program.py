@@ -79,11 +79,35 @@ class Named:
 
 @dataclass(frozen=True, slots=True)
 class EventView:
-    """An event's name, direction and whether it ends the run."""
+    """An event's name, direction and whether it ends the run; what it does.
+
+    impact, reset, held : which of the program's impacts, resets and switches it is, -1: none; frictions are not held
+    acts : whether it does anything
+    keeps_apart : whether it happens at zero, too, where the motion is about to leave that in its direction
+    """
 
     name: str
     direction: int
     terminal: int
+    impact: int
+    reset: int
+    held: int
+    keeps_apart: int
+    acts: int
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchView:
+    """What changes with a mode: the numbers of its event and constraint row, the places of its parameters.
+
+    slides : -1: a contact; over : the switch whose multiplier is what presses, -1: none
+    """
+
+    event: int
+    holds: int
+    slides: int
+    over: int
+    row: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,6 +166,8 @@ class PartialKernels:
 class Kernels:
     """The model-specific straight-line part of each function.
 
+    impacts : N, dphi/dt and the restitution of each; resets : x and v after each
+    levels : what switches are held against; pushes : the rows P by which multipliers push
     published, triangular : of the right-hand sides; settled : of what follows an accepted step
     factored : None where it is M
     """
@@ -159,6 +185,10 @@ class Kernels:
     quasi: Kernel
     drawing: Kernel
     partials: PartialKernels
+    impacts: Kernel
+    resets: Kernel
+    levels: Kernel
+    pushes: Kernel
     published: Stages
     triangular: Stages
     settled: Stages
@@ -180,6 +210,8 @@ class Program:
     settles : whether there is anything to do after an accepted step; settling: what, in order, for readers
     layout : the parts of the state vector
     quasi_velocities, initial_y : their names; their values at the start where the model starts from them
+    pushes : whether forces take part of multipliers, so that those push by other rows than A
+    n_impacts, resets, switches : what events do; of resets, whether they are in quasi-velocities
     shapes, dimension : of the drawing; numbers a position has in it, 0 where there is none
     costs : operations of the model-specific part and of the whole right-hand side, for readers
     """
@@ -218,6 +250,10 @@ class Program:
     inputs: tuple[Named, ...]
     outputs: tuple[str, ...]
     events: tuple[EventView, ...]
+    n_impacts: int
+    resets: tuple[int, ...]
+    pushes: bool
+    switches: tuple[SwitchView, ...]
     shapes: tuple[ShapeView, ...]
     dimension: int
     quasi_velocities: tuple[str, ...]
@@ -231,6 +267,16 @@ class Program:
     conserves_energy: bool
     costs: tuple[str, ...]
     kernels: Kernels
+
+    @property
+    def acts(self) -> bool:
+        """Whether events change the state, or what holds."""
+        return bool(self.n_impacts or self.resets or self.switches)
+
+    @property
+    def switched_rows(self) -> str:
+        """The bits of the rows that hold at times."""
+        return f"{sum(1 << switch.row for switch in self.switches):#x}"
 
     @property
     def lane_by_lane(self) -> tuple[str, ...]:

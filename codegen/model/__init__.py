@@ -1,7 +1,9 @@
 """What a mechanism is: the user's SymPy, checked and in one form."""
 
 from . import draw as draw
-from .model import Event as Event
+from .contacts import Contact as Contact
+from .contacts import Friction as Friction
+from .event import Event as Event
 from .model import Model as Model
 from .model import ModelError as ModelError
 from .model import multiplier as multiplier

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import sympy
 from sympy.core.function import AppliedUndef
 
+from .contacts import Contact, Friction
 from .degree import has_degree
 from .normalise import ModelError, name_of, nearest, shown, t
 from .pivots import is_singular
@@ -54,7 +55,9 @@ def check(model: Mechanism) -> None:
     _check_quasi_velocities(model)
     _check_degrees(model)
     _check_masses(model)
+    _check_contacts(model)
     _check_rows(model)
+    _check_resets(model)
 
 
 def solve_rates(model: Mechanism, x: Iterable[float], y: Iterable[float]) -> tuple[float, ...]:
@@ -173,7 +176,8 @@ def _check_initial(model: Mechanism) -> None:
     allowed = {*model.coordinates, *model.rates, *quasi}
     for key, _ in model.initial:
         if not isinstance(key, sympy.Basic) or key not in allowed:
-            hint = nearest(name_of(key), map(name_of, allowed))
+            spelt = isinstance(key, str) and key in map(name_of, allowed)
+            hint = " Give the symbol, not its name." if spelt else nearest(name_of(key), map(name_of, allowed))
             raise ModelError(f"initial has a value for {shown(key)}, which is neither a coordinate nor a rate.{hint}")
     given = {key for key, _ in model.initial}
     if given & set(model.rates) and given & set(quasi):
@@ -235,6 +239,38 @@ def _check_masses(model: Mechanism) -> None:
                 f"kinetic_energy does not contain the rate of {name_of(x)!r}: the mass matrix is singular. Give what "
                 "moves with this coordinate a mass, hold it by a constraint, or take it out of coordinates."
             )
+
+
+def _check_resets(model: Mechanism) -> None:
+    """A reset names coordinates, and velocities in rates or in quasi-velocities; an impact has a coordinate."""
+    quasi = [y for y, _ in model.quasi_velocities]
+    allowed = {*model.coordinates, *model.rates, *quasi}
+    for name, event in model.events:
+        keys = [key for key, _ in event.reset]
+        for key in keys:
+            if not isinstance(key, sympy.Basic) or key not in allowed:
+                hint = nearest(name_of(key), map(name_of, allowed))
+                raise ModelError(
+                    f"reset of events[{name}] has an entry for {shown(key)}, which is neither a coordinate nor a "
+                    f"velocity of the model.{hint}"
+                )
+            if keys.count(key) > 1:
+                raise ModelError(f"reset of events[{name}] has two entries for {name_of(key)!r}. Keep one.")
+        if set(keys) & set(model.rates) and set(keys) & set(quasi):
+            raise ModelError(
+                f"reset of events[{name}] gives both rates and quasi-velocities. Give the velocities in one of the two."
+            )
+        if event.impact and not event.impact[0].has(*model.coordinates):
+            raise ModelError(f"phi of the impact of events[{name}] contains no coordinate: {event.impact[0]}.")
+
+
+def _check_contacts(model: Mechanism) -> None:
+    velocities = (*model.rates, *(y for y, _ in model.quasi_velocities))
+    for name, entry in model.contacts:
+        if isinstance(entry, Contact) and not entry.gap.has(*model.coordinates):
+            raise ModelError(f"gap of contacts[{name}] contains no coordinate: {entry.gap}. Nothing can close it.")
+        if isinstance(entry, Friction) and not (entry.slip.has(*velocities) and has_degree(entry.slip, velocities, 1)):
+            raise ModelError(f"slip of contacts[{name}] is not linear in the velocities (8): {entry.slip}.")
 
 
 def _check_rows(model: Mechanism) -> None:

@@ -3,36 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import sympy
 
+from .contacts import Contact, Friction, Switch, switch_of
 from .drawing import Shape
-from .normalise import ModelError, expression, shown, t, truth
-
-
-@dataclass(frozen=True, slots=True)
-class Event:
-    """A zero crossing: direction 1 upwards, -1 downwards, 0 both; a terminal one ends the run.
-
-    Examples
-    --------
-    >>> from sympy.physics.mechanics import dynamicsymbols
-    >>> from eigenmotion import Event
-    >>> theta = dynamicsymbols("theta")
-    >>> events = {"limit": Event(theta - 1, direction=1, terminal=True), "bottom": theta}
-    """
-
-    expression: Any
-    direction: int = 0
-    terminal: bool = False
-
-    def __post_init__(self) -> None:
-        object.__setattr__(self, "expression", expression(self.expression, "The expression of an event"))
-        given = self.direction
-        if not isinstance(given, int) or isinstance(given, bool) or given not in (-1, 0, 1):
-            raise ModelError(f"The direction of an event is 1 (upwards), -1 (downwards) or 0, not {shown(given)}.")
-        object.__setattr__(self, "terminal", truth(self.terminal, "terminal of an event"))
+from .event import Event
+from .normalise import t
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +31,7 @@ class Mechanism:
     initial: tuple[tuple[sympy.Expr, float], ...]
     scales: tuple[float, ...]
     drawing: tuple[Shape, ...]
+    contacts: tuple[tuple[str, Contact | Friction], ...]
 
     @property
     def n(self) -> int:
@@ -69,6 +47,14 @@ class Mechanism:
     def m(self) -> int:
         """Number of constraint rows."""
         return self.h + len(self.nonholonomic_constraints)
+
+    @property
+    def switches(self) -> tuple[Switch, ...]:
+        """What of the other fields contacts were made into."""
+        return tuple(
+            switch_of(name, entry, self.holonomic_constraints, self.nonholonomic_constraints)
+            for name, entry in self.contacts
+        )
 
     @property
     def rates(self) -> tuple[sympy.Expr, ...]:
@@ -90,7 +76,12 @@ class Mechanism:
 
     def in_rates(self, given: sympy.Expr) -> sympy.Expr:
         """Return an expression with the quasi-velocities (3) written in the rates."""
-        if not self.quasi_velocities:
-            return given
-        replacements = {y.diff(t): P_xdot.diff(t) for y, P_xdot in self.quasi_velocities}
-        return given.xreplace(replacements).xreplace(dict(self.quasi_velocities))
+        return in_rates(given, self.quasi_velocities)
+
+
+def in_rates(given: sympy.Expr, quasi_velocities: tuple[tuple[sympy.Expr, sympy.Expr], ...]) -> sympy.Expr:
+    """Return an expression with quasi-velocities, pairs y_i and P xdot (3), written in the rates."""
+    if not quasi_velocities:
+        return given
+    replacements = {y.diff(t): P_xdot.diff(t) for y, P_xdot in quasi_velocities}
+    return given.xreplace(replacements).xreplace(dict(quasi_velocities))

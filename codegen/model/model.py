@@ -10,9 +10,11 @@ import sympy
 
 from . import checks
 from .canonical import canonical_text
+from .contacts import contacts_of, with_contacts
 from .drawing import drawing_of
 from .equations import Equations, equations_of
-from .mechanism import Event, Mechanism
+from .event import Event
+from .mechanism import Mechanism, in_rates
 from .normalise import MULTIPLIER, ModelError, expression, name_of, nearest, number, pairs_of, sequence_of, shown, t
 
 __all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
@@ -59,6 +61,8 @@ class Model(Mechanism):
     outputs, events : pairs name, expression or Event
     scales : (n) unit of each coordinate inside the eigenproblem [u_i]
     drawing : what it looks like: shapes of `eigenmotion.draw`, in the plane or in space
+    contacts : pairs name, Contact or Friction: what touches and lets go, slides and sticks. Each adds a constraint row
+    behind those of its kind, a parameter NAME_held or NAME_stuck that is 1 where a run has it hold, and an event NAME
 
     Raises
     ------
@@ -102,6 +106,7 @@ class Model(Mechanism):
         initial: Pairs = (),
         scales: Pairs | Sequence[float] = (),
         drawing: Iterable[Any] = (),
+        contacts: Pairs = (),
     ) -> None:
         given = dict(locals())
         del given["self"]
@@ -146,7 +151,7 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
         kind: tuple(expression(row, f"{kind}[{k}]") for k, row in enumerate(sequence_of(given[kind], kind)))
         for kind in ("holonomic_constraints", "nonholonomic_constraints")
     }
-    return given | rows | {
+    fields = given | rows | {
         "coordinates": coordinates,
         "kinetic_energy": expression(given["kinetic_energy"], "kinetic_energy"),
         "potential_energy": expression(given["potential_energy"], "potential_energy"),
@@ -156,8 +161,10 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
         "events": tuple((name, _event(entry, name)) for name, entry in pairs_of(given["events"], "events")),
         "scales": _scales(given["scales"], coordinates),
         "drawing": drawing_of(given["drawing"]),
+        "contacts": contacts_of(given["contacts"]),
         **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
     }  # fmt: skip
+    return with_contacts(fields, lambda row: in_rates(row, fields["quasi_velocities"]))
 
 
 def _expressions(given: Any, what: str) -> tuple[tuple[Any, sympy.Expr], ...]:

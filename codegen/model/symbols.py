@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import sympy
 from sympy.core.function import AppliedUndef
 
+from .contacts import expressions_of
 from .normalise import MULTIPLIER, ModelError, name_of, nearest, t
 
 if TYPE_CHECKING:
@@ -35,15 +36,24 @@ def _expressions(model: Mechanism) -> list[tuple[str, sympy.Expr, frozenset[str]
     """Every expression of the model: what it is called, and what beside x, t and parameters it may contain."""
     moving = frozenset({"rates", "quasi"})
     anything = moving | {"inputs"}
+    pushed = anything | {"multipliers"} if model.contacts else anything
     return [
+        *((what, part, anything if free else frozenset[str]())
+          for name, entry in model.contacts for what, part, free in expressions_of(name, entry)),
         ("kinetic_energy", model.kinetic_energy, moving),
         ("potential_energy", model.potential_energy, frozenset()),
-        *((f"forces[{name_of(x)}]", Q, anything) for x, Q in zip(model.coordinates, model.forces, strict=True)),
+        *((f"forces[{name_of(x)}]", Q, pushed) for x, Q in zip(model.coordinates, model.forces, strict=True)),
         *((f"holonomic_constraints[{k}]", phi, frozenset()) for k, phi in enumerate(model.holonomic_constraints)),
         *((f"nonholonomic_constraints[{k}]", row, moving) for k, row in enumerate(model.nonholonomic_constraints)),
         *((f"quasi_velocities[{name_of(y)}]", row, frozenset({"rates"})) for y, row in model.quasi_velocities),
         *((f"outputs[{name}]", out, anything | {"accelerations", "multipliers"}) for name, out in model.outputs),
         *((f"events[{name}]", event.expression, anything) for name, event in model.events),
+        *((f"reset[{name_of(key)}] of events[{name}]", after, anything)
+          for name, event in model.events for key, after in event.reset),
+        *((f"phi of the impact of events[{name}]", event.impact[0], frozenset[str]())
+          for name, event in model.events if event.impact),
+        *((f"the restitution of events[{name}]", event.impact[1], anything)
+          for name, event in model.events if event.impact),
         *((f"drawing[{k}] ({shape.kind})", number, frozenset[str]())
           for k, shape in enumerate(model.drawing) for number in shape.numbers),
     ]  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -15,9 +15,11 @@ from ..graph.rewrite import Substitution
 from ..graph.store import Node
 from ..graph.zeros import Zeros
 from ..model.drawing import Shape
-from ..model.model import Model, ModelError, multiplier, t
+from ..model.model import Model, ModelError
 from ..model.normalise import name_of
 from .augment import weights
+from .deeds import Deeds, Impact, Reset
+from .names import Names
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +41,9 @@ class Mechanics:
     outputs, events : (name, expression) with a_k = xddot_k and lambda_i as symbols
     drawing : the shapes, in x, t and parameters
     quasi_velocities : (name, P(x, t) v) (3), n of them or none
+    impacts, resets : what events do
+    P : (m, n); multipliers push with -P^T lambda: A, less what forces take of them (friction)
+    levels : (level, what it is held against: the gap, or the slip) of each switch of the model
     """
 
     name: str
@@ -63,6 +68,15 @@ class Mechanics:
     events: tuple[tuple[str, sympy.Expr], ...]
     quasi_velocities: tuple[tuple[str, sympy.Expr], ...]
     drawing: tuple[Shape, ...]
+    impacts: tuple[Impact, ...]
+    resets: tuple[Reset, ...]
+    P: sympy.ImmutableDenseMatrix
+    levels: tuple[tuple[sympy.Expr, sympy.Expr], ...]
+
+    @property
+    def pushes(self) -> bool:
+        """Whether forces take part of multipliers."""
+        return bool(self.P != self.A)
 
     @property
     def augmented(self) -> bool:
@@ -124,19 +138,22 @@ class _Derivation:
         momenta = gradient(self.graph, T, [v.name for v in names.v])
         M, (rows, b), phi = self.mass_matrix(momenta), self.constraints(), list(map(self.node, self.phi()))
         back = partial(map, self.to_sympy)
+        deeds = Deeds(model, self.graph, names, self.node, self.to_sympy)
+        Q, taken = deeds.forces()
+        A = sympy.ImmutableDenseMatrix(len(rows), len(names.x), [e for row in rows for e in back(row)])
         return Mechanics(
             name=model.name, x=names.x, v=names.v, time=names.time, parameters=names.parameters, inputs=names.inputs,
             accelerations=names.accelerations, multipliers=names.multipliers,
             M=sympy.ImmutableDenseMatrix([list(back(row)) for row in M]), W=tuple(back(self.weights(M, rows))),
             G=tuple(back(self.vanishing(map(self.at_rest, momenta)))),
             kinetic_energy=self.to_sympy(T), T0=self.to_sympy(self.at_rest(T)),
-            V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(map(self.node, model.forces))),
-            A=sympy.ImmutableDenseMatrix(len(rows), len(names.x), [e for row in rows for e in back(row)]),
+            V=self.to_sympy(self.node(model.potential_energy)), Q=tuple(back(Q)), A=A, P=A - taken,
             b=tuple(back(b)), phi=tuple(back(phi)),
             outputs=tuple((name, self.to_sympy(self.node(e))) for name, e in model.outputs),
             events=tuple((name, self.to_sympy(self.node(e.expression))) for name, e in model.events),
             quasi_velocities=tuple((name_of(y), self.to_sympy(self.node(y))) for y, _ in model.quasi_velocities),
-            drawing=tuple(map(self.shape, model.drawing)),
+            drawing=tuple(map(self.shape, model.drawing)), impacts=tuple(deeds.impacts()), resets=tuple(deeds.resets()),
+            levels=tuple(deeds.levels()),
         )  # fmt: skip
 
     def shape(self, given: Shape) -> Shape:
@@ -227,51 +244,3 @@ class _Derivation:
                 f"{expression}; write it as A(x, t) xdot + b(x, t)"
             )
         return rest
-
-
-class Names:
-    """Plain symbols for what the user writes as functions of time."""
-
-    def __init__(self, model: Model) -> None:
-        self.model = model
-        self.parameters = tuple(symbol for symbol, _ in model.parameters)
-        self._taken = {symbol.name for symbol in self.parameters} | {"t"}
-        self.time = sympy.Symbol("t")
-        self.x = tuple(self._new(name_of(x)) for x in model.coordinates)
-        self.inputs = tuple(self._new(name_of(u)) for u, _ in model.inputs)
-        self.v = tuple(self._new(f"{x.name}_dot") for x in self.x)
-        self.accelerations = tuple(self._new(f"{x.name}_ddot") for x in self.x)
-        self.multipliers = tuple(self._new(f"lambda_{row}") for row in range(model.m))
-        self._replacements = self._plain()
-
-    def _new(self, name: str) -> sympy.Symbol:
-        while name in self._taken:
-            name += "_"
-        self._taken.add(name)
-        return sympy.Symbol(name)
-
-    def by_name(self) -> Mapping[str, sympy.Symbol]:
-        """Return every plain symbol under its name."""
-        every = (*self.parameters, *self.x, *self.v, *self.inputs, *self.accelerations, *self.multipliers, self.time)
-        return {symbol.name: symbol for symbol in every}
-
-    def signs(self) -> Mapping[str, int]:
-        """Return 1 or -1 for the parameters declared positive or negative; coordinates move through either sign."""
-        return {p.name: 1 if p.is_positive else -1 for p in self.parameters if p.is_positive or p.is_negative}
-
-    def _plain(self) -> tuple[dict[sympy.Basic, sympy.Expr], ...]:
-        """Return the replacements, highest derivatives first."""
-        model = self.model
-        second = dict(zip((x.diff(t, 2) for x in model.coordinates), self.accelerations, strict=True))
-        first = dict(zip(model.rates, self.v, strict=True))
-        functions = (*model.coordinates, *(u for u, _ in model.inputs), t)
-        zeroth = dict(zip(functions, (*self.x, *self.inputs, self.time), strict=True))
-        rows = {multiplier(row): symbol for row, symbol in enumerate(self.multipliers)}
-        return second, first, zeroth | rows
-
-    def plain(self, expression: sympy.Expr) -> sympy.Expr:
-        """Return an expression in plain symbols; quasi-velocities become what they are in xdot."""
-        expression = self.model.in_rates(expression)
-        for replacements in self._replacements:
-            expression = expression.xreplace(replacements)
-        return expression

@@ -129,7 +129,8 @@ def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: f
         kind = Kind.FIXED
     elif Saving.SINGLE in savings and len(group) == 1:
         kind = Kind.SINGLE
-    constrained = any(mechanics.A[row, k] != 0 for row in range(mechanics.A.rows) for k in group)
+    rows = range(mechanics.A.rows)
+    constrained = any(mechanics.A[row, k] != 0 or mechanics.P[row, k] != 0 for row in rows for k in group)
     return Block(number, group, kind, constrained)
 
 
@@ -147,7 +148,9 @@ def _conserves_energy(mechanics: Mechanics) -> bool:
     """Whether no force does work and nothing depends on the time: then T2 - T0 + V is constant (Jacobi)."""
     given = [*mechanics.M, *mechanics.G, mechanics.T0, mechanics.V, *mechanics.A, *mechanics.phi]
     timeless = mechanics.time not in _held(given)
-    workless = all(force == 0 for force in mechanics.Q) and all(rate == 0 for rate in mechanics.b)
+    workless = (
+        not mechanics.pushes and all(force == 0 for force in mechanics.Q) and all(rate == 0 for rate in mechanics.b)
+    )
     return timeless and workless
 
 
@@ -163,7 +166,7 @@ def _absent_terms(mechanics: Mechanics) -> list[str]:
         (all(g == 0 for g in mechanics.G), "G, Gdot, dG/dx: T has no part linear in the velocities"),
         (mechanics.T0 == 0, "dT0/dx: T has no part free of velocities"),
         (mechanics.V == 0, "dV/dx: there is no potential energy"),
-        (all(q == 0 for q in mechanics.Q), "Q: there are no other forces"),
+        (not mechanics.pushes and all(q == 0 for q in mechanics.Q), "Q: there are no other forces"),
         (t not in _held(timed), "dM/dt, dA/dt, dV/dt: the time does not occur"),
         (m == 0, "A, B, Bdot, Delta, lambda: there are no constraints"),
         (m == 1, "a factor of Delta: one constraint, Delta is a number"),

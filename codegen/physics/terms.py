@@ -53,6 +53,8 @@ class Terms:
         """(n, n), M or M + A^T W A"""
         self.A: Rows = _rows(self._nodes(mechanics.A), n)
         """(m, n) (8)"""
+        self.P: Rows = _rows(self._nodes(mechanics.P), n) if mechanics.pushes else self.A
+        """(m, n), by which multipliers push"""
         self.G, self.b, self.Q = map(self._nodes, (mechanics.G, mechanics.b, mechanics.Q))
         self.phi = self._nodes(mechanics.phi)
         self.T0, self.V, self.T = self._nodes((mechanics.T0, mechanics.V, mechanics.kinetic_energy))

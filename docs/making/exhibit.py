@@ -10,8 +10,8 @@ from time import perf_counter
 
 import eigenmotion as em
 from eigenmotion.cli import main
-from eigenmotion.pages.figures import save
 from eigenmotion.results.animation import still
+from eigenmotion.results.drawing import Drawing
 
 ROOT = Path(__file__).parents[2]
 MADE = ROOT / "docs" / "made"
@@ -27,9 +27,18 @@ def exhibit(name: str) -> None:
     solution = system.simulate((0.0, SPAN), rtol=TOLERANCE, atol=TOLERANCE)
     (MADE / f"{name}.json").write_text(json.dumps(_cost(system, solution)))
     if solution.drawing is not None:
-        save(still(solution.drawing), MADE / "extra" / "pictures" / f"{name}.png")
+        _photograph(solution.drawing, MADE / "extra" / "pictures" / f"{name}.png")
     if main(["page", str(path), "-o", str(MADE / "extra" / "live" / f"{name}.html")]) != 0:
         sys.exit(f"there is no page of {name}")
+
+
+def _photograph(drawing: Drawing, path: Path) -> None:
+    """Write the mechanism at the end, without axes: it is shown small."""
+    figure = still(drawing)
+    for axes in figure.axes:
+        axes.set_axis_off()
+        axes.set_title("")
+    figure.savefig(path, dpi=100, bbox_inches="tight")
 
 
 def _cost(system: em.System, solution: em.Solution) -> dict[str, object]:

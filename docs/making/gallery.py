@@ -125,4 +125,4 @@ def _card(name: str) -> str:
     summary, _ = _docstring(name)
     picture = MADE / "extra" / "pictures" / f"{name}.png"
     shown = f'<img src="../pictures/{name}.png" alt="" loading="lazy">' if picture.exists() else ""
-    return _CARD.format(name=name, title=name.replace("_", " "), summary=summary.split(": ", 1)[-1], picture=shown)
+    return _CARD.format(name=name, title=name.replace("_", " "), summary=summary, picture=shown)

@@ -7,6 +7,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .arguments.signals import Sampled as Sampled
     from .arguments.signals import Signal as Signal
     from .building.build import build as build
     from .building.errors import BuildError as BuildError
@@ -14,34 +15,43 @@ if TYPE_CHECKING:
     from .building.loading import load_model as load_model
     from .building.proof import ProofError as ProofError
     from .codegen.mechanics import from_mechanics as from_mechanics
+    from .codegen.model import Contact as Contact
     from .codegen.model import Event as Event
+    from .codegen.model import Friction as Friction
     from .codegen.model import Model as Model
     from .codegen.model import ModelError as ModelError
     from .codegen.model import draw as draw
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
+    from .fmu.export import export_fmu as export_fmu
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
+    from .running.stepper import Stepper as Stepper
     from .runtime import StopReason as StopReason
     from .system.system import System as System
 
 _HOME = {
     "BuildError": ".building.errors",
     "CompilerNotFoundError": ".building.errors",
+    "Contact": ".codegen.model",
     "Ensemble": ".results.ensemble",
     "Event": ".codegen.model",
+    "Friction": ".codegen.model",
     "Model": ".codegen.model",
     "ModelError": ".codegen.model",
     "ProofError": ".building.proof",
+    "Sampled": ".arguments.signals",
     "Signal": ".arguments.signals",
     "Solution": ".results.solution",
+    "Stepper": ".running.stepper",
     "StopReason": ".runtime",
     "System": ".system.system",
     "build": ".building.build",
     "draw": ".codegen.model",
     "from_mechanics": ".codegen.mechanics",
+    "export_fmu": ".fmu.export",
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
     "simulate": ".running.simulate",

@@ -46,6 +46,48 @@ def four_bar(model: Model, time: float) -> State:
     return _turned(model, time, _four_bar_at)
 
 
+def four_bars(model: Model, time: float) -> State:
+    """Cranks stay parallel and couplers level: J q'' = -g m l (3 n + 1) / 2 cos q, J = m l^2 (4 n + 1) / 3."""
+    p, start = _numbers(model), initial_state(model)
+    n = len(start.x) // 2
+    pull = p["g"] * ((n + 1) / np.longdouble(2) + n) / (p["l"] * ((n + 1) / np.longdouble(3) + n))
+
+    def rhs(_: Any, y: np.ndarray) -> np.ndarray:
+        return np.array([y[1], -pull * np.cos(y[0])])
+
+    q, rate = integrate(rhs, array([start.x[0], start.v[0]], "extended"), time, TOLERANCE, "extended")
+    still = np.zeros(n, dtype=np.longdouble)
+    return State(np.array([*(n + 1) * [q], *still]), np.array([*(n + 1) * [rate], *still]))
+
+
+def snakeboard(model: Model, time: float) -> State:
+    """Without torques: P = s (m l^2 cos^2 phi + (J + 2 J_wheels) sin^2 phi) + K sin phi along what the wheels allow.
+
+    The board runs at s l cos phi and turns at s sin phi; phi' and the rotor's momentum K = J_rotor (theta' + psi')
+    stay, and Pdot = phi' (K cos phi + s (J + 2 J_wheels - m l^2) sin phi cos phi) (Bloch, Nonholonomic Mechanics, 5.8).
+    """
+    p, start = _numbers(model), initial_state(model)
+    m, l, J = p["m"] * p["l"] ** 2, p["l"], p["J"] + 2 * p["J_wheels"]
+    steering, spin = start.v[4], p["J_rotor"] * (start.v[2] + start.v[3])
+
+    def allowed(phi: Any, P: Any) -> Any:
+        return (P - spin * np.sin(phi)) / (m * np.cos(phi) ** 2 + J * np.sin(phi) ** 2)
+
+    def rhs(_: Any, y: np.ndarray) -> np.ndarray:
+        _, _, theta, _, phi, P = y
+        s, c = allowed(phi, P), np.cos(phi)
+        speed, turn = s * l * c, s * np.sin(phi)
+        rise = steering * (spin * c + s * (J - m) * np.sin(phi) * c)
+        rotor = spin / p["J_rotor"] - turn
+        return np.array([speed * np.cos(theta), speed * np.sin(theta), turn, rotor, steering, rise])
+
+    phi0 = start.x[4]
+    s0 = (start.v[0] * np.cos(start.x[2]) + start.v[1] * np.sin(start.x[2])) / (l * np.cos(phi0))
+    P0 = s0 * (m * np.cos(phi0) ** 2 + J * np.sin(phi0) ** 2) + spin * np.sin(phi0)
+    y = integrate(rhs, array([*start.x, P0], "extended"), time, TOLERANCE, "extended")
+    return State(y[:5], rhs(time, y)[:5])
+
+
 def _numbers(model: Model) -> Numbers:
     return {name: np.longdouble(value) for name, value in parameters_of(model).items()}
 

@@ -18,9 +18,11 @@ def spelled(key: object) -> str:
     return str(key).removesuffix("(t)")
 
 
-def unknown(what: str, names: Iterable[str], known: Sequence[str]) -> str:
-    """Say which names are not known, which are, and which is nearest."""
-    wrong = sorted(names)
+def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Mapping[str, str] | None = None) -> str:
+    """Say which names are not known, which are, and which is nearest; or what another tool's names are here."""
+    wrong, places = sorted(names), elsewhere or {}
+    if foreign := [f"in place of {name!r} of SciPy: {places[name]}" for name in wrong if name in places]:
+        return f"unknown {what} {', '.join(map(repr, wrong))}; {'; '.join(foreign)}."
     near = [match for name in wrong for match in get_close_matches(name, known, n=1)]
     listed = ", ".join(known) if known else "there are none"
     hint = f" Did you mean {', '.join(repr(name) for name in near)}?" if near else ""

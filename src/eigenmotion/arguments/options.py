@@ -47,8 +47,24 @@ class Task(NamedTuple):
     least_norm: bool
 
 
-def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
+SCIPY_OPTIONS = {
+    "args": "parameters={...}, by name",
+    "events": "Model(events={...}): they belong to the mechanism, and are compiled",
+    "fun": "nothing: the system has its right-hand side",
+    "jac": "nothing: implicit methods have their Jacobian",
+    "y0": "x0 and v0, by name or as arrays",
+}
+SCIPY_METHODS = {"RK45": "'dopri5', the same pair", "RK23": "'rk34'"}
+"""What `solve_ivp` calls things that have another name here, or another place."""
+
+
+def choice(given: object, known: Mapping[str, Any], what: str, elsewhere: Mapping[str, str] | None = None) -> Any:
     """Return what a word stands for, whatever its case.
+
+    Parameters
+    ----------
+    elsewhere
+        Words of other tools, and what takes their place.
 
     Raises
     ------
@@ -61,7 +77,7 @@ def choice(given: object, known: Mapping[str, Any], what: str) -> Any:
         raise ModelError(f"{what} is {shown(given)}, not one of the words {', '.join(known)}")
     if given.lower() not in known:
         spelt = [value if isinstance(value, str) else word for word, value in known.items()]
-        raise ModelError(unknown(what, [given], spelt))
+        raise ModelError(unknown(what, [given], spelt, elsewhere))
     return known[given.lower()]
 
 

@@ -1,6 +1,6 @@
 """Inputs u(t) of a run: constants, and samples with zero-order hold, linear or cubic interpolation."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
@@ -98,19 +98,75 @@ class Signal:
         return np.empty(0) if self.kind == "cubic" else np.asarray(self.times)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Sampled:
+    """A controller inside a run: an input that a function is asked for every period, and that holds in between.
+
+    Parameters
+    ----------
+    function
+        Called as function(t, x, v), x and v (n,) new arrays, at the start and then every period; returns a number.
+    period
+        [s]
+    delay
+        [s] from the question to when the answer takes hold, at most the period.
+    initial
+        What holds before the first answer does; None: the model's default.
+
+    Raises
+    ------
+    ModelError
+        The function cannot be called, or a number is out of range.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> em.Sampled(lambda t, x, v: -2.0 * v[0], period=0.01, delay=0.01).delay
+    0.01
+    """
+
+    function: Callable[[float, Vector, Vector], float]
+    period: float
+    delay: float = 0.0
+    initial: float | None = None
+
+    def __post_init__(self) -> None:
+        if not callable(self.function):
+            raise ModelError(f"the function of a Sampled input is {shown(self.function)}, which cannot be called")
+        for name in ("period", "delay"):
+            object.__setattr__(self, name, number(getattr(self, name), f"the {name} of a Sampled input"))
+        if not self.period > 0:
+            raise ModelError(f"the period of a Sampled input is {self.period}, but must be above 0")
+        if not 0 <= self.delay <= self.period:
+            raise ModelError(
+                f"the delay of a Sampled input is {self.delay}, but must be from 0 to its period, {self.period}"
+            )
+        if self.initial is not None:
+            object.__setattr__(self, "initial", number(self.initial, "the initial value of a Sampled input"))
+
+    def before(self, default: float) -> float:
+        """Return what holds before the first answer."""
+        return default if self.initial is None else self.initial
+
+
 @dataclass(frozen=True, eq=False)
 class Inputs:
     """The inputs of one run, in the model's order."""
 
-    signals: tuple[float | Signal, ...]
+    signals: tuple[float | Signal | Sampled, ...]
 
     @cached_property
     def compiled(self) -> tuple[Compiled, ...]:
-        """One `em_signal` for each input."""
+        """One `em_signal` for each input; what those are that are sampled is known in a run alone."""
         return tuple(
             signal.compiled if isinstance(signal, Signal) else (0, np.empty(0), np.array([signal]))
             for signal in self.signals
         )
+
+    @cached_property
+    def sampled(self) -> bool:
+        """Whether there are controllers to be asked."""
+        return any(isinstance(signal, Sampled) for signal in self.signals)
 
     @property
     def constant(self) -> bool:
@@ -139,7 +195,7 @@ class Inputs:
 
 
 def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> Inputs:
-    """Read a run's inputs: name -> number, (times, values) (linear), or Signal; the others at their defaults.
+    """Read a run's inputs: name -> number, (times, values) (linear), Signal or Sampled; the others at their defaults.
 
     Raises
     ------
@@ -147,10 +203,13 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
         An unknown name, or a value that is none of these; names it.
     """
     if not isinstance(given, Mapping):
-        raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values) or Signal")
+        raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values), Signal or Sampled")
     named = by_name(given, names, "input")
     return Inputs(
-        tuple(as_signal(named.get(name, default), name) for name, default in zip(names, defaults, strict=True))
+        tuple(
+            given if isinstance(given := named.get(name, default), Sampled) else as_signal(given, name)
+            for name, default in zip(names, defaults, strict=True)
+        )
     )
 
 
@@ -158,6 +217,8 @@ def as_signal(given: Any, name: str) -> float | Signal:
     """Return one input as a number or a Signal: a number, a pair (times, values) or a Signal."""
     if isinstance(given, Signal):
         return given
+    if isinstance(given, Sampled):
+        raise ModelError(f"input {name!r} is Sampled: controllers are asked in `simulate`, one run at a time")
     if not isinstance(given, tuple | list):
         return number(given, f"input {name!r}: a number, a pair (times, values) or a Signal is needed; what is given")
     if len(given) != 2:

@@ -17,6 +17,7 @@ COMMANDS = {
     "run": "Simulate a model; print a summary, draw it, save it.",
     "sweep": "Simulate a model for many values of parameters and starts; store every run.",
     "new": "Write a model file to start from.",
+    "export": "Write a model as a unit that other tools import (FMI).",
     "page": "Write a page on which a model moves, alive, in any browser.",
     "report": "Measure error against run time, and recommend.",
     "stability": "Drive every formulation and method to its limits.",

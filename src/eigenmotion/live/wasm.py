@@ -73,7 +73,8 @@ def wasm_compiler() -> WasmCompiler:
                 return WasmCompiler(command, f"{' '.join(command)} {version}")
     raise CompilerNotFoundError(
         "a page holds the model as WebAssembly, and there is no compiler for that: pip install 'eigenmotion[page]' "
-        "(the ziglang wheel), or install a clang with wasm-ld and a WASI sysroot"
+        "(the ziglang wheel), or install a clang with wasm-ld and a WASI sysroot "
+        "(Debian: clang lld wasi-libc libclang-rt-dev-wasm32)"
     )
 
 

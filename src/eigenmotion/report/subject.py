@@ -47,8 +47,13 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
     Raises
     ------
     ModelError, BuildError
-        No formulation can be built; that of the first.
+        No formulation can be built; that of the first. Or events act, of which no other solver here knows.
     """
+    if any(event.acts for _, event in model.events) or model.contacts:
+        raise ModelError(
+            f"{model.name}: its events act on the motion, and a report compares motions without impacts and contacts. "
+            "Take out what acts, or compare runs by simulate(..., estimate_error=True)."
+        )
     start = time.perf_counter()
     derive(model)
     derivation = time.perf_counter() - start

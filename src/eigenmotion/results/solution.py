@@ -11,7 +11,7 @@ from ..arguments.names import Vector, vector
 from ..codegen.model.normalise import ModelError
 from ..pages.figures import has_matplotlib
 from ..pages.notebook import image, table
-from ..runtime import StopReason
+from ..runtime import CompiledModel, StopReason
 from .animation import FRAMES_A_SECOND, animation, frame_times, still
 from .drawing import Drawing, require_drawing
 from .trajectory import Trajectory
@@ -80,6 +80,8 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     y : (n_state, k), published meaning: any column is a state to restart from
     sol : y(t) as a function, with dense_output
     t_events, y_events : for each event of the model (e,) and (e, n_state); None where the model has none
+    y_after_events : the states after those that act, as y_events; of the others y_events itself
+    modes : since when, and a parameter name -> value of each mode that a model with contacts went through; else ()
     nfev, njev, nlu : evaluations of the right-hand side, its Jacobian, factorisations (SciPy's stiff methods)
     nsteps, nrejected : steps accepted; rejected (None: implicit methods do not say)
     n_bounded : steps accepted that did not run the published equations
@@ -122,11 +124,32 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         dict.__init__(self, fields)
         object.__setattr__(self, "_rows", rows)
 
+    @property
+    def model(self) -> CompiledModel | None:
+        """The compiled model; None in a copy from another process."""
+        return None if self._rows is None else self._rows.model
+
     def __missing__(self, name: str) -> Any:
         if self._rows is None or name not in _DERIVED:
-            raise KeyError(name)
+            raise KeyError(self._place(name))
         self[name] = value = _DERIVED[name](self._rows)
         return value
+
+    def __getattr__(self, name: str) -> Any:
+        try:
+            return self[name]
+        except KeyError as error:
+            raise AttributeError(*error.args) from error
+
+    def _place(self, name: str) -> str:
+        """Say where to find a name that is no field: a coordinate's, or an output's."""
+        if self._rows is None:
+            return name
+        model = self._rows.model
+        if name in model.coordinates:
+            k = model.coordinates.index(name)
+            return f"{name!r} is a coordinate: its values are x[{k}], its rates v[{k}]"
+        return f"{name!r} is an output: outputs[{name!r}]" if name in model.outputs else name
 
     def __contains__(self, name: object) -> bool:
         return super().__contains__(name) or (self._rows is not None and name in _DERIVED)

@@ -23,6 +23,7 @@ def summary(system: "System", solution: Solution, seconds: float) -> str:
     rows = [
         ("model", f"{system.name}, {system.formulation}, {system.n_state} states"),
         ("ended", f"{solution.stop} at t = {solution.t[-1]:.10g}"),
+        *_events(system, solution),
         *_invariants(system, solution),
         ("cost", f"{solution.cost}, by {solution.method}"),
         ("time", f"{_duration(seconds - checking)} for the run"),
@@ -34,12 +35,27 @@ def summary(system: "System", solution: Solution, seconds: float) -> str:
     return "\n".join([*lines, "", _final_state(system, solution)])
 
 
+def _events(system: "System", solution: Solution) -> list[tuple[str, str]]:
+    """How often each event happened, when last, and what holds at the end."""
+    rows = []
+    for name, times in zip(system.events, solution.t_events or (), strict=True):
+        last = (
+            "" if not len(times) else f"at t = {times[0]:.10g}" if len(times) == 1 else f"last at t = {times[-1]:.10g}"
+        )
+        rows.append((f"event {name}", f"{len(times)} times, {last}" if len(times) > 1 else last or "did not happen"))
+    if solution.modes:
+        mode = ", ".join(f"{name} = {value:g}" for name, value in solution.modes[-1][1].items())
+        rows.append(("mode at the end", mode))
+    return rows
+
+
 def _invariants(system: "System", solution: Solution) -> list[tuple[str, str]]:
     """Only what this scene has: energy where it is conserved, constraints and factors where there are any."""
     rows = []
     if system.conserves_energy:
+        label = "energy change" if _acted(system, solution) else "energy drift"
         drift = solution.jacobi_integral - solution.jacobi_integral[0]
-        rows.append(("energy drift", f"{_largest(drift):.2e} of {solution.jacobi_integral[0]:.6g}"))
+        rows.append((label, f"{_largest(drift):.2e} of {solution.jacobi_integral[0]:.6g}"))
     if system.h:
         rows.append(("position violation", f"{_largest(solution.position_residual):.2e}"))
     if system.m:
@@ -47,6 +63,12 @@ def _invariants(system: "System", solution: Solution) -> list[tuple[str, str]]:
     if system.formulation == "eigenfactor":
         rows.append(("factor residual", f"{_largest(solution.factor_residual):.2e}"))
     return rows
+
+
+def _acted(system: "System", solution: Solution) -> bool:
+    """Whether an event changed the state, and so the energy."""
+    happened = zip(solution.t_events or (), system.compiled.deeds, strict=True)
+    return any(len(times) > 0 and acts for times, (acts, _) in happened)
 
 
 def _estimate(solution: Solution) -> list[tuple[str, str]]:

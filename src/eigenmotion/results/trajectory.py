@@ -1,14 +1,18 @@
 """What follows from the rows of a run: velocities, eigenfactors, multipliers, energies, residuals."""
 
+from collections.abc import Callable
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from ..arguments.names import Vector
 from ..arguments.options import Task
-from ..runtime import CompiledModel
+from ..runtime import CompiledModel, Prepared
 from .drawing import Drawing
+
+Leg = tuple[int, float, tuple[float, ...]]
 
 
 class Trajectory:
@@ -18,10 +22,21 @@ class Trajectory:
     ----------
     t : (k,) [s]
     rows : (k, n_state), published meaning
+    legs : where modes change: first row, time and parameters of each mode; () where there is one
     """
 
-    def __init__(self, task: Task, t: Vector, rows: Vector) -> None:
+    def __init__(self, task: Task, t: Vector, rows: Vector, legs: tuple[Leg, ...] = ()) -> None:
         self.task, self.model, self.t, self.rows = task, task.model, t, rows
+        self._legs = _pieces(task, len(t), legs)
+
+    def _by_leg(self, function: Callable[..., Any], *columns: Vector) -> Any:
+        """Return the rows of a function of (columns, prepared parameters), each in its own mode."""
+        if len(self._legs) == 1:
+            return function(*columns, self._legs[0][1])
+        parts = [function(*(np.ascontiguousarray(column[rows]) for column in columns), c) for rows, c in self._legs]
+        if isinstance(parts[0], tuple):
+            return tuple(map(np.concatenate, zip(*parts, strict=True)))
+        return np.concatenate(parts)
 
     @cached_property
     def x(self) -> Vector:
@@ -71,18 +86,21 @@ class Trajectory:
         """(k, m)."""
         if self.model.m == 0:
             return np.empty((len(self.t), 0))
-        arguments = self.t, self.x, self.v, self.u, self.task.prepared, self.task.least_norm
-        return self.model.acceleration_rows(*arguments)[1]
+        rows: Vector = self._by_leg(self._accelerations, self.t, self.x, self.v, self.u)[1]
+        return rows
+
+    def _accelerations(self, t: Vector, x: Vector, v: Vector, u: Vector, c: Prepared) -> tuple[Vector, Vector]:
+        return self.model.acceleration_rows(t, x, v, u, c, self.task.least_norm)
 
     @cached_property
     def constraint_residual(self) -> Vector:
         """(k, m): A v + b."""
-        return self.model.constraint_rows(self.t, self.x, self.v, self.task.prepared)
+        return np.asarray(self._by_leg(self.model.constraint_rows, self.t, self.x, self.v))
 
     @cached_property
     def position_residual(self) -> Vector:
         """(k, h): phi."""
-        return self.model.position_rows(self.t, self.x, self.task.prepared)
+        return np.asarray(self._by_leg(self.model.position_rows, self.t, self.x))
 
     @cached_property
     def quasi_velocities(self) -> dict[str, Vector]:
@@ -105,17 +123,33 @@ class Trajectory:
     def between(self, t: Vector) -> Vector:
         """x (k, n) at t (k,) between the rows, for the eye: cubics that have the velocities of both ends."""
         sign = 1.0 if self.t[-1] >= self.t[0] else -1.0
-        times, first = np.unique(sign * self.t, return_index=True)
-        if len(times) < len("ab"):
-            return np.repeat(self.x[:1], len(t), axis=0)
-        return np.asarray(CubicHermiteSpline(times, self.x[first], sign * self.v[first])(sign * t))
+        turns = np.flatnonzero(np.diff(self.t) == 0) + 1  # what acts leaves a row before and one after
+        legs = [rows for rows in np.split(np.arange(len(self.t)), turns) if len(rows) > 1]
+        found, last = np.repeat(self.x[:1], len(t), axis=0), np.full(len(t), -1)
+        for number, rows in enumerate(legs):
+            last[sign * t >= sign * self.t[rows[0]]] = number
+        for number, rows in enumerate(legs):
+            cubics = CubicHermiteSpline(sign * self.t[rows], self.x[rows], sign * self.v[rows])
+            found[last == number] = cubics(sign * t[last == number])
+        return found
 
     @cached_property
     def outputs(self) -> dict[str, Vector]:
         """Name -> (k,)."""
-        arguments = self.t, self.x, self.v, self.u, self.task.prepared, self.task.least_norm
-        columns = self.model.output_rows(*arguments)
+        columns = self._by_leg(self._outputs, self.t, self.x, self.v, self.u)
         return {name: columns[:, k] for k, name in enumerate(self.model.outputs)}
+
+    def _outputs(self, t: Vector, x: Vector, v: Vector, u: Vector, c: Prepared) -> Vector:
+        return self.model.output_rows(t, x, v, u, c, self.task.least_norm)
+
+
+def _pieces(task: Task, count: int, legs: tuple[Leg, ...]) -> list[tuple[slice, Prepared]]:
+    """Return which rows each leg has, and its prepared parameters."""
+    if not legs:
+        return [(slice(0, count), task.prepared)]
+    ends = [first for first, _, _ in legs[1:]] + [count]
+    made = {parameters: task.model.prepare(np.array(parameters)) for _, _, parameters in legs}
+    return [(slice(first, end), made[parameters]) for (first, _, parameters), end in zip(legs, ends, strict=True)]
 
 
 def _carried_blocks(model: CompiledModel) -> list[list[int]]:

@@ -52,8 +52,8 @@ METHODS = _table(
     Method("dopri5", order=5, number=1),
     Method("dop853", order=8, number=2),
     Method("ra15", order=15, number=3, iterates=True),
-    Method("radau5", order=5, implicit=True, number=4),
-    Method("radau9", order=9, implicit=True, number=5),
+    Method("radau5", order=5, implicit=True, number=6),
+    Method("radau9", order=9, implicit=True, number=7),
     Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau"),
     Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF"),
     Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA"),
@@ -63,6 +63,10 @@ METHODS = _table(
 AUTO = "auto"
 """The name by which users leave the choice to choosing.py."""
 COMPILED = _table(*(method for method in METHODS.values() if method.is_compiled))
+FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, number=5))
+"""Of steppers alone: their steps are as long as told, all alike, and nothing says how large their error is."""
+STEPPED = _table(*COMPILED.values(), *FIXED.values())
+"""All that steppers have."""
 IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
 
 

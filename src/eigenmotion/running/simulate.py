@@ -9,15 +9,16 @@ from numpy.typing import ArrayLike
 
 from ..arguments import options
 from ..arguments.names import Vector, unknown
-from ..arguments.options import OptionError, Task, choice
+from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, OptionError, Task, choice
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
-from ..results.trajectory import Trajectory
-from ..runtime import CompiledModel, EvaluationError, Run, plain
+from ..runtime import CompiledModel, EvaluationError, plain
 from .choosing import automatic_of_run
+from .compiled import run_compiled
 from .error_estimate import with_error_estimate
 from .methods import AUTO, METHODS, Method
-from .start import start_state
+from .restart import given_start
+from .start import check_direction, start_state
 from .stiff import simulate_stiff
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 NAMES = {name.lower(): name for name in (*METHODS, AUTO)}
 STABILISATIONS = {"project": True, "none": False}
 _OPTIONS = (
-    *("x0", "v0", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
+    *("x0", "v0", "start", "parameters", "inputs", "method", "rtol", "atol", "t_eval", "dense_output"),
     *("first_step", "max_step", "max_steps", "stabilisation", "dependent_constraints", "estimate_error"),
 )
 
@@ -37,6 +38,7 @@ def simulate(
     *positional: Never,
     x0: Mapping[Any, float] | ArrayLike | None = None,
     v0: Mapping[Any, float] | ArrayLike | None = None,
+    start: Any = None,
     parameters: Any = None,
     inputs: Mapping[Any, Any] | None = None,
     method: str = "dop853",
@@ -59,10 +61,13 @@ def simulate(
     x0, v0
         (n,), or mapping coordinate -> value over the model's `initial`; v0 also quasi-velocity -> value. They must
         satisfy the constraints (to ten times rtol); `System.project_initial_state` gives the nearest that do.
+    start
+        In place of x0 and v0: a Solution, to go on where it ended, or a pair (t, y); t is t_span[0].
     parameters
         Mapping name -> value over the defaults, array, or what `System.prepare` returned.
     inputs
-        Mapping name -> number, (times, values) (linear interpolation), or Signal.
+        Mapping name -> number, (times, values) (linear interpolation), Signal, or, for compiled methods, Sampled: a
+        controller, asked every period. What it raises comes out as it is, with what was done as its `solution`.
     method
         "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
         often the quickest where motions are smooth and tolerances tight; "radau5", "radau9": compiled, implicit, for
@@ -110,18 +115,21 @@ def simulate(
     """
     if positional or misspelt or not is_system(system):
         raise _refused(system, positional, misspelt)
-    named = choice(method, NAMES, "method")
+    named = choice(method, NAMES, "method", SCIPY_METHODS)
     compiled = system.compiled
-    task = None if inputs is not None else plain.task(
+    task = None if not (inputs is None and start is None) else plain.task(
         Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
         first_step, max_step, max_steps, stabilisation, STABILISATIONS, dependent_constraints, options.DEPENDENT,
     )  # fmt: skip
     if task is None:
         task = _checked(
-            system, t_span, x0, v0, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
+            system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
+    if task.inputs.sampled:
+        _check_sampled(task, chosen, estimate_error)
+    check_direction(compiled, task.t_start, task.t_end)
     if estimate_error is False:
         solution = run_task(task, chosen)
     else:
@@ -133,8 +141,9 @@ def simulate(
 
 
 def _checked(
-    system: "System", t_span: Any, x0: Any, v0: Any, parameters: Any, inputs: Any, rtol: Any, atol: Any, t_eval: Any,
-    dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any, dependent_constraints: Any,
+    system: "System", t_span: Any, x0: Any, v0: Any, given: Any, parameters: Any, inputs: Any, rtol: Any, atol: Any,
+    t_eval: Any, dense_output: Any, first_step: Any, max_step: Any, max_steps: Any, stabilisation: Any,
+    dependent_constraints: Any,
 ) -> Task:  # fmt: skip
     """Return the task, of all that means one; what does not is refused by its name."""
     start, end = options.span(t_span)
@@ -142,14 +151,28 @@ def _checked(
     first, longest, most = options.step_limits(first_step, max_step, max_steps, abs(end - start))
     prepared = _prepared(system, parameters)
     signals = _inputs(system, inputs, start, end)
-    x, v = system.start(x0, v0, start, prepared)
-    y = start_state(system.compiled, prepared, start, x, v, relative, absolute)
+    y = _begin(system, prepared, start, x0, v0, given, relative, absolute)
     stabilise = choice(stabilisation, STABILISATIONS, "stabilisation")
     return Task(
         system.compiled, prepared, signals, start, end, y, relative, absolute, options.rows_at(t_eval, start, end),
         truth(dense_output, "dense_output"), first, longest, most, stabilise,
         options.least_norm_of(dependent_constraints),
     )  # fmt: skip
+
+
+def _begin(
+    system: "System", prepared: Any, start: float, x0: Any, v0: Any, given: Any, rtol: float, atol: Vector
+) -> Vector:
+    """Return y (n_state,) to start from: at x0, v0, or where another run ended."""
+    if given is None:
+        x, v = system.start(x0, v0, start, prepared)
+        return start_state(system.compiled, prepared, start, x, v, rtol, atol)
+    if not (x0 is None and v0 is None):
+        raise ModelError("start= says where the run begins, and so do x0 and v0: give one of them")
+    t, y = given_start(system.compiled, prepared, given, rtol, atol)
+    if t != start:
+        raise ModelError(f"start is a state at t = {t!r}, but t_span begins at {start!r}")
+    return y
 
 
 def _refused(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> OptionError:
@@ -162,7 +185,7 @@ def _refused(system: object, positional: tuple[object, ...], misspelt: Mapping[s
     if positional:
         words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
         return OptionError(f"simulate: everything after t_span is given by keyword; did you mean {words}?")
-    return OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS)}")
+    return OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS, SCIPY_OPTIONS)}")
 
 
 def is_system(given: object) -> bool:
@@ -179,7 +202,7 @@ def _checker(given: Any) -> CompiledModel:
 
 def run_task(task: Task, method: Method) -> Solution:
     """Run what has been checked."""
-    found = simulate_stiff(task, method) if method.number is None else _compiled(task, method, method.number)
+    found = simulate_stiff(task, method) if method.number is None else run_compiled(task, method, method.number)
     if task.dense and task.t_start == task.t_end and found.success and len(found.t):
         row = found.y.T[:1]  # there are no steps to interpolate in
         found["sol"] = DenseOutput(found.t, partial(_standing, row))
@@ -189,6 +212,19 @@ def run_task(task: Task, method: Method) -> Solution:
 def _standing(row: Vector, t: Vector) -> Vector:
     """Return the one row (1, n_state) there is at every t (k,)."""
     return np.repeat(row, len(t), axis=0)
+
+
+def _check_sampled(task: Task, method: Method, estimate_error: Any) -> None:
+    """Refuse what controllers cannot be asked in."""
+    if method.number is None:
+        raise ModelError(f"Sampled inputs are for compiled methods, which {method.name} is not; use dop853, say")
+    if task.t_end < task.t_start:
+        raise ModelError("Sampled inputs are for runs forwards in time: a controller knows the past alone")
+    if estimate_error is not False:
+        raise ModelError(
+            "estimate_error asks a controller twice, at states that differ: run without it, and then again with the "
+            "inputs that the solution has held"
+        )
 
 
 def _prepared(system: "System", parameters: Any) -> Any:
@@ -204,11 +240,3 @@ def _inputs(system: "System", given: Mapping[Any, Any] | None, start: float, end
         name = tuple(system.inputs)[gap[0]]
         raise ModelError(f"{system.name}: input {name!r} {gap[1]}, which does not cover t_span ({start:g}, {end:g})")
     return bound
-
-
-def _compiled(task: Task, method: Method, number: int) -> Solution:
-    run = Run(task, number)
-    fields = run.fields(method.name)
-    if run.n_dense:
-        fields["sol"] = DenseOutput(run.step_times, run.interpolate)
-    return Solution(Trajectory(task, fields["t"], fields["y"].T), fields)

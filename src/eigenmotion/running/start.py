@@ -36,6 +36,37 @@ def start_state(
     return y
 
 
+def check_direction(model: CompiledModel, start: float, end: float) -> None:
+    """Refuse to run events backwards that act: what was before an impact or a reset does not follow from what is after.
+
+    Raises
+    ------
+    ModelError
+        The model has such events, and `end` is before `start`.
+    """
+    if model.acts and end < start:
+        acting = [name for name, (acts, _) in zip(model.events, model.deeds, strict=True) if acts]
+        raise ModelError(
+            f"{model.name}: t_span runs backwards, but events that act ({', '.join(map(repr, acting))}) do so forwards "
+            "only: what was before an impact or a reset does not follow from what is after it. Run forwards."
+        )
+
+
+def check_modes(model: CompiledModel) -> None:
+    """Refuse members whose constraints hold at times: an Ensemble has one set of parameters a member.
+
+    Raises
+    ------
+    ModelError
+        The model has contacts.
+    """
+    if model.switches:
+        raise ModelError(
+            f"{model.name}: a model with contacts changes its constraints within a run, for which simulate_ensemble "
+            "has no place. Call simulate for each run, or state impacts as events."
+        )
+
+
 def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
     """Refuse to extrapolate Omega (32) from where eigenvalues that part coincide: nothing says how axes turn."""
     C, s = (part[0] for part in model.eigenfactor_rows(np.array([t]), x[None], prepared))

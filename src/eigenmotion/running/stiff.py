@@ -4,22 +4,22 @@ They solve with a Jacobian of (x, v) -> (v, xddot), 2 n numbers square: carrying
 add a fast variable wherever axes turn, for nothing that x does not know (docs/theory.md).
 """
 
-from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache, partial
 from itertools import pairwise
 from pkgutil import resolve_name
 from typing import Any
 
 import numpy as np
-from scipy.integrate import OdeSolution, Radau
+from scipy.integrate import Radau
 
 from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
-from ..runtime import EvaluationError, StopReason, explain, record
+from ..runtime import EvaluationError, StopReason, explain, modes_of, record
 from .drift import Drift
+from .legs import Leg, between, event_rows, modes, published
 from .methods import Method
 from .watch import Function, Watch
 from .witness import Witness
@@ -27,8 +27,9 @@ from .witness import Witness
 
 @dataclass(slots=True)
 class _Progress:
-    """Accepted steps so far: times, z = (x, v) (2 n,) and the interpolants between them.
+    """Accepted steps so far: times, z = (x, v) (2 n,), and the legs that they are of.
 
+    pile : (n_events, 2) of `act`
     obstacle : why the rate had no value last, since the last accepted step
     """
 
@@ -37,14 +38,16 @@ class _Progress:
     watch: Watch
     drift: Drift
     witness: Witness
-    pieces: list[Any] = field(default_factory=list)
+    legs: list[Leg]
+    pile: Vector
+    nsteps: int = 0
     nfev: int = 0
     njev: int = 0
     nlu: int = 0
     obstacle: EvaluationError | None = None
 
     def accept(self, solver: Any, u: Function, keep: bool) -> bool:
-        """Take over a step; return whether a terminal event cut it short."""
+        """Take over a step; return whether an event cut it short that is terminal or acts."""
         ends = {self.t[-1]: self.z[-1], float(solver.t): solver.y.copy()}
         between, (start, end) = cache(solver.dense_output), ends
         self.drift.check(end, solver.y)
@@ -52,16 +55,40 @@ class _Progress:
         self.obstacle = None
         inside: Function = lambda t: ends[t] if t in ends else between()(t)  # noqa: E731
         stop = self.watch.step(start, end, inside, u) if self.watch.t else None
+        self.nsteps += 1
         if stop == start:
             return True
         self.t.append(end if stop is None else stop)
         self.z.append(inside(self.t[-1]))
+        self.legs[-1].t.append(self.t[-1])
         if keep:
-            self.pieces.append(between())
+            self.legs[-1].pieces.append(between())
         return stop is not None
+
+    def act(self, u: Vector) -> None:
+        """Do what the events do that have just happened; a leg begins."""
+        task, t = self.legs[-1].task, self.t[-1]
+        fired = self.watch.fired
+        z, task, jumps = _acted(task, t, self.z[-1], u, fired, self.pile)
+        self.t.append(t)
+        self.z.append(z)
+        self.legs.append(Leg(task, len(self.t) - 1, [t], z))
+        self.watch.go_on(task, t, z, u, fired, jumps)
+        self.drift, self.witness = Drift(task), Witness(task)
+        self.witness.begin(z)
 
     def count(self, solver: Any) -> None:
         self.nfev, self.njev, self.nlu = self.nfev + solver.nfev, self.njev + solver.njev, self.nlu + solver.nlu
+
+
+def _acted(task: Task, t: float, z: Vector, u: Vector, fired: Vector, pile: Vector) -> tuple[Vector, Task, Vector]:
+    """Return z (2 n,) after the events that fired, the task in the mode of then, and the events whose number jumps."""
+    model, n = task.model, task.model.n
+    x, v = z[:n], z[n:]
+    if task.stabilise and model.m:
+        x, v = model.project(t, x, v, task.prepared, task.least_norm)
+    x, v, prepared, jumps = model.act(t, x, v, task.prepared, u, task.least_norm, fired, pile)
+    return np.concatenate((x, v)), task._replace(prepared=prepared), jumps
 
 
 def simulate_stiff(task: Task, method: Method) -> Solution:
@@ -69,11 +96,13 @@ def simulate_stiff(task: Task, method: Method) -> Solution:
     model = task.model
     rows = np.ascontiguousarray(task.y[None, :])
     v = model.velocity_rows(np.array([task.t_start]), rows, task.prepared)[0]
-    progress = _Progress(
-        [task.t_start], [np.concatenate((task.y[: model.n], v))], Watch(task), Drift(task), Witness(task)
-    )
+    z, pile = np.concatenate((task.y[: model.n], v)), np.zeros((len(model.events), 2))
+    leg = Leg(task, 0, [task.t_start], z)
+    progress = _Progress([task.t_start], [z], Watch(task), Drift(task), Witness(task), [leg], pile)
     try:
-        stop, said = _advance(task, method, progress)
+        if model.switches:
+            _choose_mode(progress)
+        stop, said = _advance(method, progress)
     except EvaluationError as error:
         stop, said = error.stop, str(error)
     except KeyboardInterrupt:
@@ -83,8 +112,18 @@ def simulate_stiff(task: Task, method: Method) -> Solution:
     return _solution(task, progress, stop, message, method.name)
 
 
-def _advance(task: Task, method: Method, progress: _Progress) -> tuple[StopReason, str]:
+def _choose_mode(progress: _Progress) -> None:
+    """The mode in which a run starts."""
+    task, t = progress.legs[0].task, progress.t[0]
+    u = _inputs(task, t, task.t_end)(t)
+    z, task, _ = _acted(task, t, progress.z[0], u, np.zeros(len(task.model.events)), progress.pile)
+    progress.z[0], progress.legs[0] = z, Leg(task, 0, [t], z)
+    progress.watch, progress.drift, progress.witness = Watch(task), Drift(task), Witness(task)
+
+
+def _advance(method: Method, progress: _Progress) -> tuple[StopReason, str]:
     """Integrate from one kink of the inputs to the next: no polynomial reaches across a jump."""
+    task = progress.legs[0].task
     kinks = task.inputs.kinks(task.t_start, task.t_end)
     forward = task.t_end > task.t_start
     ends = [task.t_start, *(kinks if forward else kinks[::-1]), task.t_end]
@@ -93,20 +132,32 @@ def _advance(task: Task, method: Method, progress: _Progress) -> tuple[StopReaso
         return StopReason.FINISHED, ""
     progress.witness.begin(progress.z[0])
     for start, end in pairwise(ends):
-        u = _inputs(task, start, end)
-        solver = _solver(task, method, u, (start, end), progress)
-        try:
-            stop = _leg(task, solver, u, progress)
-        finally:
-            progress.count(solver)
+        stop = _to(end, method, _inputs(task, start, end), progress)
         if stop is not StopReason.FINISHED:
             return stop, ""
     return StopReason.FINISHED, ""
 
 
-def _leg(task: Task, solver: Any, u: Function, progress: _Progress) -> StopReason:
+def _to(end: float, method: Method, u: Function, progress: _Progress) -> StopReason:
+    """Integrate to the next kink, leg by leg."""
+    while progress.t[-1] != end:
+        task = progress.legs[-1].task
+        solver = _solver(task, method, u, (progress.t[-1], end), progress)
+        try:
+            stop = _steps(task, solver, u, progress)
+        finally:
+            progress.count(solver)
+        if stop is StopReason.TERMINAL_EVENT and progress.watch.fired.any():
+            progress.act(u(progress.t[-1]))
+            stop = StopReason.TERMINAL_EVENT if progress.watch.ends else StopReason.FINISHED
+        if stop is not StopReason.FINISHED:
+            return stop
+    return StopReason.FINISHED
+
+
+def _steps(task: Task, solver: Any, u: Function, progress: _Progress) -> StopReason:
     while solver.status == "running":
-        if len(progress.t) - 1 >= task.max_steps:
+        if progress.nsteps >= task.max_steps:
             return StopReason.TOO_MANY_STEPS
         if not _stepped(solver):
             if progress.obstacle is not None:
@@ -175,45 +226,24 @@ def _not_finite(task: Task, z: Vector) -> EvaluationError:
     return EvaluationError(explain(stop, task.model.coordinates, worst), stop)
 
 
-def _published(task: Task, t: Vector, z: Vector) -> Vector:
-    """Return y (k, n_state) at z (k, 2 n): projected where asked, eigenfactors continuous from row to row."""
-    n, model = task.model.n, task.model
-    x, v = np.ascontiguousarray(z[:, :n]), np.ascontiguousarray(z[:, n:])
-    if task.stabilise and model.m:
-        for k, time in enumerate(t):
-            with suppress(EvaluationError):  # the run has ended there, and says why
-                x[k], v[k] = model.project(time, x[k], v[k], task.prepared, task.least_norm)
-    return model.state_rows(t, x, v, task.prepared)
-
-
-def _between(task: Task, interpolant: OdeSolution, t: Vector) -> Vector:
-    """Return y (k, n_state) at t (k,) from what gives z (2 n, k) there."""
-    return _published(task, t, interpolant(t).T)
-
-
 def _solution(task: Task, progress: _Progress, stop: StopReason, message: str, method: str) -> Solution:
-    t, z = np.array(progress.t), np.array(progress.z)
-    between = OdeSolution(t, progress.pieces) if progress.pieces else None
-    sol = DenseOutput(t, partial(_between, task, between)) if task.dense and between else None
-    if task.t_eval is not None:
-        reached = np.abs(task.t_eval - task.t_start) <= abs(t[-1] - task.t_start)
-        t_eval = task.t_eval[reached]
-        if between is not None and t_eval.size:  # SciPy's interpolants take no empty array
-            z = np.ascontiguousarray(between(t_eval).T)
-        else:
-            z = np.repeat(z[:1], len(t_eval), axis=0)
-        t = t_eval
-    rows = _published(task, t, z)
-    t_events, y_events = _events(task, progress.watch)
+    t, legs = np.array(progress.t), progress.legs
+    dense = task.dense and any(leg.pieces for leg in legs)
+    sol = DenseOutput(np.unique(t), partial(between, legs, "right")) if dense else None
+    if task.t_eval is None:
+        which = np.searchsorted([leg.first for leg in legs[1:]], np.arange(len(t)), "right")
+        rows = published(legs, which, t, np.array(progress.z))
+    else:
+        t = task.t_eval[np.abs(task.t_eval - task.t_start) <= abs(t[-1] - task.t_start)]
+        rows = between(legs, "left", t)
+    found = modes(legs, t, task.t_eval is None) if task.model.switches else ()
     unknown = None if task.t_start != task.t_end else 0
-    counts = progress.nfev, len(progress.t) - 1, unknown, 0, 0, progress.njev, progress.nlu
-    fields = record(t, rows.T, t_events, y_events, stop, message, method, counts, sol)
-    return Solution(Trajectory(task, t, rows), fields)
-
-
-def _events(task: Task, watch: Watch) -> tuple[list[Vector], list[Vector]] | tuple[None, None]:
-    """Return t_events and y_events; None where the model has no events."""
-    if not task.model.events:
-        return None, None
-    times, n = [np.array(t) for t in watch.t], task.model.n
-    return times, [_published(task, t, np.array(z).reshape(-1, 2 * n)) for t, z in zip(times, watch.z, strict=True)]
+    counts = progress.nfev, progress.nsteps, unknown, 0, 0, progress.njev, progress.nlu
+    t_events, y_events = event_rows(legs, progress.watch.t, progress.watch.z)
+    after = event_rows(legs, progress.watch.t, progress.watch.after)[1] if task.model.acts else None
+    if y_events and after:
+        after = [now if acts else y for now, y, (acts, _) in zip(after, y_events, task.model.deeds, strict=True)]
+    fields = record(
+        t, rows.T, t_events, y_events, stop, message, method, counts, sol, after, modes_of(task.model, found)
+    )
+    return Solution(Trajectory(task, t, rows, found), fields)

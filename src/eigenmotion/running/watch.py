@@ -29,6 +29,7 @@ _PROBE = 0.38196601125010515
 _MOST_HALVINGS = 10  # as em_events.h tries steps shorter by up to 4^5
 _ULPS = 256 * np.finfo(float).eps
 _OF_TOLERANCE = 1e-3
+_AT_ONE_TIME = 8 * np.finfo(float).eps  # as EM_AT_ONE_TIME of em_record.h
 
 
 @dataclass(slots=True)
@@ -43,6 +44,9 @@ class Watch:
     side : (n_events,) the last sign of g, 0 where it has been zero so far
     noise, zero : (n_events,) what g is known to at the start by rounding, and by a part of the tolerances
     quiet : (n_events,) beyond which a g that was zero at the start is so no longer
+    after : as z, the states after events that act
+    fired : (n_events,) whether an event that acts has just happened; ends : whether a terminal one has
+    jumped : (n_events,) whether g begins anew with the leg: it is zero, then, or what it is
     """
 
     task: Task
@@ -53,6 +57,10 @@ class Watch:
     zero: Vector = field(default_factory=lambda: np.empty(0))
     quiet: Vector = field(default_factory=lambda: np.empty(0))
     started: bool = False
+    after: list[list[Vector]] = field(default_factory=list)
+    fired: Vector = field(default_factory=lambda: np.empty(0, dtype=bool))
+    jumped: Vector = field(default_factory=lambda: np.empty(0, dtype=bool))
+    ends: bool = False
 
     def start(self, t: float, z: Vector, u: Vector) -> None:
         """Judge g at the start of a run: what it changes by with the last places of the time and of each number of z.
@@ -62,10 +70,22 @@ class Watch:
         EvaluationError
             An event has no value there; names it.
         """
+        model = self.task.model
+        self.t, self.z, self.after = [[] for _ in model.events], [[] for _ in model.events], [[] for _ in model.events]
+        self.side, self.jumped = np.zeros(len(model.events)), np.zeros(len(model.events), dtype=bool)
+        self.fired = self.jumped
+        if model.events:
+            self._judge(t, z, u)
+
+    def go_on(self, task: Task, t: float, z: Vector, u: Vector, fired: Vector, jumped: Vector) -> None:
+        """Begin anew after the events `fired`, which made z of the state; `jumped` are those whose g jumps then."""
+        self.task, self.jumped, self.started = task, jumped, False
+        for k in np.flatnonzero(fired):
+            self.after[k].append(z)
+        self._judge(t, z, u)
+
+    def _judge(self, t: float, z: Vector, u: Vector) -> None:
         model, n = self.task.model, self.task.model.n
-        self.t, self.z = [[] for _ in model.events], [[] for _ in model.events]
-        if not model.events:
-            return
         g = self.values(t, z, u)
         last = _ULPS * np.abs(z)
         more = last + _OF_TOLERANCE * (np.tile(self.task.atol, 2) + self.task.rtol * np.abs(z))
@@ -176,12 +196,16 @@ class Watch:
         """Which of g are zero at the start, to rounding beside what follows or a part of the tolerances."""
         largest = np.max(np.where(np.isfinite(g), np.abs(g), 0.0), axis=0)
         rounding = self.noise + _ULPS * largest
-        self.side = np.sign(g[0]) * (np.abs(g[0]) > np.maximum(rounding, self.zero))
+        anew = np.sign(g[0]) * (np.abs(g[0]) > np.maximum(rounding, self.zero))
+        seen = np.sign(g[0]) * (np.abs(g[0]) > rounding)
+        kept = np.where(seen != 0, seen, self.side)
+        self.side = np.where(self.jumped, anew, kept) if self.jumped.any() else anew
         self.quiet, self.started = rounding + 4 * np.abs(g[0]), True
 
     def _crossings(self, times: Vector, g: Vector, z: Function, u: Function) -> Iterator[tuple[float, int]]:
         """Yield the time and the number of what passes zero between the first and the last of some times."""
-        for k, (direction, _) in enumerate(self.task.model.event_kinds):
+        model = self.task.model
+        for k, ((direction, _), (_, keeps_apart)) in enumerate(zip(model.event_kinds, model.deeds, strict=True)):
 
             def at(t: float, k: int = k) -> float:
                 return float(self.values(t, z(t), u(t))[k])
@@ -191,12 +215,15 @@ class Watch:
             rests = before[1] == 0
             for here in self._with_dips(points, at):
                 sign = np.sign(here[1]) * (self.side[k] != 0 or abs(here[1]) > self.quiet[k])
+                enters = self.side[k] == 0 and keeps_apart and np.sign(here[1]) == direction
+                if enters and sign:
+                    yield _root(at, before, here) if before[1] * here[1] < 0 else before[0], k
                 last = here[0] == self.task.t_end and here[1] == 0 and not rests
                 passes = self.side[k] != 0 and (sign == -self.side[k] or last)
                 if passes and direction in (0, -self.side[k]):
                     yield _root(at, before, here), k
                 self.side[k] = sign or self.side[k]
-                before, rests = (here, False) if here[1] != 0 else (before, True)
+                before, rests = (here, False) if here[1] != 0 and not enters else (before, here[1] == 0)
 
     def _with_dips(self, points: list[Point], g: Scalar) -> list[Point]:
         """Return the points and, between two of one sign, a place where g has the other one, if there is any."""
@@ -220,15 +247,19 @@ class Watch:
         return sorted([*points, *found], reverse=end < start)
 
     def _record(self, found: list[tuple[float, int]], z: Function) -> float | None:
-        """Keep the crossings up to the first terminal one and what else happens then; return its time."""
-        stop = None
+        """Keep the crossings up to the first that is terminal or acts, and what else happens then; return its time."""
+        model, stop = self.task.model, None
+        self.fired, self.ends = np.zeros(len(model.events), dtype=bool), False
         for t, k in found:
-            if stop is not None and t != stop:
+            at_once = stop is not None and self.fired.any() and abs(t - stop) <= _AT_ONE_TIME * abs(stop)
+            if (stop is not None and t != stop and not at_once) or self.fired[k]:
                 break
-            self.t[k].append(t)
-            self.z[k].append(z(t))
-            if self.task.model.event_kinds[k][1]:
+            (_, terminal), (acts, _) = model.event_kinds[k], model.deeds[k]
+            if stop is None and (terminal or acts):
                 stop = t
+            self.t[k].append(t if stop is None else stop)
+            self.z[k].append(z(self.t[k][-1]))
+            self.fired[k], self.ends = acts, self.ends or terminal
         return stop
 
 

@@ -6,6 +6,7 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef enum em_status:
         EM_TERMINAL_EVENT
+        EM_INTERRUPTED
 
     ctypedef struct em_fault:
         em_status status
@@ -34,6 +35,8 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef enum em_method:
         EM_RA15
+        EM_RK4
+        EM_MIDPOINT
         EM_RADAU5
         EM_RADAU9
 
@@ -46,6 +49,20 @@ cdef extern from "eigenmotion.h" nogil:
     ctypedef struct em_dense_step:
         double t
         double h
+
+    ctypedef struct em_deed:
+        int keeps_apart
+        int acts
+
+    ctypedef struct em_switch:
+        int event
+        int holds
+        int slides
+        int row
+
+    ctypedef struct em_pile:
+        double t
+        double count
 
     ctypedef struct em_run:
         double t_start
@@ -71,6 +88,8 @@ cdef extern from "eigenmotion.h" nogil:
         em_fault fault
         em_rows rows
         em_rows *events
+        em_rows *after
+        em_rows legs
         em_dense_step *dense_steps
         double *dense_table
         size_t n_dense
@@ -152,11 +171,21 @@ cdef extern from "eigenmotion.h" nogil:
         void (*quasi)(double, const double *, const double *, const double *, double *) noexcept nogil
         void (*event)(double, const double *, const double *, const double *, const double *, double *) noexcept nogil
         void (*factored_matrix)(double, const double *, const double *, double *) noexcept nogil
+        const em_deed *deeds
+        int n_switches
+        const em_switch *switches
+        int (*act)(double, double *, double *, double *, const double *, int, int *, em_pile *, em_fault *) noexcept nogil
         const em_lanes *lanes
         void *(*enter)(em_run *, em_flock *, int) noexcept nogil
         int n_shapes
         int dimension
         const em_shape *shapes
+        void *(*open)(em_run *) noexcept nogil
+        int (*advance)(void *, double, int) noexcept nogil
+        double (*now)(const void *, double *, double *) noexcept nogil
+        int (*publish)(const void *, double *, em_fault *) noexcept nogil
+        size_t saved
+        void (*close)(void *) noexcept nogil
         void (*draw)(double, const double *, const double *, double *) noexcept nogil
         int n_arguments
         int (*motion_derivatives)(double, const double *, const double *, const double *, const double *, int,

@@ -31,6 +31,9 @@ class StopReason(StrEnum):
     ENERGY_DRIFTED = "energy drifted"
     CONSTRAINTS_DRIFTED = "constraints drifted"
     START_REFUSED = "start refused"
+    EVENTS_PILE_UP = "events pile up"
+    IMPACT_UNDEFINED = "impact undefined"
+    RESET_OFF = "reset off the constraints"
 
     @property
     def success(self) -> bool:
@@ -112,6 +115,19 @@ _REMEDY = {
         "of the multipliers adds up, or the constraint jumps. Loosen rtol and atol, or pass "
         'stabilisation="project"; a coordinate that has next to no inertia beside the forces on it is better left out.'
     ),
+    StopReason.EVENTS_PILE_UP: (
+        "Event {event} happens again and again without time passing (Zeno's way to rest): no run goes beyond. State "
+        "what comes to rest as a Contact with `rest`, the speed below which it stays in contact, or end the run, "
+        "before, by a terminal event on the speed."
+    ),
+    StopReason.IMPACT_UNDEFINED: (
+        "The impact of event {event} has no solution: the constraints leave nothing free to move along the gradient of "
+        "its phi. State one that the mechanism can open, or take it out."
+    ),
+    StopReason.RESET_OFF: (
+        "The reset of event {event} leaves the constraints: {row} is not met after it. Let it set all that the "
+        "constraint joins, or state an impact, which keeps constraints."
+    ),
     StopReason.START_REFUSED: "No motion starts from these parameters and this start.",
 }
 
@@ -120,6 +136,19 @@ _NEAR_SINGULAR = (
     "The mass matrix comes so near to being singular at coordinate {first} that no step is short enough to follow it, "
     "or rounding leaves fewer digits of it than rtol asks for. Choose coordinates that are regular there (Euler angles "
     "are not everywhere); where rounding is in the way, loosen rtol."
+)
+
+_RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
+
+_JAMS = -3
+_JAMMED = (
+    "Friction jams at constraint {row}: no acceleration satisfies the contacts with it (Painleve's paradox). Lower the "
+    "friction coefficient, or let the bodies give way a little."
+)
+
+_NO_RATES = (
+    "The reset of event {event} gives quasi-velocities where P of y = P(x) xdot (3) is singular, so that nothing "
+    "follows of the rates. Give the rates."
 )
 
 _MANY_STEPS = 1000  # below, nobody waits for them
@@ -183,7 +212,14 @@ def explain(
         words = _NEAR_SINGULAR
     if stop is StopReason.DEPENDENT_CONSTRAINTS and second != -1:
         words = _CONTRADICTION if second >= 0 else _SINGULAR_START
+    if stop is StopReason.DEPENDENT_CONSTRAINTS and second == _JAMS:
+        words = _JAMMED
+    if stop is StopReason.IMPACT_UNDEFINED and second == 1:
+        words = _RESTITUTION
+    if stop is StopReason.RESET_OFF and second < 0:
+        words = _NO_RATES
     at = f" at coordinate {name(first)}" if first >= 0 else ""
-    row = f"row {first} (counted from 0)" if first >= 0 else "(row unknown)"
+    number = second if stop is StopReason.RESET_OFF else first
+    row = f"row {number} (counted from 0)" if number >= 0 else "(row unknown)"
     text = words.format(first=name(first), second=name(second), row=row, at=at, event=name(first, events))
     return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

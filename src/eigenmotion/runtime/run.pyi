@@ -1,7 +1,8 @@
+from collections.abc import Sequence
 from typing import Any
 
 from .faults import StopReason
-from .point import Prepared, Vector
+from .point import PointModel, Prepared, Vector
 
 COUNTS: tuple[str, ...]
 
@@ -15,12 +16,23 @@ def record(
     method: str,
     counts: tuple[int | None, ...],
     sol: Any = None,
+    y_after_events: list[Vector] | None = None,
+    modes: tuple[tuple[float, dict[str, float]], ...] = (),
 ) -> dict[str, Any]: ...
+def modes_of(
+    model: PointModel, legs: Sequence[tuple[int, float, tuple[float, ...]]]
+) -> tuple[tuple[float, dict[str, float]], ...]: ...
 
 class Run:
     stop: StopReason
-    def __init__(self, task: Any, method: int) -> None: ...
+    def __init__(self, task: Any, method: int, whole: bool = True) -> None: ...
+    def advance(self, t: float) -> bool: ...
+    def set(self, place: int, value: float) -> None: ...
+    def now(self) -> tuple[Vector, Vector]: ...
+    def close(self, interrupted: bool) -> None: ...
     def fields(self, method: str) -> dict[str, Any]: ...
+    @property
+    def legs(self) -> tuple[tuple[int, float, tuple[float, ...]], ...]: ...
     @property
     def n_dense(self) -> int: ...
     @property
@@ -36,4 +48,5 @@ def _kept(
     count: int,
     steps: bytes,
     table: bytes,
+    legs: bytes = b"",
 ) -> Run: ...

@@ -5,8 +5,8 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15
-from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_INTERRUPTED, EM_RA15
+from .abi cimport em_dense_step, em_fault, em_method, em_rows, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 
@@ -21,16 +21,26 @@ _TERMINAL_EVENT = StopReason.TERMINAL_EVENT
 _FINISHED = explain(StopReason.FINISHED, ())
 
 
-cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=None):
+cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=None,
+                  y_after_events=None, tuple modes=()):
     """The fields that every `Solution` has (results/solution.py), whatever made it; counts as in COUNTS."""
     nfev, nsteps, nrejected, n_bounded, n_stiff, njev, nlu = counts
     cdef int status = -1 if not stop.success else 1 if stop is _TERMINAL_EVENT else 0
     return {
-        "t": t, "y": y, "sol": sol, "t_events": t_events, "y_events": y_events, "nfev": nfev, "njev": njev, "nlu": nlu,
+        "t": t, "y": y, "sol": sol, "t_events": t_events, "y_events": y_events,
+        "y_after_events": y_events if y_after_events is None else y_after_events, "modes": modes, "nfev": nfev, "njev": njev, "nlu": nlu,
         "status": status, "message": message, "success": status >= 0, "nsteps": nsteps, "nrejected": nrejected,
         "n_bounded": n_bounded, "n_stiff": n_stiff, "stop": stop, "method": method, "error_estimate": None,
         "error_cost": None,
     }
+
+
+def modes_of(model, legs):
+    """For each leg, as of `Run.legs`, since when, and the parameters of the mode by name."""
+    places = [k for _, holds, slides, _ in model.switches for k in (holds, slides) if k >= 0]
+    found = [(t, {model.parameters[k]: parameters[k] for k in places}) for _, t, parameters in legs]
+    last = [mode for k, mode in enumerate(found) if k + 1 == len(found) or mode[0] != found[k + 1][0]]
+    return tuple([mode for k, mode in enumerate(last) if k == 0 or mode[1] != last[k - 1][1]])
 
 
 cdef int poll(void *argument) noexcept with gil:
@@ -68,10 +78,17 @@ cdef class Run:
     cdef readonly object stop
     cdef list held
     cdef object pending
+    cdef void *walk
+    cdef bint jumped
+    cdef long most_steps
 
-    def __cinit__(self, task, int method):
+    def __cinit__(self, task, int method, bint whole=True):
         if task is not None:
             self.begin(task, method)
+            if whole:
+                self.go()
+            else:
+                self.open()
 
     cdef begin(self, task, int method):
         cdef em_run *run = &self.run
@@ -89,9 +106,9 @@ cdef class Run:
             run.t_eval = self.hold(t_eval, run.n_t_eval, "t_eval")
         if model.n_inputs > 0:
             self.hold_inputs(inputs.compiled)
-        self.go()
 
     def __dealloc__(self):
+        self.shut()
         if self.run.model != NULL:
             self.run.model.release(&self.run)
         free(self.signals)
@@ -122,6 +139,51 @@ cdef class Run:
             raise self.pending
         self.stop = _REASONS[status]
 
+    # --- in parts, with inputs that change in between ---
+
+    cdef open(self):
+        self.most_steps = self.run.max_steps
+        self.walk = self.run.model.open(&self.run)
+        if self.walk == NULL:
+            self.stop = _REASONS[<int> self.run.fault.status]
+
+    cdef shut(self):
+        if self.walk != NULL:
+            self.run.model.close(self.walk)
+        self.walk = NULL
+
+    def advance(self, double t):
+        """Go on to t. Whether the run has come there, and goes on."""
+        cdef int ended
+        if self.walk == NULL:
+            return False
+        self.run.max_steps = self.most_steps - self.run.n_steps
+        with nogil:
+            ended = self.run.model.advance(self.walk, t, self.jumped)
+        self.jumped = False
+        if self.pending is not None:
+            raise self.pending
+        return not ended
+
+    def set(self, Py_ssize_t place, double value):
+        """An input, which is constant, from here on."""
+        cdef double *held = <double *> self.signals[place].values
+        self.jumped = self.jumped or held[0] != value
+        held[0] = value
+
+    def now(self):
+        """x, v (n,) where the run stands."""
+        cdef Numbers x = zeros((self.model.n,)), v = zeros((self.model.n,))
+        self.run.model.now(self.walk, x.data, v.data)
+        return x.array, v.array
+
+    def close(self, bint interrupted):
+        """The end of a run in parts, that of t_span or an earlier one."""
+        self.shut()
+        if interrupted:
+            self.run.fault = em_fault(status=EM_INTERRUPTED, first=-1, second=-1, size=0.0)
+        self.stop = _REASONS[<int> self.run.fault.status]
+
     cdef table(self, em_rows *rows):
         """t (k,), y (k, n_state): copies, so that they outlive the run."""
         cdef Py_ssize_t k = rows.count
@@ -131,19 +193,37 @@ cdef class Run:
             memcpy(y.data, rows.y, y.view.len)
         return t.array, y.array
 
-    cdef events(self):
+    cdef events(self, em_rows *tables):
         """For each event t (k,), and for each y (k, n_state); None where the model has none."""
-        if self.run.events == NULL:
+        if tables == NULL:
             return None, None
-        return tuple(map(list, zip(*[self.table(&self.run.events[k]) for k in range(self.model.n_events)])))
+        return tuple(map(list, zip(*[self.table(&tables[k]) for k in range(self.model.n_events)])))
+
+    @property
+    def legs(self):
+        """Between events that change the mode: of each the first row, since when, its parameters; () without modes."""
+        cdef em_rows *legs = &self.run.legs
+        cdef const double *c
+        cdef Py_ssize_t k, i
+        found = []
+        for k in range(legs.count):
+            c = legs.y + k * legs.width
+            parameters = tuple([c[i] for i in range(self.model.model.n_parameters)])
+            found.append((int(c[legs.width - 1]), legs.t[k], parameters))
+        return tuple(found)
 
     def fields(self, str method):
         """What came of it, as `record` has it, but `sol`."""
         t, y = self.table(&self.run.rows)
-        t_events, y_events = self.events()
+        t_events, y_events = self.events(self.run.events)
+        after = None
+        if self.model.acts:
+            _, after = self.events(self.run.after)
+            after = [now if acts else y for now, y, (acts, _) in zip(after, y_events, self.model.deeds)]
         counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
                   self.run.n_jacobians, self.run.n_factors)
-        return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts)
+        return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after,
+                      modes_of(self.model, self.legs))
 
     @property
     def n_dense(self):
@@ -171,7 +251,9 @@ cdef class Run:
         steps = (<char *> run.dense_steps)[:run.n_dense * sizeof(em_dense_step)] if run.n_dense else b""
         table = (<char *> run.dense_table)[:run.n_dense * width] if run.n_dense else b""
         times = run.t_start, run.t_end, run.t_reached
-        return _kept, (self.held[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table)
+        legs = (<char *> run.legs.y)[:run.legs.count * run.legs.width * sizeof(double)] if run.legs.count else b""
+        return _kept, (self.held[0], <int> run.method, run.stabilise, run.least_norm, times, run.n_dense, steps, table,
+                       legs)
 
     def interpolate(self, t):
         """y (k, n_state) at t (k,), published meaning, settled like accepted steps."""
@@ -197,7 +279,7 @@ cdef class Run:
 
 
 def _kept(Prepared prepared not None, int method, int stabilise, int least_norm, times, size_t count,
-          bytes steps, bytes table):
+          bytes steps, bytes table, bytes legs=b""):
     """A run that is over, of which there are the interpolants."""
     cdef Run made = Run.__new__(Run, None, method)
     cdef em_run *run = &made.run
@@ -212,4 +294,9 @@ def _kept(Prepared prepared not None, int method, int stabilise, int least_norm,
     memcpy(run.dense_steps, <char *> steps, len(steps))
     memcpy(run.dense_table, <char *> table, len(table))
     run.n_dense = count
+    run.legs.width = prepared.model.model.n_prepared + 1
+    run.legs.y = <double *> calloc(len(legs) + 1, 1)
+    if run.legs.y == NULL:
+        raise MemoryError
+    memcpy(run.legs.y, <char *> legs, len(legs))
     return made

@@ -15,6 +15,7 @@ from ..codegen.model.normalise import ModelError, number, real
 from ..pages.notebook import table
 from ..running.consistent import ConsistentState, Projection
 from ..running.simulate import simulate
+from ..running.stepper import stepper
 from ..runtime import CompiledModel, EvaluationError, Prepared, plain
 from .description import Description
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
@@ -292,7 +293,8 @@ class System(Description):
     def _x(self, x: Coordinates) -> Vector:
         return overlay(x, self._compiled.coordinates, self._compiled.initial_x, "coordinate of x")
 
-    simulate = simulate  # the function as a method, with its options
+    simulate = simulate  # the functions as methods, with their options
+    stepper = stepper
 
 
 def _ours(error: Exception) -> Exception:

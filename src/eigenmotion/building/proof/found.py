@@ -69,12 +69,22 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
         c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), c.factored_gradient(t, x, prepared),
         *c.pfaffian(t, x, prepared),
         c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
-        c.quasi_rows(time, position, moving, prepared)[0], c.event_rows(time, position, moving, inputs, prepared)[0],
+        c.quasi_rows(time, position, moving, prepared)[0],
+        c.event_rows(time, position, moving, inputs, _free(c, p, prepared))[0],
         c.drawn_rows(time, position, prepared)[0],
         a[0], multipliers[0], c.output_rows(time, position, moving, inputs, prepared, least_norm)[0], C[0], s[0], y[0],
         _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
         np.array(least_norm),
     )  # fmt: skip
+
+
+def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:
+    """The same with no contact or friction held, of which events watch multipliers: that follows from the others."""
+    if not c.switches:
+        return prepared
+    free = p.copy()
+    free[[holds for _, holds, _, _ in c.switches]] = 0.0
+    return c.prepare(free)
 
 
 def _rate(c: CompiledModel, t: float, y: Vector, prepared: Prepared, u: Vector) -> Vector:

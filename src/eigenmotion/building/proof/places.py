@@ -62,8 +62,12 @@ def draw(system: System, attempt: int) -> Places:
     p = np.tile(c.parameter_defaults, (k, 1))
     other = [1, 1 + len(far) // 2, k - 2, k - 1]
     p[other] = _nearby(random, c.parameter_defaults, 0.2, len(other))
+    modes = [parameter for _, *both, _ in c.switches for parameter in both if parameter >= 0]
+    p[:, modes] = random.integers(0, 2, (k, len(modes)))
     t = np.where(np.arange(k) == 0, 0.0, random.uniform(-2.0, 2.0, k))
-    return _with_copies(random, Places(t, z[:, :n], z[:, n:], u, p, np.ones((k, 1))))
+    places = _with_copies(random, Places(t, z[:, :n], z[:, n:], u, p, np.ones((k, 1))))
+    places.p[:, modes] = np.tile(p[:, modes], (3, 1))
+    return places
 
 
 def _both_signs(random: np.random.Generator, sizes: Vector) -> Vector:

@@ -126,6 +126,7 @@ class Page {
   }
 }
 
+document.documentElement.classList.toggle("framed", window.top !== window); // what shows it has a title of its own
 try {
   const engine = await Engine.open(element("wasm").textContent, about);
   window.eigenmotion = new Page(engine, about.dimension ? await stageOf(about) : null);

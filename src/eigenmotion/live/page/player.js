@@ -56,7 +56,7 @@ class Player {
   }
 
   print() {
-    this.parts.play.textContent = this.playing ? "⏸" : "▶";
+    this.parts.play.classList.toggle("playing", this.playing);
     this.parts.play.setAttribute("aria-label", this.playing ? "pause" : "play");
     this.parts.scrub.value = this.t;
     this.parts.scrub.setAttribute("aria-valuetext", `${this.t.toFixed(2)} seconds`);

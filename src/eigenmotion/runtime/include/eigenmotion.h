@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 7 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 9 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -30,7 +30,12 @@ typedef enum em_status {
     EM_EVENT_UNDEFINED,           /* an event's expression is not a number; fault.first: the event */
     EM_ENERGY_DRIFTED,            /* T2 - T0 + V, a constant of the motion, is not what it was; fault.size: by how much */
     EM_CONSTRAINTS_DRIFTED,       /* A v + b, not settled, is not what it was; fault.first: the row, fault.size: by how much */
-    EM_START_REFUSED              /* of a member of an ensemble: no motion starts there */
+    EM_START_REFUSED,             /* of a member of an ensemble: no motion starts there */
+    EM_EVENTS_PILE_UP,            /* events that act follow each other without time passing; fault.first: the event */
+    EM_IMPACT_UNDEFINED,          /* the constraints leave no freedom along N, or, fault.second = 1, the restitution is not
+                                     from 0 to 1 but fault.size; fault.first: the event */
+    EM_RESET_OFF                  /* a reset leaves a constraint; fault.first: the event, fault.second: the row, -1: it
+                                     names quasi-velocities where P is singular */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
@@ -61,13 +66,35 @@ typedef struct em_signal {
     const double *values;      /* (count); EM_CUBIC: (count - 1, 4) coefficients, highest power first, local time */
 } em_signal;
 
-typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RADAU5, EM_RADAU9 } em_method;
+/* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error. */
+typedef enum em_method {
+    EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT, EM_RADAU5, EM_RADAU9
+} em_method;
 
 enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
+
+/* What an event does: which of the model's impacts and resets, which contact it closes or opens; -1: none. keeps_apart:
+ * it happens at zero, too, where the motion is about to leave that in its direction. */
+typedef struct em_deed {
+    int impact, reset, held, keeps_apart, acts;
+} em_deed;
+
+/* What of a model changes with its mode: the parameter that is 1 where constraint `row` holds, else 0; that which is the
+ * sign of slip where it slides, else 0 (-1: a contact, which does not); its event; of which switch the multiplier is what
+ * presses (-1: of none). */
+typedef struct em_switch {
+    int event, holds, slides, over, row;
+} em_switch;
+
+/* How often an event acted at about one time: then when. */
+typedef struct em_pile {
+    double t, count;
+} em_pile;
 
 /* A growing table: one time and `width` numbers a row. Owned by the run; em_release frees it. */
 typedef struct em_rows {
     size_t count, capacity, width;
+    size_t most; /* rows there may be, after which the last is written over and over; 0: as many as come */
     double *t;
     double *y; /* (capacity, width) */
 } em_rows;
@@ -76,6 +103,7 @@ typedef struct em_rows {
 typedef struct em_dense_step {
     double t, h;
     int mode, kept; /* kept: as em_run's, within the step */
+    size_t leg;     /* of em_run's legs */
 } em_dense_step;
 
 struct em_model;
@@ -108,6 +136,9 @@ typedef struct em_run {
     em_fault fault;              /* fault.status says how it ended */
     em_rows rows;                /* width n_state, published meaning */
     em_rows *events;             /* (n_events), width n_state */
+    em_rows *after;              /* (n_events) the states after those that acted */
+    em_rows legs;                /* width n_prepared + 1: between events that change the mode, where a model has modes:
+                                    since when, the constants then (`prepared` is the last), its first row of `rows` */
     em_dense_step *dense_steps;  /* (n_dense) */
     double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */
     size_t n_dense, dense_capacity;
@@ -213,11 +244,28 @@ typedef struct em_model {
     void (*factored_matrix)(double t, const double *x, const double *c, double *M);
     void (*factored_gradient)(double t, const double *x, const double *c, double *dM);
 
+    const em_deed *deeds;          /* (n_events), or NULL: events change nothing */
+    int n_switches;
+    const em_switch *switches;     /* (n_switches) */
+    /* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; pile (n_events) is of
+     * the run. `fired` grows by events whose number jumps then. None fired: at the start of a run. NULL: nothing acts. */
+    int (*act)(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
+               em_fault *fault);
+
     const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
     /* A run that is to go on in a lane: its start is there. NULL: it cannot, and run is as it was but for its fault. */
     void *(*enter)(em_run *run, em_flock *f, int lane);
     int (*look)(void *walk, em_flock *f, int lane); /* at a step. 0: goes on; 1: has ended; -1: begin anew, number by number */
-    void (*leave)(void *walk);
+
+    /* A run that goes on as far as it is told (em_control.h calls these; all memory is taken as it opens). */
+    void *(*open)(em_run *run);        /* at its start: run->fault says whether there is one. NULL: no memory */
+    int (*advance)(void *walk, double t, int jumped);  /* exactly there; 0, or -1 and run->fault: it stands where it came to */
+    double (*now)(const void *walk, double *x, double *v); /* t; x, v (n) */
+    int (*publish)(const void *walk, double *y, em_fault *fault); /* y (n_state), published meaning */
+    size_t saved;                      /* how many bytes hold all of its motion */
+    void (*save)(const void *walk, void *saved);
+    void (*restore)(void *walk, const void *saved);
+    void (*close)(void *walk);
 
     int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
     const em_shape *shapes;  /* (n_shapes) */

@@ -199,7 +199,7 @@ static int em_ensemble_look(em_flock *f, int lane, int lost) {
     em_ensemble *const e = w->e;
     const int ended = lost ? -1 : e->model->look(w->walks[lane], f, lane);
     if (ended == 0) return 0;
-    e->model->leave(w->walks[lane]);
+    e->model->close(w->walks[lane]);
     if (ended > 0) em_ensemble_keep(e, w->member[lane], &w->runs[lane]);
     e->model->release(&w->runs[lane]);
     if (ended < 0) em_ensemble_member(e, w->member[lane], w->c[lane], w->y[lane]);
@@ -217,7 +217,7 @@ static void em_ensemble_give_up(em_ensemble_flock *w, em_flock *f) {
         em_run *const run = &w->runs[lane];
         run->fault = (em_fault){EM_INTERRUPTED, -1, -1, 0.0};
         run->t_reached = f->t[lane];
-        w->e->model->leave(w->walks[lane]);
+        w->e->model->close(w->walks[lane]);
         em_ensemble_keep(w->e, w->member[lane], run);
         w->e->model->release(run);
     }

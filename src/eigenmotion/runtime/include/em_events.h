@@ -12,12 +12,31 @@
 
 #include "em_interpolant.h"
 
+#ifdef EM_ACTS
+static int em_keeps_apart(int i) { return deeds[i].keeps_apart; }
+static int em_event_acts(int i) { return deeds[i].acts; }
+
+/* g (n_events) in the mode of c. 0, or -1 and w->reason. */
+static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {
+    const double *const c = w->run->prepared;
+    model_events(t, x, v, c, w->u, g);
+    return em_watch_modes(t, x, v, c, w->u, w->run->least_norm ? EM_LEAST_NORM : 0, g, &w->reason);
+}
+#else
+static int em_keeps_apart(int i) { return (void)i, 0; }
+static int em_event_acts(int i) { return (void)i, 0; }
+
+static int em_events_in_mode(em_walk *w, double t, const double *x, const double *v, double *g) {
+    return model_events(t, x, v, w->run->prepared, w->u, g), 0;
+}
+#endif
+
 static int em_side_of(double g, double noise) { return (g > noise) - (g < -noise); }
 
 /* g (n_events) at a state whose velocities are known. 0, or -1 and w->reason: an event has no value there. */
 static int em_events_at(em_walk *w, double t, const double *y, const double *v, double *g) {
     em_signals(w, t);
-    model_events(t, y, v, w->run->prepared, w->u, g);
+    if (em_events_in_mode(w, t, y, v, g)) return -1;
     for (int i = 0; i < N_EVENTS; ++i)
         if (isnan(g[i])) return em_fail(&w->reason, EM_EVENT_UNDEFINED, i, -1, NAN);
     return 0;

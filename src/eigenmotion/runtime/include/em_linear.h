@@ -30,7 +30,7 @@ EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, do
     return -1;
 }
 
-#ifndef EM_ON_LANES
+#ifdef EM_PACKED
 enum { EM_LONG = 8 }; /* from here on rows of a factor are formed in vectors */
 
 /* em_cholesky row by row of D L^T: each is taken off those behind it, in vectors of EM_LANES numbers. */
@@ -65,7 +65,7 @@ EM_COLD int em_cholesky_along(int n, const double *restrict M, double *restrict 
  * Returns -1, or the index of the first pivot that is not above `tolerance` M_ii.
  * By way of L D L^T: from pivot to pivot leads one division then, and the roots are not waited for. */
 EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
-#ifndef EM_ON_LANES
+#ifdef EM_PACKED
     if (em_tiled(n) >= EM_LONG) return em_cholesky_along(n, M, L, r, tolerance);
 #endif
     real W[n * n]; /* L D^-1, while L D is in L and D^-1 in r */

@@ -30,6 +30,7 @@ EM_COLD int em_root_at(double t, const double *x, const double *c, em_root *root
             root->Delta[row * N_ROWS + column] = sum;
         }
     }
+    em_rest_rows(N_ROWS, root->Delta);
     return 0;
 }
 
@@ -40,6 +41,23 @@ EM_COLD int em_delta(em_root *root, double *lambda, const double *terms, int lea
     if (flags == EM_LEAST_NORM) return em_solve_dependent(EM_SOME_ROWS, root->Delta, lambda, terms, 0, flags, fault);
     return em_solve_delta(EM_SOME_ROWS, root->Delta, lambda, flags, fault);
 }
+
+#ifdef EM_PUSHES
+/* lambda (m) <- (B Q^T)^-1 lambda, with Q = P L^-T in place of root->B from then on. 0, or -1 and *fault. */
+EM_COLD int em_push(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
+                    em_root *root, double *lambda, em_fault *fault) {
+    double Q[N_ROWS * N], Delta[N_ROWS * N_ROWS];
+    pushes(t, x, v, c, u, Q);
+    for (int row = 0; row < N_ROWS; ++row) em_forward(N, root->L, root->r, Q + row * N);
+    for (int i = 0; i < N_ROWS; ++i)
+        for (int j = 0; j < N_ROWS; ++j) {
+            Delta[i * N_ROWS + j] = 0.0;
+            for (int k = 0; k < N; ++k) Delta[i * N_ROWS + j] += root->B[i * N + k] * Q[j * N + k];
+        }
+    memcpy(root->B, Q, sizeof Q);
+    return em_solve_pushed(N_ROWS, Delta, lambda, least_norm ? EM_LEAST_NORM | (least_norm & EM_ABOUT_ROWS) : 0, fault);
+}
+#endif
 
 /* a (n), lambda (m): M a + A^T lambda = bias, A a + gamma = 0. */
 EM_COLD int em_acceleration(double t, const double *x, const double *v, const double *c, const double *u,
@@ -56,7 +74,11 @@ EM_COLD int em_acceleration(double t, const double *x, const double *v, const do
             terms[row] += fabs(root.B[row * N + k] * a[k]);
         }
     }
+#ifdef EM_PUSHES
+    if (em_push(t, x, v, c, u, least_norm, &root, gamma, fault)) return -1;
+#else
     if (em_delta(&root, gamma, terms, least_norm, fault)) return -1;
+#endif
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
         for (int k = 0; k < N; ++k) a[k] -= root.B[row * N + k] * gamma[row];
@@ -112,16 +134,27 @@ EM_COLD void em_share_rounding(const em_root *root, int rows, double *terms) {
         terms[row] = fmax(terms[row], most * sqrt(root->Delta[row * N_ROWS + row]));
 }
 
+/* terms <- the larger of those here and before the last step, which become those here: where all terms vanish with phi,
+ * what is left is rounding of what they were. */
+EM_COLD void em_widen_terms(double *terms, double *before) {
+    for (int row = 0; row < N_POSITIONS; ++row) {
+        const double here = terms[row];
+        terms[row] = fmax(here, before[row]);
+        before[row] = here;
+    }
+}
+
 /* x <- a point with phi(x, t) = 0 by Newton's method in the mass metric, `steps` at the most. Where rows may depend on
  * each other and none are said to be kept, each step keeps those that add more than `tolerance` to others.
  * Returns whether x changed, or -1. */
 EM_COLD int em_newton_of(double t, double *x, const double *c, int steps, int least_norm, double tolerance,
                          em_fault *fault) {
-    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS];
+    double residual[EM_SOME_ROWS], terms[EM_SOME_POSITIONS], before[EM_SOME_POSITIONS] = {0.0};
     em_root root;
     for (int step = 0;; ++step) {
         int worst, rows = least_norm;
         em_position_residual(t, x, c, residual, terms);
+        em_widen_terms(terms, before);
         if (least_norm) {
             if (em_root_at(t, x, c, &root, fault)) return -1;
             if (least_norm < EM_FIRST_KEPT) em_independent_rows(EM_SOME_ROWS, root.Delta, tolerance, &rows);

@@ -14,8 +14,6 @@ static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
     f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
 }
 
-static void em_member_leave(void *walk) { em_close(walk); }
-
 /* em_model.enter */
 static void *em_member_enter(em_run *run, em_flock *f, int lane) {
     const int width = EM_MODEL_LANES.width;

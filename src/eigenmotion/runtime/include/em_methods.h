@@ -17,7 +17,7 @@
     static int em_##name##_sketch(em_walk *w) { return em_rk_sketch(&tableau, w); }                      \
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
-                           em_##name##_step, judge,                                                      \
+                           tableau.errors == 0, em_##name##_step, judge,                                 \
                            em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL};     \
     }
 
@@ -28,14 +28,16 @@ static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, 
 EM_RUNGE_KUTTA(rk34, EM_RK34_TABLEAU, NULL)
 EM_RUNGE_KUTTA(dopri5, EM_DOPRI5_TABLEAU, em_dopri5_judge)
 EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU, em_dop853_judge)
+EM_RUNGE_KUTTA(rk4, EM_RK4_TABLEAU, NULL)
+EM_RUNGE_KUTTA(midpoint, EM_MIDPOINT_TABLEAU, NULL)
 
 static em_scheme em_ra15(void) {
-    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, em_nodes_step, em_nodes_judge, em_nodes_interpolate,
-                       em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL};
+    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
+                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL};
 }
 
 static em_scheme em_collocation(const em_radau_iia *rk) {
-    return (em_scheme){rk->stages, 1.0, 0.0, 8.0, rk->stages, em_collocation_step, NULL, em_collocation_interpolate,
+    return (em_scheme){rk->stages, 1.0, 0.0, 8.0, rk->stages, 0, em_collocation_step, NULL, em_collocation_interpolate,
                        em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk};
 }
 
@@ -47,6 +49,8 @@ static em_scheme em_scheme_of(em_method method) {
         case EM_RA15: return em_ra15();
         case EM_RADAU5: return em_collocation(&EM_RADAU5_TABLEAU);
         case EM_RADAU9: return em_collocation(&EM_RADAU9_TABLEAU);
+        case EM_RK4: return em_rk4();
+        case EM_MIDPOINT: return em_midpoint();
         case EM_DOP853: break;
     }
     return em_dop853();

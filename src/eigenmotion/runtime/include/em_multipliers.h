@@ -59,6 +59,21 @@ EM_INLINE int em_vanished_row(int m, real *restrict Delta) {
     return -1;
 }
 
+/* Rows of a mode in which they do not hold are zero, and so is what stands on their right: with the largest number of the
+ * diagonal there, their multipliers are zero, too. */
+EM_INLINE void em_rest_rows(int m, real *restrict Delta) {
+#ifdef EM_SWITCHED_ROWS
+    real largest = em_real(0.0);
+    for (int i = 0; i < m; ++i) largest = em_where(Delta[i * m + i] > largest, Delta[i * m + i], largest);
+    largest = em_where(largest > 0.0, largest, em_real(1.0));
+    for (int i = 0; i < m; ++i)
+        if (EM_SWITCHED_ROWS >> i & 1)
+            Delta[i * m + i] = em_where(Delta[i * m + i] == 0.0, largest, Delta[i * m + i]);
+#else
+    (void)m, (void)Delta;
+#endif
+}
+
 /* Delta, rhs <- with ones and zeros for the rows that are not kept, whose multipliers are zero then. */
 EM_INLINE void em_drop_rows(int m, real *restrict Delta, real *restrict rhs, int flags) {
     for (int i = 0; i < m && i < EM_MOST_ROWS; ++i) {
@@ -91,6 +106,7 @@ EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict r
 
 /* The same; where dependent rows are allowed and none are kept, the multipliers of least norm. 0, or -1 and *fault. */
 EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
+    em_rest_rows(m, Delta);
 #ifdef EM_ON_LANES
     return (void)fault, em_solve_independent(m, Delta, rhs, flags), 0;
 #else
@@ -99,6 +115,49 @@ EM_INLINE int em_solve_delta(int m, real *restrict Delta, real *restrict rhs, in
     const int row = em_solve_independent(m, Delta, rhs, flags);
     return row < 0 ? 0 : em_solve_dependent(m, Delta, rhs, NULL, row, m == 1 ? flags : 0, fault);
 #endif
+}
+
+#ifndef EM_ON_LANES
+/* Whether it is B B^T, to the last bit, as it is where nothing slides. */
+EM_INLINE int em_is_square_of_rows(int m, const double *Delta) {
+    for (int i = 0; i < m; ++i) {
+        if (!(Delta[i * m + i] >= 0.0)) return 0;
+        for (int j = 0; j < i; ++j)
+            if (Delta[i * m + j] != Delta[j * m + i]) return 0;
+    }
+    return 1;
+}
+#endif
+
+/* rhs (m) <- Delta^-1 rhs where multipliers push by other rows than those that hold: Delta (m, m) is full, and regular
+ * as long as friction does not jam. 0, or -1 and *fault. */
+EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, int flags, em_fault *fault) {
+    real whole[m];
+#ifndef EM_ON_LANES
+    if (em_is_square_of_rows(m, Delta)) return em_solve_delta(m, Delta, rhs, flags, fault);
+#endif
+    em_rest_rows(m, Delta);
+    for (int i = 0; i < m; ++i) whole[i] = Delta[i * m + i];
+    for (int i = 0; i < m && flags >= EM_FIRST_KEPT; ++i) {
+        if (flags & EM_FIRST_KEPT << i) continue;
+        for (int j = 0; j < m; ++j) Delta[i * m + j] = Delta[j * m + i] = em_real(i == j ? 1.0 : 0.0);
+        whole[i] = em_real(1.0);
+        rhs[i] = em_real(0.0);
+    }
+    for (int k = 0; k < m; ++k) {
+        real pivot = Delta[k * m + k];
+        if (em_fails(&pivot, pivot > EM_SINGULAR_PIVOT * whole[k])) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, k, -3, em_number(pivot));
+        for (int i = k + 1; i < m; ++i) {
+            const real part = Delta[i * m + k] / pivot;
+            for (int j = k + 1; j < m; ++j) Delta[i * m + j] -= part * Delta[k * m + j];
+            rhs[i] -= part * rhs[k];
+        }
+    }
+    for (int k = m - 1; k >= 0; --k) {
+        for (int j = k + 1; j < m; ++j) rhs[k] -= Delta[k * m + j] * rhs[j];
+        rhs[k] /= Delta[k * m + k];
+    }
+    return 0;
 }
 
 /* part (g, g) <- the rows and columns listed of the lower triangle of Delta (m, m) */

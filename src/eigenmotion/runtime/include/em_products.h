@@ -38,10 +38,10 @@ EM_INLINE void em_transposed_product(int n, const real *restrict C, const real *
 enum { EM_TILE = 4 }; /* rows of a product that are formed together: that many sums do not wait for each other */
 
 /* How many of the rows of a product are formed in tiles. */
-#ifdef EM_ON_LANES
+#ifndef EM_PACKED
 EM_INLINE int em_tiled(EM_UNUSED int n) { return 0; }
 #else
-EM_INLINE int em_tiled(int n) { return EM_LANES > 1 && __builtin_constant_p(n) ? n / EM_TILE * EM_TILE : 0; }
+EM_INLINE int em_tiled(int n) { return __builtin_constant_p(n) ? n / EM_TILE * EM_TILE : 0; }
 
 /* Columns first ... first + width of as many rows of A B, in registers. The next row of B is fetched while one is used;
  * fetched where it is used, GCC may fetch it for each row of A. */
@@ -80,7 +80,7 @@ typedef double em_numbers __attribute__((vector_size(8 * EM_LANES), may_alias));
 /* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. */
 EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, const real *restrict r, real *restrict X) {
     int j = 0;
-#ifndef EM_ON_LANES
+#ifdef EM_PACKED
     if (em_tiled(n) && n > EM_TILE) {
         for (; EM_LANES >= 8 && j + 8 <= n; j += 8) em_forward_8(n, upper ? j + 8 : n, j, L, r, X);
         for (; EM_LANES >= 4 && j + 4 <= n; j += 4) em_forward_4(n, upper ? j + 4 : n, j, L, r, X);
@@ -98,7 +98,7 @@ EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, cons
 /* O (n, n) <- sign A B; where `lower`, not all of what is above the diagonal. */
 EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A, const real *restrict B,
                            real *restrict O) {
-#ifndef EM_ON_LANES
+#ifdef EM_PACKED
     for (int row = 0; row < em_tiled(n); row += EM_TILE) {
         const real *const rows = A + row * n;
         real *const product = O + row * n;
@@ -107,7 +107,7 @@ EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A
         for (; EM_LANES >= 8 && j + 8 <= n && j < last; j += 8) em_tile_8(n, j, sign, rows, B, product);
         for (; EM_LANES >= 4 && j + 4 <= n && j < last; j += 4) em_tile_4(n, j, sign, rows, B, product);
         for (; j + 2 <= n && j < last; j += 2) em_tile_2(n, j, sign, rows, B, product);
-        for (; j < last; ++j) em_tile_1(n, j, sign, rows, B, product);
+        if (n % 2 && j < last) em_tile_1(n, j, sign, rows, B, product); /* n % 2: GCC fears a column n of an even n */
     }
 #endif
     for (int i = em_tiled(n); i < n; ++i)

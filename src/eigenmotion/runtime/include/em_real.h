@@ -44,6 +44,11 @@
 #endif
 #endif
 
+/* Whether rows of matrices are put into vectors by hand. */
+#if EM_LANES > 1 && !defined(EM_ON_LANES)
+#define EM_PACKED
+#endif
+
 #ifdef EM_ON_LANES
 
 typedef double real __attribute__((vector_size(8 * EM_LANES), may_alias));

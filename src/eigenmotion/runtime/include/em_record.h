@@ -47,22 +47,39 @@ static int em_append_first_rows(em_walk *w) {
     return EM_GO_ON;
 }
 
-/* Record the crossings up to the first terminal one, whose time becomes *t_stop, and what else happens then. */
+/* What acts within so many last places of the time acts at once. */
+#define EM_AT_ONE_TIME (8.0 * DBL_EPSILON)
+
+/* Whether a crossing at t is to be recorded, where the run stops at t_stop if it `stops`. */
+static int em_is_reached(const em_walk *w, double t, double t_stop, int stops) {
+    return !stops || t == t_stop || (w->acting && fabs(t - t_stop) <= EM_AT_ONE_TIME * fabs(t_stop));
+}
+
+/* Record the crossings up to the first that is terminal or acts, whose time becomes *t_stop, and what else happens then. */
 static int em_append_crossings(em_walk *w, double *t_stop, int *terminal) {
     em_crossing list[EM_MOST_FOUND];
     const int count = em_locate_crossings(w, list);
+    int stops = 0;
+    memset(w->fired, 0, sizeof w->fired);
+    w->acting = 0;
     if (count < 0) return em_end_with(w, w->reason);
-    for (int i = 0; i < count && (!*terminal || list[i].t == *t_stop); ++i) {
-        *terminal |= w->run->event_terminal[list[i].event];
-        if (*terminal) *t_stop = list[i].t;
-        if (em_append_at(w, &w->run->events[list[i].event], list[i].t)) return EM_END;
+    for (int i = 0; i < count && em_is_reached(w, list[i].t, *t_stop, stops); ++i) {
+        const int event = list[i].event, acts = em_event_acts(event);
+        if (w->fired[event]) continue;
+        if (!stops && (acts || w->run->event_terminal[event])) stops = 1, *t_stop = list[i].t;
+        *terminal |= w->run->event_terminal[event];
+        w->fired[event] = acts;
+        w->acting |= acts;
+        w->side[event] = -w->side[event];
+        if (em_append_at(w, &w->run->events[event], stops ? *t_stop : list[i].t)) return EM_END;
     }
     return EM_GO_ON;
 }
 
 /* All that is recorded of an accepted step; *t_stop is where a terminal event ends it. */
 static int em_record(em_walk *w, double *t_stop, int *terminal) {
-    const em_dense_step kept = {w->t, w->h, w->mode, em_constraint_flags(w->run)};
+    const em_dense_step kept = {w->t, w->h, w->mode, em_constraint_flags(w->run),
+                                w->run->legs.count};
     em_fault fault;
     if (N_EVENTS > 0 && em_append_crossings(w, t_stop, terminal)) return EM_END;
     if (em_append_rows(w, *t_stop)) return EM_END;

@@ -26,6 +26,7 @@ EM_COLD int em_rows_grow(em_rows *rows, em_fault *fault) {
 
 /* The row after the last one, to be filled and then counted by em_rows_keep; NULL without memory. */
 static double *em_rows_next(em_rows *rows, em_fault *fault) {
+    if (rows->most > 0 && rows->count == rows->most) --rows->count;
     if (rows->count == rows->capacity && em_rows_grow(rows, fault)) return NULL;
     return rows->y + rows->count * rows->width;
 }
@@ -57,7 +58,9 @@ static int em_rows_prepare(em_run *run) {
     if (N_EVENTS == 0) return 0;
     run->events = calloc((size_t)N_EVENTS, sizeof *run->events);
     if (run->events == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, (double)N_EVENTS);
-    for (int i = 0; i < N_EVENTS; ++i) run->events[i].width = N_STATE;
+    run->after = calloc((size_t)N_EVENTS, sizeof *run->after);
+    if (run->after == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, (double)N_EVENTS);
+    for (int i = 0; i < N_EVENTS; ++i) run->events[i].width = run->after[i].width = N_STATE;
     return 0;
 }
 
@@ -71,10 +74,13 @@ static void em_rows_free(em_rows *rows) {
 static void em_release(em_run *run) {
     em_rows_free(&run->rows);
     for (int i = 0; run->events != NULL && i < N_EVENTS; ++i) em_rows_free(&run->events[i]);
+    for (int i = 0; run->after != NULL && i < N_EVENTS; ++i) em_rows_free(&run->after[i]);
+    em_rows_free(&run->legs);
     free(run->events);
+    free(run->after);
     free(run->dense_steps);
     free(run->dense_table);
-    run->events = NULL;
+    run->events = run->after = NULL;
     run->dense_steps = NULL;
     run->dense_table = NULL;
     run->n_dense = run->dense_capacity = 0;

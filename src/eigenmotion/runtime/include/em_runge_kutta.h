@@ -46,6 +46,7 @@ static const double em_zero[EM_WIDTH] = {0.0};
 /* The root mean square of the error; with two estimates e_0, e_1: |h| e_0^2 / sqrt(e_0^2 + 0.01 e_1^2). */
 EM_INLINE double em_error_norm(const em_tableau *rk, em_walk *w) {
     em_set_weights(w, w->y, w->K[0], w->y_new, w->K[rk->velocity_stage]);
+    if (rk->errors == 0) return 0.0;
     em_combine(rk->e[0], rk->stages, 0, 1.0, em_zero, w->K, w->error);
     const double first = em_squares_of_error(w, w->error);
     if (rk->errors == 1) return fabs(w->h) * sqrt(first / em_count(w));

@@ -13,9 +13,16 @@
 
 static double em_spacing(const em_walk *w) { return fabs(nextafter(w->t, w->direction * INFINITY) - w->t); }
 
+/* Steps of fixed size make equal parts of the way, none longer; the last one goes too far and is cut, whatever rounding. */
+static double em_equal_part(double way, double size) {
+    const double count = ceil(way / size - 1e-6);
+    return count > 1.0 ? way / count : 2.0 * way;
+}
+
 /* t_new and h of a step of size `size`, no further than the goal or the signals' next sample. */
 static void em_aim(em_walk *w, double size) {
     const double bound = w->direction * (w->signals_end - w->t_goal) < 0.0 ? w->signals_end : w->t_goal;
+    if (w->scheme.fixed) size = em_equal_part(fabs(bound - w->t), size);
     w->t_new = w->t + w->direction * size;
     if (w->direction * (w->t_new - bound) > 0.0) w->t_new = bound;
     w->h = w->t_new - w->t;
@@ -44,7 +51,7 @@ static int em_land(em_walk *w) {
     if (w->scheme.judge != NULL && w->scheme.judge(w)) return -1;
     if (!isfinite(w->error_norm)) return em_not_finite(w, w->y_new, w->f_new);
     if (!(w->error_norm < 1.0)) return 0;
-    if (em_check_step(w)) return -1;
+    if (!w->scheme.fixed && em_check_step(w)) return -1;
     if (N_EVENTS > 0 && em_watch(w)) return -1;
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
@@ -77,6 +84,7 @@ static int em_step_forward(em_walk *w) {
         em_aim(w, size);
         w->retries = rejected;
         const int failed = em_attempt(w) != 0;
+        if (w->scheme.fixed) return failed ? em_end_with(w, w->reason) : EM_GO_ON;
         const double factor = em_size_factor(w, failed);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
         if (failed) obstacle = w->reason;

@@ -9,7 +9,7 @@
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H
 
-#include "em_step.h"
+#include "em_legs.h"
 
 _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
 
@@ -30,15 +30,6 @@ static int em_enter_pieces(em_walk *w) {
 
 /* --- the start of a run --- */
 
-/* The published state as x and v. */
-static int em_enter_motion(em_walk *w) {
-    double v[N];
-    if (em_xdot(w->run, 0, w->t, w->y, v, &w->reason)) return -1;
-    memcpy(w->y + N, v, sizeof v);
-    w->mode = EM_MOTION;
-    return 0;
-}
-
 /* The published state as the internal one, and the first rows. */
 static int em_enter(em_walk *w) {
     em_run *run = w->run;
@@ -46,8 +37,8 @@ static int em_enter(em_walk *w) {
     memcpy(w->y, run->y_start, N_STATE * sizeof *w->y);
     if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
-    int settled = w->scheme.mode == EM_MOTION ? em_enter_motion(w) : 0;
-    if (settled == 0) settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
+    if (em_first_leg(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
+    const int settled = em_enter_mode(w);
     if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
     return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
@@ -56,7 +47,6 @@ static int em_enter(em_walk *w) {
 /* The first right-hand side, event values and step size. */
 static int em_begin(em_walk *w) {
     em_run *run = w->run;
-    w->begun = 1;
     em_enter_pieces(w);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_weigh_start(w);
@@ -64,6 +54,7 @@ static int em_begin(em_walk *w) {
     em_begin_chart(w);
     if (em_begin_witness(w) || (N_EVENTS > 0 && em_begin_events(w))) return em_end_with(w, w->reason);
     w->h_next = run->first_step > 0.0 ? run->first_step : em_first_size(w);
+    w->begun = 1;
     return EM_GO_ON;
 }
 
@@ -78,6 +69,7 @@ static em_walk *em_walk_create(em_run *run) {
     w->scheme = em_scheme_of(run->method);
     w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
     w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
+    w->fresh = EM_FIRST_LEG;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->t_goal = run->t_end;
     w->most_steps = run->max_steps;
@@ -104,6 +96,7 @@ static void em_commit(em_walk *w) {
     memcpy(w->memory, w->memory_new, sizeof w->memory);
     memcpy(w->g, w->g_new, sizeof w->g);
     memcpy(w->side, w->side_new, sizeof w->side);
+    w->fresh = 0;
 }
 
 /* Rates and event values anew at a state whose rates have jumped: where another piece of a signal begins. */
@@ -119,6 +112,7 @@ static int em_go_on(em_walk *w) {
     double t_stop = w->t_new;
     int terminal = 0;
     if (em_record(w, &t_stop, &terminal)) return EM_END;
+    if (w->acting) return em_next_leg(w, t_stop, terminal);
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
@@ -133,7 +127,7 @@ static em_walk *em_open(em_run *run) {
     if (em_rows_prepare(run)) return NULL;
     em_walk *w = em_walk_create(run);
     if (w == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, sizeof *w), NULL;
-    w->ended = em_enter(w);
+    w->refused = w->ended = em_enter(w);
     return w;
 }
 

@@ -118,10 +118,19 @@ static int em_dips(em_walk *w, int i, double side, double *theta, double *value)
 
 static int em_fires(int direction, int before) { return direction == 0 || direction == -before; }
 
+/* Whether g_i, zero so far, is where it must not go from there: then it fires where it left. */
+static int em_enters(const em_walk *w, int i, double g) {
+    return w->side_new[i] == 0 && em_keeps_apart(i) && em_side_of(g, 0.0) == w->run->event_direction[i];
+}
+
 /* One sign after the other: where they differ g_i passed zero between `before` and `after`. */
 static void em_pass(em_walk *w, int i, const em_point *before, const em_point *after) {
     const int sign = em_side_of(after->g, w->side_new[i] == 0 ? w->quiet[i] : 0.0);
     if (sign == 0) return;
+    if (em_enters(w, i, after->g)) {
+        const em_point *const end = before->g * after->g < 0.0 ? after : before;
+        w->found[w->n_found++] = (em_found){*before, *end, i};
+    }
     if (sign == -w->side_new[i] && em_fires(w->run->event_direction[i], w->side_new[i]))
         w->found[w->n_found++] = (em_found){*before, *after, i};
     w->side_new[i] = sign;
@@ -149,7 +158,7 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
             if (dips) em_pass(w, i, &before, &dip), before = dip;
         }
         em_pass(w, i, &before, &here);
-        if (here.g != 0.0) before = here;
+        if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
     }
     return 0;
 }

@@ -152,4 +152,22 @@ static const em_tableau EM_DOP853_TABLEAU = {
 #define EM_DOP853_STABLE 4.0
 #define EM_STIFF_EVERY 16
 
+/* For steps of fixed length: no errors. Kutta's fourth-order method, and Runge's midpoint rule (Hairer, Norsett & Wanner, II.1). */
+static const em_tableau EM_RK4_TABLEAU = {
+    .stages = 4, .solution = 4, .velocity_stage = 3, .error_order = 4,
+    .c = {0.0, 1.0 / 2, 1.0 / 2, 1.0},
+    .a = {
+        [1] = {1.0 / 2},
+        [2] = {0.0, 1.0 / 2},
+        [3] = {0.0, 0.0, 1.0},
+        [4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6},
+    },
+};
+
+static const em_tableau EM_MIDPOINT_TABLEAU = {
+    .stages = 2, .solution = 2, .velocity_stage = 1, .error_order = 2,
+    .c = {0.0, 1.0 / 2},
+    .a = {[1] = {1.0 / 2}, [2] = {0.0, 1.0}},
+};
+
 #endif

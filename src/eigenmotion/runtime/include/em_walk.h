@@ -32,6 +32,8 @@ EM_INLINE double em_max(double a, double b) { return a > b ? a : b; }
 
 typedef struct em_walk em_walk;
 
+enum { EM_FIRST_LEG = 1, EM_NEXT_LEG }; /* of a run, between events that act */
+
 /* A method as the stepper sees it (em_methods.h): how it steps from w->t, w->y by w->h to w->t_new, and what it knows of
  * the states between. What the rows of F mean is its own affair. */
 typedef struct em_scheme {
@@ -39,6 +41,7 @@ typedef struct em_scheme {
     double present, past;           /* with what weight that of this step, and that of the one before, */
     double growth;                  /* and no step is longer than so many times the one before */
     int terms;                      /* of its interpolant */
+    int fixed;                      /* whether steps are as long as told, whatever their error, and made once */
     int (*step)(em_walk *w);        /* y_new, end_rate, error, weight, error_norm; 0, or -1 and w->reason */
     int (*judge)(em_walk *w);       /* with f_new known: whether the scene is stiff; error_norm, size_norm anew where a
                                        step alone does not tell; or NULL */
@@ -117,9 +120,6 @@ struct em_walk {
     double quiet[EM_SOME_EVENTS];              /* beyond which a g that was zero at the start is so no longer */
     em_found found[EM_MOST_FOUND];             /* what passes zero in the step under way */
     long piece[EM_SOME_INPUTS];                /* of each signal, valid within the step */
-    em_run *run;
-    em_scheme scheme;
-    const double *end_rate;                    /* f at t_new, y_raw where the step knows it, else NULL */
     double rtol, direction, t, t_new, h;
     double t_goal;                             /* where the loop goes now: no step goes beyond */
     long most_steps;                           /* accepted ones there may be on the way */
@@ -142,8 +142,16 @@ struct em_walk {
     int mode, mode_new, moved, has_interpolant, n_found;
     int stiff;                                 /* whether something else than their error keeps steps short */
     int side[EM_SOME_EVENTS], side_new[EM_SOME_EVENTS]; /* the last sign of g, 0: has been zero so far */
-    int begun, ended;                          /* the first step is known; the run is over, with run->fault */
+    int fired[EM_SOME_EVENTS], struck[EM_SOME_EVENTS]; /* what acts, and whose number jumps; what has acted */
+    int acting, fresh;                         /* whether something acts; which leg no step has ended of: EM_FIRST_LEG */
+    em_pile pile[EM_SOME_EVENTS];
+    int begun, ended;                          /* the first step is known; the run is over, with run->fault, */
+    int refused;                               /* because no motion starts there */
+    int stale;                                 /* what K[0] and g were made with is no longer so */
     size_t next_t_eval;
+    em_run *run;                               /* from here on: not of the motion, but of this process */
+    em_scheme scheme;
+    const double *end_rate;                    /* f at t_new, y_raw where the step knows it, else NULL */
     struct timespec looked;                    /* when the time was last looked at, and when poll was last called */
     struct timespec polled;
     unsigned looks_every, attempts_since_look;
@@ -208,6 +216,17 @@ static int em_settle(const em_run *run, int *mode, int flags, double t, double *
     if (!(flags & EM_LEAST_NORM)) flags |= em_constraint_flags(run);
     if (*mode == EM_MOTION) return em_motion_settle(flags, t, y, run->prepared, memory, pace, fault);
     return model_settle(mode, flags, t, y, run->prepared, memory, pace, fault);
+}
+
+/* The published state in w->y as that of the scheme's mode, settled. As em_settle. */
+static int em_enter_mode(em_walk *w) {
+    double v[N];
+    if (w->scheme.mode == EM_MOTION) {
+        if (em_xdot(w->run, 0, w->t, w->y, v, &w->reason)) return -1;
+        memcpy(w->y + N, v, sizeof v);
+        w->mode = EM_MOTION;
+    }
+    return em_settle(w->run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
 }
 
 /* dy <- f at the nearest point on the constraints. Where their rows lose their directions, as near a singular position,

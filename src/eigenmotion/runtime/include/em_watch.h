@@ -12,7 +12,7 @@ static int em_watch(em_walk *w) {
     w->n_found = 0;
     if (em_events_at(w, w->t_new, w->y_new, w->f_new, w->g_new)) return -1;
     const int count = em_glance(w, glances);
-    if (w->run->n_steps == 0) em_begin_sides(w, count, glances);
+    if (w->fresh) em_begin_sides(w, count, glances);
     memcpy(w->side_new, w->side, sizeof w->side);
     for (int i = 0; i < N_EVENTS; ++i) {
         if (!em_may_cross(w, count, glances, i)) continue;

@@ -1,0 +1,99 @@
+"""What a stepper costs besides its right-hand sides, from Python and in C, and the worst case of methods of fixed step.
+
+First: 1,000 steps of 10 ms of the Furuta pendulum under a controller in Python, whose time is taken apart; off the
+steps' time goes what as many right-hand sides cost in C. The motion is compared with one run whose input holds the same
+values. Then microseconds of each of a million steps of 1 ms in C (common/control.c): medians, 99.9th percentiles, the
+most, and the right-hand sides of a step.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+import time
+from math import cos, sin
+from pathlib import Path
+
+import numpy as np
+from common.plain import compiled, generated, right_hand_side
+from common.timing import spread
+
+import eigenmotion as em
+from eigenmotion.running.methods import FIXED
+
+MODELS = Path(__file__).parents[1] / "models"
+ROUNDS, COUNT, PERIOD, TOLERANCE = 31, 1000, 0.01, 1e-9
+GAINS = np.array([0.083, 1.036, 0.057, 0.105])  # of a linear-quadratic regulator about upright
+MILLION = 1_000_000
+STEPPED = (("furuta_pendulum", "lagrange"), ("furuta_pendulum", "eigenfactor"), ("dual_link", "eigenfactor"))
+
+
+def controller(t: float, x: np.ndarray, v: np.ndarray) -> float:
+    """Hold the rod upright while the arm swings to and fro."""
+    return float(GAINS[0] * (x[0] - sin(t)) + GAINS[1] * x[1] + GAINS[2] * (v[0] - cos(t)) + GAINS[3] * v[1])
+
+
+def controlled(system: em.System, method: str) -> tuple[em.Stepper, list[float], list[np.ndarray], float, float]:
+    """Return the stepper at the end, the inputs, x on the way, and the seconds of advancing and of the whole loop."""
+    stepper = system.stepper(rtol=TOLERANCE, atol=TOLERANCE, method=method)
+    held, on_the_way, advancing, clock = [], [], 0.0, time.perf_counter
+    begin = clock()
+    for k in range(1, COUNT + 1):
+        inputs = {"u": controller(stepper.t, x := stepper.x, stepper.v)}
+        on_the_way.append(x)
+        start = clock()
+        stepper.advance(k * PERIOD, inputs)
+        advancing += clock() - start
+        held.append(inputs["u"])
+    return stepper, held, on_the_way, advancing, clock() - begin
+
+
+def off(system: em.System, held: list[float], on_the_way: list[np.ndarray], method: str) -> float:
+    """Return by how much x of one run with the same inputs is elsewhere, at the most."""
+    times = np.arange(COUNT) * PERIOD
+    run = system.simulate(
+        (0.0, COUNT * PERIOD), inputs={"u": em.Signal(times, held, "hold")}, rtol=TOLERANCE, atol=TOLERANCE,
+        method=method, t_eval=times,
+    )  # fmt: skip
+    return float(np.abs(run.x.T - np.array(on_the_way)).max())
+
+
+def show_controlled(formulation: str, method: str, folder: Path) -> None:
+    model = em.load_model(MODELS / "furuta_pendulum.py")
+    system = em.build(model, formulation=formulation)
+    rhs = right_hand_side(model, formulation, folder / f"rhs {formulation} {method}")
+    advance, besides, whole = [], [], []
+    for _ in range(ROUNDS):
+        nanoseconds = rhs(200_000)
+        stepper, held, on_the_way, advancing, total = controlled(system, method)
+        advance.append(advancing / COUNT)
+        besides.append(advance[-1] - 1e-9 * nanoseconds * stepper.nfev / COUNT)
+        whole.append(total / COUNT)
+    print(f"furuta_pendulum, {formulation}, {method}: {stepper.nfev / COUNT:.1f} right-hand sides a step of {PERIOD} s")
+    print(f"  advance            {spread(np.array(advance), 1e-6)} us a step")
+    print(f"  besides them       {spread(np.array(besides), 1e-6)} us a step")
+    print(f"  with controller    {spread(np.array(whole), 1e-6)} us a step")
+    print(f"  off one run by     {off(system, held, on_the_way, method):.1e}")
+
+
+def show_fixed(name: str, formulation: str, folder: Path) -> None:
+    model = em.load_model(MODELS / f"{name}.py")
+    work = generated(model, folder / f"fixed {name} {formulation}", formulation=formulation)
+    program = compiled(work, model.name, (f"{model.name}.c",), "control.c")
+    for method, about in FIXED.items():
+        said = subprocess.run([program, str(about.number), str(MILLION)], capture_output=True, text=True, check=True)
+        rhs, median, late, most = map(float, said.stdout.split())
+        print(f"  {name}, {formulation}, {method:<9} {rhs:3g}  {median:6.3f}  {late:6.3f}  {most:8.3f}")
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        for formulation, method in (("lagrange", "dop853"), ("lagrange", "dopri5"), ("eigenfactor", "dop853")):
+            show_controlled(formulation, method, Path(folder))
+        print("steps of 1 ms of fixed-step methods: right-hand sides; microseconds: median, 99.9th percentile, most")
+        for name, formulation in STEPPED:
+            show_fixed(name, formulation, Path(folder))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,207 @@
+"""What touches and lets go, slides and sticks: constraints that hold at times, and what they are made of.
+
+A contact or friction is stated once; `with_contacts` makes it into what every mechanism has: constraint rows and forces
+with a parameter in front that is 1 while they hold, else 0, and an event at which that may change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy
+
+from .event import Event, restitution_of
+from .normalise import MULTIPLIER, ModelError, expression, name_of, pairs_of, shown
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """What two bodies keep between them: gap(x, t) >= 0.
+
+    Where the gap closes they strike each other by Newton's law, as `Event.impact` says; where they would part no faster
+    than `rest` they stay together: gap = 0 is held as a constraint until its multiplier changes sign.
+
+    Parameters
+    ----------
+    gap
+        In x and t: the distance between them.
+    restitution
+        0 to 1, in x, xdot, t and inputs.
+    rest
+        [unit of gap / s] rate of the gap after an impact up to which they stay together.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> from eigenmotion import Contact
+    >>> z = dynamicsymbols("z")
+    >>> contacts = {"floor": Contact(z, restitution=0.9, rest=1e-3)}
+    """
+
+    gap: Any
+    restitution: Any = 0
+    rest: Any = 0
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "gap", expression(self.gap, "The gap of a contact"))
+        object.__setattr__(self, "restitution", restitution_of(self.restitution, "The restitution of a contact"))
+        object.__setattr__(self, "rest", expression(self.rest, "rest of a contact"))
+        if self.rest.is_number and not self.rest >= 0:
+            raise ModelError(f"rest of a contact is {self.rest}. It is a speed: give 0 or more.")
+
+    @property
+    def measure(self) -> sympy.Expr:
+        """What tells where it is: the gap."""
+        return self.gap
+
+
+@dataclass(frozen=True, slots=True)
+class Friction:
+    """Coulomb's: sticks while that takes no more than `limit`, else slides and is held back by as much.
+
+    Parameters
+    ----------
+    slip
+        Linear in the velocities: at which rate it slides.
+    limit
+        In x, xdot, t and inputs [J / integral of slip]: the friction coefficient times the normal force; with `normal`
+        the coefficient alone.
+    normal
+        The name of a Contact before it in `contacts`, whose multiplier is the normal force; None: it is in `limit`.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> from eigenmotion import Friction
+    >>> theta = dynamicsymbols("theta")
+    >>> contacts = {"joint": Friction(theta.diff(), limit=0.2)}
+    """
+
+    slip: Any
+    limit: Any
+    normal: str | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "slip", expression(self.slip, "The slip of a friction"))
+        object.__setattr__(self, "limit", expression(self.limit, "The limit of a friction"))
+
+    @property
+    def measure(self) -> sympy.Expr:
+        """What tells which way it slides: the slip."""
+        return self.slip
+
+
+@dataclass(frozen=True, slots=True)
+class Switch:
+    """What of a mechanism changes with a mode.
+
+    name : that of its event
+    holds : the parameter that is 1 while its constraint row holds; slides : 1 or -1, the sign of slip, while it slides,
+    else 0; None where there is no friction
+    over : the name of the contact whose multiplier its level is counted in, or None
+    row : of the constraint, counted among the holonomic ones for a contact, else among the nonholonomic ones
+    level : up to which rate of the gap it holds after an impact, or up to which force it sticks
+    """
+
+    name: str
+    holds: sympy.Symbol
+    slides: sympy.Symbol | None
+    over: str | None
+    row: int
+    level: sympy.Expr
+
+
+def contacts_of(given: Any) -> tuple[tuple[str, Contact | Friction], ...]:
+    """Return the contacts and frictions by name.
+
+    Raises
+    ------
+    ModelError
+        One is neither, or has a name that makes no parameter; names it.
+    """
+    pairs = pairs_of(given, "contacts")
+    for name, entry in pairs:
+        if not isinstance(name, str) or not name.isidentifier():
+            raise ModelError(
+                f"contacts has an entry named {shown(name)}. Name it as parameters are: a Python identifier."
+            )
+        if not isinstance(entry, Contact | Friction):
+            raise ModelError(f"contacts[{name}] is {shown(entry)}. Give a Contact or a Friction.")
+        before = [other for other, one in pairs[: pairs.index((name, entry))] if isinstance(one, Contact)]
+        if isinstance(entry, Friction) and entry.normal not in (None, *before):
+            raise ModelError(
+                f"normal of contacts[{name}] is {shown(entry.normal)}. Name a Contact that stands before it."
+            )
+    return pairs
+
+
+def switch_of(
+    name: str, entry: Contact | Friction, holonomic: Sequence[sympy.Expr], nonholonomic: Sequence[sympy.Expr]
+) -> Switch:
+    """Return what a contact or friction was made into, of which the rows are among these."""
+    holds, slides = _parameters(name, entry)
+    rows = holonomic if slides is None else nonholonomic
+    row = next(k for k, expression in enumerate(rows) if holds in expression.free_symbols)
+    if isinstance(entry, Friction):
+        return Switch(name, holds, slides, entry.normal, row, entry.limit)
+    return Switch(name, holds, slides, None, row, entry.rest)
+
+
+def with_contacts(fields: Mapping[str, Any], in_rates: Callable[[sympy.Expr], sympy.Expr]) -> dict[str, Any]:
+    """Return the fields of a Model with the rows, forces, parameters and events that its contacts are made of."""
+    made = dict(fields)
+    for name, entry in fields["contacts"]:
+        added = [symbol for symbol in _parameters(name, entry) if symbol is not None]
+        if added[0] in dict(made["parameters"]):
+            continue  # the fields of another model, as dataclasses.replace hands them over
+        made["parameters"] = (*made["parameters"], *((symbol, 0.0) for symbol in added))
+        made |= _contact(made, name, entry) if isinstance(entry, Contact) else _friction(made, name, entry, in_rates)
+    return made
+
+
+def _parameters(name: str, entry: Contact | Friction) -> tuple[sympy.Symbol, sympy.Symbol | None]:
+    if isinstance(entry, Contact):
+        return sympy.Symbol(f"{name}_held"), None
+    return sympy.Symbol(f"{name}_stuck"), _slides(name)
+
+
+def _slides(name: str) -> sympy.Symbol:
+    return sympy.Symbol(f"{name}_slides")
+
+
+def _contact(made: Mapping[str, Any], name: str, contact: Contact) -> dict[str, Any]:
+    holds, _ = _parameters(name, contact)
+    return {
+        "holonomic_constraints": (*made["holonomic_constraints"], holds * contact.gap),
+        "events": (*made["events"], (name, Event(contact.gap, -1, impact=(contact.gap, contact.restitution)))),
+    }
+
+
+def _friction(
+    made: Mapping[str, Any], name: str, friction: Friction, in_rates: Callable[[sympy.Expr], sympy.Expr]
+) -> dict[str, Any]:
+    (holds, _), slides = _parameters(name, friction), _slides(name)
+    slip = in_rates(friction.slip)
+    pushes = [-slides * _force(made, friction) * slip.diff(x.diff()) for x in made["coordinates"]]
+    return {
+        "nonholonomic_constraints": (*made["nonholonomic_constraints"], holds * friction.slip),
+        "forces": tuple(Q + push for Q, push in zip(made["forces"], pushes, strict=True)),
+        "events": (*made["events"], (name, Event(slides * friction.slip, -1))),
+    }
+
+
+def _force(made: Mapping[str, Any], friction: Friction) -> sympy.Expr:
+    """Return how large the force is that holds back what slides; a contact presses with minus its multiplier."""
+    if friction.normal is None:
+        return friction.limit
+    holds = sympy.Symbol(f"{friction.normal}_held")
+    row = next(k for k, gap in enumerate(made["holonomic_constraints"]) if holds in gap.free_symbols)
+    return -friction.limit * MULTIPLIER(sympy.Integer(row))
+
+
+def expressions_of(name: str, entry: Contact | Friction) -> tuple[tuple[str, sympy.Expr, bool], ...]:
+    """Return what a contact or friction is made of: names, expressions, and whether they may contain velocities."""
+    parts = ("gap", "restitution", "rest") if isinstance(entry, Contact) else ("slip", "limit")
+    return tuple((f"{part} of contacts[{name_of(name)}]", getattr(entry, part), part != "gap") for part in parts)

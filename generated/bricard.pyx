@@ -1,0 +1,23 @@
+# eigenmotion generate bricard.py
+# input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9
+# body sha256:0d66ef3a20d4fe41a185a0d19fe180d1aa73f53cf00c722e720caa87f38cacad
+# cython: language_level=3
+"""bricard, compiled: `system` is its System (eigenfactor)."""
+
+from cpython.pycapsule cimport PyCapsule_New
+
+from eigenmotion.system import System
+
+
+# what bricard.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model bricard_model;
+    """
+    ctypedef struct em_model:
+        pass
+    const em_model bricard_model
+
+
+system = System(PyCapsule_New(<void *>&bricard_model, "eigenmotion.em_model", NULL), __name__)

@@ -1,0 +1,23 @@
+# eigenmotion generate drone.py
+# input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9
+# body sha256:165e0e338f3befec29b9235f390a556396c96745503de3a652dc7e85df50afb6
+# cython: language_level=3
+"""drone, compiled: `system` is its System (eigenfactor)."""
+
+from cpython.pycapsule cimport PyCapsule_New
+
+from eigenmotion.system import System
+
+
+# what drone.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model drone_model;
+    """
+    ctypedef struct em_model:
+        pass
+    const em_model drone_model
+
+
+system = System(PyCapsule_New(<void *>&drone_model, "eigenmotion.em_model", NULL), __name__)

@@ -1,0 +1,810 @@
+/* eigenmotion generate furuta_pendulum.py */
+/* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
+/* body sha256:60393df71c80a1c7eebac20dd480eaefd9be62c1be84ad2d2af66ea3c71281b9 */
+/* furuta_pendulum: equations of motion, eigenfactor formulation.
+ *
+ * State, 10 numbers:
+ *   x    y[0 .. 2)
+ *   eta  y[2 .. 4)
+ *   C    y[4 .. 8)
+ *   s    y[8 .. 10)
+ *
+ * Blocks of M that do not couple:
+ *   1: theta, phi (C and s are states)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *   dM/dtheta: M does not depend on it
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 4 additions, 13 multiplications, 2 function calls
+ *   triangular root: 5 additions, 16 multiplications, 2 function calls
+ *   projection: 1 additions, 7 multiplications, 2 function calls
+ */
+#include "furuta_pendulum.h"
+
+#include "em_functions.h"
+#include "em_multipliers.h"
+
+enum {
+    N = 2,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 10,       /* numbers of a state */
+    N_C = 4,            /* of which C, */
+    N_S = 2,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
+    N_INPUTS = 1,
+    N_OUTPUTS = 1,
+    N_EVENTS = 0,
+    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_PARAMETERS = 8,
+    N_GIVEN = 10,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
+    N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 2,             /* theta, phi */
+};
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
+
+#ifndef EM_ASIDE_ALONE
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                  const real *restrict u, real Mdot1[N1][N1], real f1[N1])
+{
+    const real phi = x[1];
+    const real cos_phi = em_cos(phi);
+    const real c_0 = c[8];
+    const real phi_dot = v[1];
+    const real sin_phi = em_sin(phi);
+    const real z_2 = phi_dot*sin_phi;
+    Mdot1[0][0] = cos_phi*c_0*z_2;
+    const real c_1 = c[9];
+    Mdot1[0][1] = Mdot1[1][0] = -c_1*z_2;
+    Mdot1[1][1] = em_real(0.0);
+    const real u_ = u[0];
+    const real theta_dot = v[0];
+    const real b0 = c[6];
+    f1[0] = u_ - theta_dot*b0;
+    const real b1 = c[7];
+    const real c_2 = c[10];
+    const real c_3 = c[11];
+    f1[1] = -(phi_dot*b1 - (sin_phi*(c_2 - theta_dot*phi_dot*c_1) + sin_phi*(theta_dot*theta_dot)*(c_3*cos_phi)));
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta, phi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2], y[3] };
+    const real *const C1 = y + 4, *const s1 = y + 8;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+    return 0;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* theta, phi: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[2], y[3] };
+    const real *const C1 = y + 4, *const s1 = y + 8;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    real Mdot1[N1][N1], f1[N1];
+    eigenfactor_motion(y, dy, c, u, Mdot1, f1);
+
+    /* theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
+    real mu1[N1*N1], Omega1[N1*N1];
+    em_congruence(N1, C1, Mdot1[0], mu1);
+    em_omega_apart(N1, s1, mu1, Omega1);
+    /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
+    real *const C1_dot = dy + 4, *const s1_dot = dy + 8;
+    em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
+    /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
+    real a1[N1];
+    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+
+    /* etadot = a (45) */
+    dy[2] = a1[0];
+    dy[3] = a1[1];
+    return 0;
+}
+
+/* M of the blocks that vary: the lower triangle */
+EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                 real shared[2])
+{
+    const real c_3 = c[11];
+    const real phi = x[1];
+    const real sin_phi = em_sin(phi);
+    const real c_4 = c[12];
+    M1[0][0] = c_3*(sin_phi*sin_phi) + c_4;
+    const real cos_phi = em_cos(phi);
+    const real c_1 = c[9];
+    M1[1][0] = cos_phi*c_1;
+    M1[1][1] = c_3;
+    shared[0] = cos_phi;
+    shared[1] = sin_phi;
+}
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real *restrict u,
+                                 const real shared[2], real Mdot1[N1][N1], real f1[N1])
+{
+    const real cos_phi = shared[0];
+    const real c_0 = c[8];
+    const real phi_dot = v[1];
+    const real sin_phi = shared[1];
+    const real z_2 = phi_dot*sin_phi;
+    Mdot1[0][0] = cos_phi*c_0*z_2;
+    const real c_1 = c[9];
+    Mdot1[0][1] = Mdot1[1][0] = -c_1*z_2;
+    Mdot1[1][1] = em_real(0.0);
+    const real u_ = u[0];
+    const real theta_dot = v[0];
+    const real b0 = c[6];
+    f1[0] = u_ - theta_dot*b0;
+    const real b1 = c[7];
+    const real c_2 = c[10];
+    const real c_3 = c[11];
+    f1[1] = -(phi_dot*b1 - (sin_phi*(c_2 - theta_dot*phi_dot*c_1) + sin_phi*(theta_dot*theta_dot)*(c_3*cos_phi)));
+}
+
+/* The triangular root: eta = L^T xdot, M = L L^T, Ldot = L Phi, Phi the lower triangle, with half the diagonal, of
+ * L^-1 Mdot L^-T. The same equations with L in place of C^T S; what else the state holds rests. */
+static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                        int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)flags, (void)fault;
+    real M1[N1][N1], shared[2];
+    triangular_masses(y, c, M1, shared);
+
+    /* theta, phi: M = L L^T */
+    real L1[N1][N1], r1[N1];
+    const int singular1 = em_cholesky(N1, M1[0], L1[0], r1, EM_SINGULAR_PIVOT);
+    if (singular1 >= 0) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, coordinate1[singular1], -1, 0.0);
+    const real eta1[N1] = { y[2], y[3] };
+    real v1[N1];
+    em_copy(N1, eta1, v1);
+    em_backward(N1, L1[0], r1, v1);
+    dy[0] = v1[0];
+    dy[1] = v1[1];
+
+    real Mdot1[N1][N1], f1[N1];
+    triangular_motion(dy, c, u, shared, Mdot1, f1);
+
+    /* theta, phi: a = L^-1 f - Phi eta */
+    real a1[N1], q1[N1];
+    em_triangular_push(N1, L1[0], r1, Mdot1[0], eta1, f1, a1, q1);
+
+    /* etadot = a (45) */
+    dy[2] = a1[0];
+    dy[3] = a1[1];
+    for (int k = 2*N; k < N_STATE; ++k) dy[k] = em_real(0.0);
+    return 0;
+}
+
+/* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#endif
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+/* xdot alone (20) */
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
+extern em_lanes furuta_pendulum_lanes;
+em_lanes furuta_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+
+#else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                      EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double c_0 = c[8];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    dM[4] = c_0*(sin_phi*cos_phi);
+    const double c_1 = c[9];
+    dM[6] = dM[5] = -sin_phi*c_1;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double u_ = u[0];
+    const double theta_dot = v[0];
+    const double b0 = c[6];
+    const double phi_dot = v[1];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double c_1 = c[9];
+    const double z_1 = sin_phi*c_1;
+    const double c_0 = c[8];
+    const double z_2 = theta_dot*phi_dot;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = sin_phi*cos_phi;
+    bias[0] = (u_ - theta_dot*b0) - (c_0*z_2*z_4 - phi_dot*phi_dot*z_1);
+    const double z_5 = z_2*z_1;
+    const double b1 = c[7];
+    const double c_3 = c[11];
+    const double c_2 = c[10];
+    bias[1] = z_5 - (phi_dot*b1 - ((theta_dot*theta_dot*(c_3*z_4) - z_5) + sin_phi*c_2));
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double theta_dot = v[0];
+    const double c_3 = c[11];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double c_4 = c[12];
+    const double phi_dot = v[1];
+    const double cos_phi = em_cos(phi);
+    const double c_1 = c[9];
+    const double z_2 = cos_phi*c_1;
+    e[0] = 0.5*(theta_dot*(theta_dot*(c_3*(sin_phi*sin_phi) + c_4) + phi_dot*z_2) + phi_dot*(theta_dot*z_2 +
+        phi_dot*c_3));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_2 = c[10];
+    e[3] = cos_phi*c_2;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                      EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict out)
+{
+    const double phi = x[1];
+    const double cos_phi = em_cos(phi);
+    const double c_5 = c[13];
+    out[0] = cos_phi*c_5;
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    const double r = c[3];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = r*cos_theta;
+    const double sin_theta = em_sin(theta);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double c_5 = c[13];
+    const double z_4 = sin_phi*c_5;
+    p[0] = p[15] = p[18] = z_1 - sin_theta*z_4;
+    const double z_5 = r*sin_theta;
+    p[1] = p[16] = p[19] = z_5 + cos_theta*z_4;
+    const double cos_phi = em_cos(phi);
+    p[2] = p[17] = p[20] = cos_phi*c_5;
+    p[3] = p[4] = p[5] = p[6] = p[7] = p[8] = p[11] = p[14] = 0.0;
+    p[9] = p[12] = z_1;
+    p[10] = p[13] = z_5;
+    const double c_6 = c[14];
+    p[21] = c_6;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void output_partials(EM_UNUSED double t, const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                              EM_UNUSED const double *restrict lambda, const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + A^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double phi_ddot = a[1];
+    const double r = c[3];
+    const double m = c[2];
+    const double l = c[4];
+    const double z_1 = m*l;
+    const double z_2 = r*z_1;
+    const double J = c[1];
+    const double z_3 = J + m*(l*l);
+    const double z_4 = sin_phi*z_3;
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double z_5 = theta_dot*phi_dot;
+    const double cos_phi = em_cos(phi);
+    const double z_7 = z_3*cos_phi;
+    const double theta_ddot = a[0];
+    D[1] = -(sin_phi*(phi_ddot*z_2 + 2.0*z_4*z_5) + cos_phi*(phi_dot*phi_dot*z_2 - 2.0*z_5*z_7 -
+        2.0*theta_ddot*z_4));
+    const double b0 = c[6];
+    const double z_8 = cos_phi*z_4;
+    D[2] = b0 + 2.0*phi_dot*z_8;
+    const double z_9 = theta_dot*z_8;
+    D[3] = (-2.0)*(phi_dot*sin_phi*z_2 - z_9);
+    const double z_10 = theta_dot*theta_dot;
+    const double g = c[5];
+    D[5] = sin_phi*(z_10*z_4 - theta_ddot*z_2) - cos_phi*(g*z_1 + z_10*z_7);
+    D[6] = (-2.0)*z_9;
+    const double b1 = c[7];
+    D[7] = b1;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    D[0] = -1.0;
+    const double theta_ddot = a[0];
+    D[1] = theta_ddot;
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    const double z_2 = sin_phi*cos_phi;
+    const double z_3 = 2.0*theta_dot*phi_dot*z_2 + theta_ddot*(sin_phi*sin_phi);
+    D[2] = z_3;
+    const double r = c[3];
+    const double l = c[4];
+    const double z_4 = r*l;
+    const double phi_ddot = a[1];
+    const double z_5 = cos_phi*phi_ddot;
+    const double z_6 = sin_phi*(phi_dot*phi_dot);
+    const double z_7 = l*l;
+    D[3] = z_4*z_5 + z_3*z_7 + theta_ddot*(r*r) - z_4*z_6;
+    const double m = c[2];
+    const double z_8 = m*l;
+    const double z_9 = m*r;
+    D[4] = z_8*z_5 + 2.0*theta_ddot*z_9 - z_8*z_6;
+    D[5] = z_9*z_5 + 2.0*z_3*z_8 - z_9*z_6;
+    D[7] = theta_dot;
+    const double z_10 = theta_dot*theta_dot*z_2 - phi_ddot;
+    D[12] = -z_10;
+    const double z_11 = cos_phi*theta_ddot;
+    const double g = c[5];
+    const double z_12 = sin_phi*g;
+    D[13] = z_4*z_11 - l*z_12 - z_10*z_7;
+    D[14] = z_8*z_11;
+    D[15] = z_9*z_11 - m*z_12 - 2.0*z_10*z_8;
+    D[16] = -sin_phi*z_8;
+    D[18] = phi_dot;
+}
+
+/* D (n_outputs, n + m + n_arguments), of the outputs by a, lambda and the arguments */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void output_partials(EM_UNUSED double t, const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                              EM_UNUSED const double *restrict lambda, const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_OUTPUTS * (N + N_ROWS + N_ARGUMENTS));
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double l = c[4];
+    D[3] = (-2.0)*(sin_phi*l);
+    const double cos_phi = em_cos(phi);
+    D[11] = 2.0*cos_phi;
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
+/* Where the other is linked it takes the place of this. */
+extern em_lanes furuta_pendulum_lanes;
+EM_WEAK em_lanes furuta_pendulum_lanes = {0, NULL, NULL, NULL};
+#define EM_MODEL_LANES furuta_pendulum_lanes
+
+#include "em_blocks.h"
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 0 };
+static const double scales[N] = { 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 4, 8, 0, 4 };
+static const em_block *const blocks[] = { &block1, NULL };
+
+/* What other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
+{
+    const double J = parameters[1];
+    const double m = parameters[2];
+    const double l = parameters[4];
+    const double z_0 = J + m*(l*l);
+    prepared[8] = 2.0*z_0;
+    const double r = parameters[3];
+    const double z_1 = m*l;
+    prepared[9] = r*z_1;
+    const double g = parameters[5];
+    prepared[10] = g*z_1;
+    prepared[11] = z_0;
+    const double J0 = parameters[0];
+    prepared[12] = J0 + m*(r*r);
+    prepared[13] = 2.0*l;
+    prepared[14] = 0.125*l;
+}
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    prepared_constants(parameters, c);
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict M)
+{
+    const double c_3 = c[11];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double c_4 = c[12];
+    M[0] = c_3*(sin_phi*sin_phi) + c_4;
+    const double cos_phi = em_cos(phi);
+    const double c_1 = c[9];
+    M[2] = M[1] = cos_phi*c_1;
+    M[3] = c_3;
+}
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
+{
+}
+
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
+{
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+{
+}
+
+#include "em_derivatives.h"
+#include "em_differentiate.h"
+
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                              double shared[2])
+{
+    const double c_3 = c[11];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double c_4 = c[12];
+    M1[0][0] = c_3*(sin_phi*sin_phi) + c_4;
+    const double cos_phi = em_cos(phi);
+    const double c_1 = c[9];
+    M1[0][1] = M1[1][0] = cos_phi*c_1;
+    M1[1][1] = c_3;
+    shared[0] = cos_phi;
+    shared[1] = sin_phi;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[2],
+                             double Mdot1[N1][N1])
+{
+    const double c_0 = c[8];
+    const double cos_phi = shared[0];
+    const double phi_dot = v[1];
+    const double sin_phi = shared[1];
+    const double z_2 = phi_dot*sin_phi;
+    Mdot1[0][0] = c_0*(cos_phi*z_2);
+    const double c_1 = c[9];
+    Mdot1[0][1] = Mdot1[1][0] = -c_1*z_2;
+    Mdot1[1][1] = 0.0;
+}
+
+/* After an accepted step, and at the start: C and s.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int rested = *mode; /* so did the eigenfactors */
+    int changed = rested || (flags & EM_STABILISE);
+    double M1[N1][N1], shared[2];
+    settled_masses(y, c, M1, shared);
+    if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
+
+    double gap = INFINITY, delta_gap = INFINITY;
+    gap = fmin(gap, em_gap(N1, y + 8));
+    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    if (wanted == EM_LOOK) {
+        double v[N];
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        double time = INFINITY;
+        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        wanted = em_mode_by_time(*mode, gap, time, pace);
+    }
+    if (*mode != wanted) {
+        if (em_change_mode(&block1, wanted, M1[0], y, memory, fault)) return -1;
+        *mode = wanted;
+        changed = 1;
+    }
+    return changed;
+}
+
+/* v (n): xdot from a state, in the meaning of its mode. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    double M[N*N];
+    factored(t, y, c, M);
+    if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    em_velocity_kept(&block1, mode, e, y, c, memory, ev);
+}
+
+/* row (n_state): a state in the published meaning. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    if (mode == 0) return 0;
+    double v[N];
+    if (model_velocity(mode, t, y, c, v, fault)) return -1;
+    em_publish_block(&block1, v, y, row);
+    return 0;
+}
+
+/* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], eta[N];
+    em_spread(N, N1, coordinate1, y + 4, C);
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
+    memcpy(y + N, eta, sizeof eta);
+    em_gather(N, N1, coordinate1, C, y + 4);
+    for (int i = 0; i < N1; ++i) y[8 + i] = s[coordinate1[i]];
+    memcpy(y, x, N * sizeof *y);
+    return 0;
+}
+
+/* What follows takes states in the published meaning. */
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    if (em_coincident_block(&block1, y, fault)) return -1;
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
+#include "em_handle.h"
+
+static const char *const coordinate_names[] = { "theta", "phi", NULL };
+static const char *const parameter_names[] = { "J0", "J", "m", "r", "l", "g", "b0", "b1", NULL };
+static const char *const input_names[] = { "u", NULL };
+static const char *const output_names[] = { "height of the tip", NULL };
+static const char *const event_names[] = { NULL };
+static const int event_direction[] = { 0 };
+static const int event_terminal[] = { 0 };
+static const double parameter_defaults[] = { 0.002, 0.00033, 0.1, 0.2, 0.1, 9.81, 0.001, 0.0001, 0.0 };
+static const double input_defaults[] = { 0.0, 0.0 };
+static const double initial_x[N] = { 0.0, 0.10471975511965978 };
+static const double initial_v[N] = { 0.0, 0.0 };
+static const int carried[N] = { 1, 1 };
+static const em_shape shapes[] = {
+    {"trace", 0, 3},
+    {"ground", 3, 3},
+    {"line", 6, 6},
+    {"line", 12, 6},
+    {"disk", 18, 4}
+};
+static const em_slice layout[] = {
+    {"x", 0, 2},
+    {"eta", 2, 2},
+    {"C", 4, 4},
+    {"s", 8, 2}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    "dM/dtheta: M does not depend on it",
+    NULL
+};
+
+const em_model furuta_pendulum_model = {
+    .abi = EM_ABI,
+    .name = "furuta_pendulum",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 4,
+    .n_left_out = 5,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .carried = carried,
+    .conserves_energy = 0,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .output_partials = output_partials,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
+    .event = model_events,
+    .lanes = &furuta_pendulum_lanes,
+    .n_shapes = 5,
+    .dimension = 3,
+    .shapes = shapes,
+    .draw = draw,
+};
+
+#endif
+#endif

@@ -1,0 +1,816 @@
+/* eigenmotion generate newtons_cradle.py */
+/* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
+/* body sha256:4ab6d8b71e9e8a0d21176e834246f5f0e94fc5373df4dcb0c94323ce6479d25e */
+/* newtons_cradle_4: equations of motion, eigenfactor formulation.
+ *
+ * State, 8 numbers:
+ *   x    y[0 .. 4)
+ *   eta  y[4 .. 8)
+ *
+ * Blocks of M that do not couple:
+ *   1: theta1 (constant, factored once per parameter set)
+ *   2: theta2 (constant, factored once per parameter set)
+ *   3: theta3 (constant, factored once per parameter set)
+ *   4: theta4 (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   Q: there are no other forces
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   A, B, Bdot, Delta, lambda: there are no constraints
+ *   dM/dtheta1, dM/dtheta2, dM/dtheta3, dM/dtheta4: M does not depend on them
+ *   C, mu, Omega across blocks: {theta1}, {theta2}, {theta3}, {theta4} do not couple
+ *   C, s, mu, Omega of {theta1}: this block is constant, factored once per parameter set
+ *   C, s, mu, Omega of {theta2}: this block is constant, factored once per parameter set
+ *   C, s, mu, Omega of {theta3}: this block is constant, factored once per parameter set
+ *   C, s, mu, Omega of {theta4}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 4 multiplications, 4 function calls
+ */
+#include "newtons_cradle_4.h"
+
+#include "em_functions.h"
+#include "em_multipliers.h"
+
+enum {
+    N = 4,              /* coordinates */
+    N_ROWS = 0,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 8,        /* numbers of a state */
+    N_C = 0,            /* of which C, */
+    N_S = 0,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 3,
+    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
+    SETTLES = 0,        /* whether an accepted step leaves anything to put right */
+    N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
+    N_PREPARED = 27,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* theta1 */
+    N2 = 1,             /* theta2 */
+    N3 = 1,             /* theta3 */
+    N4 = 1,             /* theta4 */
+};
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
+EM_UNUSED static const int coordinate2[N2] = { 1 };
+EM_UNUSED static const int coordinate3[N3] = { 2 };
+EM_UNUSED static const int coordinate4[N4] = { 3 };
+
+#ifndef EM_ASIDE_ALONE
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1], real f2[N2],
+                                  real f3[N3], real f4[N4])
+{
+    const real c_0 = c[21];
+    const real theta1 = x[0];
+    const real sin_theta1 = em_sin(theta1);
+    f1[0] = -c_0*sin_theta1;
+    const real theta2 = x[1];
+    const real sin_theta2 = em_sin(theta2);
+    f2[0] = -c_0*sin_theta2;
+    const real theta3 = x[2];
+    const real sin_theta3 = em_sin(theta3);
+    f3[0] = -c_0*sin_theta3;
+    const real theta4 = x[3];
+    const real sin_theta4 = em_sin(theta4);
+    f4[0] = -c_0*sin_theta4;
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta1: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[4] };
+    const real *const C1 = c + 5, *const s1 = c + 6;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* theta2: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[5] };
+    const real *const C2 = c + 9, *const s2 = c + 10;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    /* theta3: xdot = C^T S^-1 eta (20) */
+    const real eta3[N3] = { y[6] };
+    const real *const C3 = c + 13, *const s3 = c + 14;
+    real r3[N3], w3[N3], v3[N3];
+    em_velocity(N3, C3, s3, eta3, r3, w3, v3);
+    dy[2] = v3[0];
+
+    /* theta4: xdot = C^T S^-1 eta (20) */
+    const real eta4[N4] = { y[7] };
+    const real *const C4 = c + 17, *const s4 = c + 18;
+    real r4[N4], w4[N4], v4[N4];
+    em_velocity(N4, C4, s4, eta4, r4, w4, v4);
+    dy[3] = v4[0];
+    return 0;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* theta1: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[4] };
+    const real *const C1 = c + 5, *const s1 = c + 6;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    /* theta2: xdot = C^T S^-1 eta (20) */
+    const real eta2[N2] = { y[5] };
+    const real *const C2 = c + 9, *const s2 = c + 10;
+    real r2[N2], w2[N2], v2[N2];
+    em_velocity(N2, C2, s2, eta2, r2, w2, v2);
+    dy[1] = v2[0];
+
+    /* theta3: xdot = C^T S^-1 eta (20) */
+    const real eta3[N3] = { y[6] };
+    const real *const C3 = c + 13, *const s3 = c + 14;
+    real r3[N3], w3[N3], v3[N3];
+    em_velocity(N3, C3, s3, eta3, r3, w3, v3);
+    dy[2] = v3[0];
+
+    /* theta4: xdot = C^T S^-1 eta (20) */
+    const real eta4[N4] = { y[7] };
+    const real *const C4 = c + 17, *const s4 = c + 18;
+    real r4[N4], w4[N4], v4[N4];
+    em_velocity(N4, C4, s4, eta4, r4, w4, v4);
+    dy[3] = v4[0];
+
+    real f1[N1], f2[N2], f3[N3], f4[N4];
+    eigenfactor_motion(y, c, f1, f2, f3, f4);
+
+    /* theta1: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* theta2: constant factors, a = S^-1 C f (41) */
+    real a2[N2];
+    em_rows_on_eta(1, N2, C2, r2, f2, a2);
+
+    /* theta3: constant factors, a = S^-1 C f (41) */
+    real a3[N3];
+    em_rows_on_eta(1, N3, C3, r3, f3, a3);
+
+    /* theta4: constant factors, a = S^-1 C f (41) */
+    real a4[N4];
+    em_rows_on_eta(1, N4, C4, r4, f4, a4);
+
+    /* etadot = a (45) */
+    dy[4] = a1[0];
+    dy[5] = a2[0];
+    dy[6] = a3[0];
+    dy[7] = a4[0];
+    return 0;
+}
+
+/* dy <- f(t, y). */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#endif
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+/* xdot alone (20) */
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
+extern em_lanes newtons_cradle_4_lanes;
+em_lanes newtons_cradle_4_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+
+#else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, const double *restrict c,
+                      EM_UNUSED const double *restrict u, double *restrict struck);
+extern void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after);
+extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          EM_UNUSED double *restrict gamma)
+{
+    const double c_0 = c[21];
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    bias[0] = -c_0*sin_theta1;
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    bias[1] = -c_0*sin_theta2;
+    const double theta3 = x[2];
+    const double sin_theta3 = em_sin(theta3);
+    bias[2] = -c_0*sin_theta3;
+    const double theta4 = x[3];
+    const double sin_theta4 = em_sin(theta4);
+    bias[3] = -c_0*sin_theta4;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double c_1 = c[22];
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta3_dot = v[2];
+    const double theta4_dot = v[3];
+    e[0] = 0.5*(c_1*(theta1_dot*theta1_dot + theta2_dot*theta2_dot + theta3_dot*theta3_dot +
+        theta4_dot*theta4_dot));
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double c_0 = c[21];
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta3 = x[2];
+    const double cos_theta3 = em_cos(theta3);
+    const double theta4 = x[3];
+    const double cos_theta4 = em_cos(theta4);
+    e[3] = -c_0*(cos_theta1 + cos_theta2 + cos_theta3 + cos_theta4);
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[5] = p[9] = p[13] = 0.0;
+    const double l = c[1];
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    p[2] = p[16] = l*sin_theta1;
+    const double cos_theta1 = em_cos(theta1);
+    p[3] = p[17] = -l*cos_theta1;
+    const double c_3 = c[24];
+    p[4] = c_3;
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    p[6] = p[19] = c_3 + l*sin_theta2;
+    const double cos_theta2 = em_cos(theta2);
+    p[7] = p[20] = -l*cos_theta2;
+    const double c_4 = c[25];
+    p[8] = c_4;
+    const double theta3 = x[2];
+    const double sin_theta3 = em_sin(theta3);
+    p[10] = p[22] = c_4 + l*sin_theta3;
+    const double cos_theta3 = em_cos(theta3);
+    p[11] = p[23] = -l*cos_theta3;
+    const double c_5 = c[26];
+    p[12] = c_5;
+    const double theta4 = x[3];
+    const double sin_theta4 = em_sin(theta4);
+    p[14] = p[25] = c_5 + l*sin_theta4;
+    const double cos_theta4 = em_cos(theta4);
+    p[15] = p[26] = -l*cos_theta4;
+    const double r = c[4];
+    p[18] = p[21] = p[24] = p[27] = r;
+}
+
+/* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
+EM_ASIDE void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, const double *restrict c,
+                      EM_UNUSED const double *restrict u, double *restrict struck)
+{
+    const double c_2 = c[23];
+    struck[0] = c_2;
+    const double l = c[1];
+    struck[1] = l;
+    struck[2] = 0.0;
+    struck[3] = 0.0;
+    struck[4] = 0.0;
+    const double e = c[3];
+    struck[5] = e;
+    struck[6] = 0.0;
+    struck[7] = c_2;
+    struck[8] = l;
+    struck[9] = 0.0;
+    struck[10] = 0.0;
+    struck[11] = e;
+    struck[12] = 0.0;
+    struck[13] = 0.0;
+    struck[14] = c_2;
+    struck[15] = l;
+    struck[16] = 0.0;
+    struck[17] = e;
+}
+
+/* after: x, and v or the quasi-velocities, after each reset */
+EM_ASIDE void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after)
+{
+}
+
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level)
+{
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + A^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double g = c[2];
+    const double m = c[0];
+    const double l = c[1];
+    const double z_1 = g*(m*l);
+    D[0] = cos_theta1*z_1;
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    D[9] = cos_theta2*z_1;
+    const double theta3 = x[2];
+    const double cos_theta3 = em_cos(theta3);
+    D[18] = cos_theta3*z_1;
+    const double theta4 = x[3];
+    const double cos_theta4 = em_cos(theta4);
+    D[27] = cos_theta4*z_1;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta1_ddot = a[0];
+    const double l = c[1];
+    const double z_0 = l*l;
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double g = c[2];
+    const double z_2 = l*g;
+    D[0] = theta1_ddot*z_0 + sin_theta1*z_2;
+    const double m = c[0];
+    const double z_3 = m*l;
+    const double z_4 = m*g;
+    D[1] = 2.0*theta1_ddot*z_3 + sin_theta1*z_4;
+    D[2] = sin_theta1*z_3;
+    const double theta2_ddot = a[1];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    D[6] = theta2_ddot*z_0 + sin_theta2*z_2;
+    D[7] = 2.0*theta2_ddot*z_3 + sin_theta2*z_4;
+    D[8] = sin_theta2*z_3;
+    const double theta3_ddot = a[2];
+    const double theta3 = x[2];
+    const double sin_theta3 = em_sin(theta3);
+    D[12] = theta3_ddot*z_0 + sin_theta3*z_2;
+    D[13] = 2.0*theta3_ddot*z_3 + sin_theta3*z_4;
+    D[14] = sin_theta3*z_3;
+    const double theta4_ddot = a[3];
+    const double theta4 = x[3];
+    const double sin_theta4 = em_sin(theta4);
+    D[18] = theta4_ddot*z_0 + sin_theta4*z_2;
+    D[19] = 2.0*theta4_ddot*z_3 + sin_theta4*z_4;
+    D[20] = sin_theta4*z_3;
+}
+
+/* D (n_events, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
+    const double l = c[1];
+    D[0] = -l;
+    D[1] = l;
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    D[9] = -(theta1 - theta2);
+    D[15] = -l;
+    D[16] = l;
+    const double theta3 = x[2];
+    D[23] = -(theta2 - theta3);
+    D[30] = -l;
+    D[31] = l;
+    const double theta4 = x[3];
+    D[37] = -(theta3 - theta4);
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
+/* Where the other is linked it takes the place of this. */
+extern em_lanes newtons_cradle_4_lanes;
+EM_WEAK em_lanes newtons_cradle_4_lanes = {0, NULL, NULL, NULL};
+#define EM_MODEL_LANES newtons_cradle_4_lanes
+
+#include "em_blocks.h"
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0, 1, 2, 3 };
+static const double scales[N] = { 1.0, 1.0, 1.0, 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 5, 6, 7, 8 };
+static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 9, 10, 11, 12 };
+static const em_block block3 = { N, N3, coordinate3, scales, EM_PREPARED_FACTORS, 13, 14, 15, 16 };
+static const em_block block4 = { N, N4, coordinate4, scales, EM_PREPARED_FACTORS, 17, 18, 19, 20 };
+static const em_block *const blocks[] = { &block1, &block2, &block3, &block4, NULL };
+
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
+                                  double M3[N3][N3], double M4[N4][N4], double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double l = parameters[1];
+    M1[0][0] = m*(l*l);
+    M2[0][0] = m*(l*l);
+    M3[0][0] = m*(l*l);
+    M4[0][0] = m*(l*l);
+    const double g = parameters[2];
+    prepared[21] = m*l*g;
+    prepared[22] = m*(l*l);
+    prepared[23] = -l;
+    const double r = parameters[4];
+    prepared[24] = 2.0*r;
+    prepared[25] = 4.0*r;
+    prepared[26] = 6.0*r;
+}
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M1[N1][N1], M2[N2][N2], M3[N3][N3], M4[N4][N4];
+    prepared_constants(parameters, M1, M2, M3, M4, c);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
+    if (em_prepare(&block2, M2[0], c, fault)) return -1;
+    if (em_prepare(&block3, M3[0], c, fault)) return -1;
+    if (em_prepare(&block4, M4[0], c, fault)) return -1;
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                        double *restrict M)
+{
+    const double c_1 = c[22];
+    M[0] = c_1;
+    M[4] = M[1] = 0.0;
+    M[5] = c_1;
+    M[8] = M[2] = 0.0;
+    M[9] = M[6] = 0.0;
+    M[10] = c_1;
+    M[12] = M[3] = 0.0;
+    M[13] = M[7] = 0.0;
+    M[14] = M[11] = 0.0;
+    M[15] = c_1;
+}
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
+                     EM_UNUSED double *restrict b)
+{
+}
+
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
+{
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                         const double *restrict c, EM_UNUSED const double *restrict u,
+                         double *restrict crossing)
+{
+    const double l = c[1];
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    crossing[0] = -l*(theta1 - theta2);
+    const double theta3 = x[2];
+    crossing[1] = -l*(theta2 - theta3);
+    const double theta4 = x[3];
+    crossing[2] = -l*(theta3 - theta4);
+}
+
+#include "em_derivatives.h"
+#include "em_differentiate.h"
+
+/* After an accepted step, and at the start: nothing to do.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    return 0;
+}
+
+/* v (n): xdot from a state. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block3, 0, NULL, y, c, v, fault)) return -1;
+    if (em_velocity_at(&block4, 0, NULL, y, c, v, fault)) return -1;
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block2, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block3, 0, e, y, c, memory, ev);
+    em_velocity_kept(&block4, 0, e, y, c, memory, ev);
+}
+
+/* row (n_state): a state, as a row of the solution. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
+    memcpy(y + N, eta, sizeof eta);
+    memcpy(y, x, N * sizeof *y);
+    return 0;
+}
+
+/* What follows takes states in the published meaning. */
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
+enum { N_IMPACTS = 3, N_RESETS = 0, N_SWITCHES = 0 };
+
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+static const em_deed deeds[N_EVENTS] = { {0, -1, -1, 1, 1}, {1, -1, -1, 1, 1}, {2, -1, -1, 1, 1} };
+EM_UNUSED static const int resets_quasi[] = { 0 };
+/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
+EM_UNUSED static const em_switch switches[] = { {-1, -1, -1, -1, -1} };
+#define EM_ACTS
+#include "em_acts.h"
+
+/* g (n_events) in the mode of c */
+static void events_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *g)
+{
+    em_fault fault;
+    model_events(t, x, v, c, u, g);
+    if (em_watch_modes(t, x, v, c, u, EM_LEAST_NORM, g, &fault))
+        for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
+}
+
+#include "em_handle.h"
+
+static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
+static const char *const parameter_names[] = { "m", "l", "g", "e", "r", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { "1 on 2", "2 on 3", "3 on 4", NULL };
+static const int event_direction[] = { -1, -1, -1, 0 };
+static const int event_terminal[] = { 0, 0, 0, 0 };
+static const double parameter_defaults[] = { 0.1, 0.2, 9.81, 1.0, 0.02, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { -0.5, 0.0, 0.0, 0.0 };
+static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0 };
+static const int carried[N] = { 0, 0, 0, 0 };
+static const em_shape shapes[] = {
+    {"line", 0, 4},
+    {"line", 4, 4},
+    {"line", 8, 4},
+    {"line", 12, 4},
+    {"disk", 16, 3},
+    {"disk", 19, 3},
+    {"disk", 22, 3},
+    {"disk", 25, 3}
+};
+static const em_slice layout[] = {
+    {"x", 0, 4},
+    {"eta", 4, 4}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "Q: there are no other forces",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "A, B, Bdot, Delta, lambda: there are no constraints",
+    "dM/dtheta1, dM/dtheta2, dM/dtheta3, dM/dtheta4: M does not depend on them",
+    "C, mu, Omega across blocks: {theta1}, {theta2}, {theta3}, {theta4} do not couple",
+    "C, s, mu, Omega of {theta1}: this block is constant, factored once per parameter set",
+    "C, s, mu, Omega of {theta2}: this block is constant, factored once per parameter set",
+    "C, s, mu, Omega of {theta3}: this block is constant, factored once per parameter set",
+    "C, s, mu, Omega of {theta4}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model newtons_cradle_4_model = {
+    .abi = EM_ABI,
+    .name = "newtons_cradle_4",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 2,
+    .n_left_out = 11,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .carried = carried,
+    .conserves_energy = 1,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .event_partials = event_partials,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
+    .event = events_in_mode,
+    .deeds = deeds,
+    .n_switches = N_SWITCHES,
+    .switches = switches,
+    .act = em_act,
+    .lanes = &newtons_cradle_4_lanes,
+    .n_shapes = 8,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
+};
+
+#endif
+#endif

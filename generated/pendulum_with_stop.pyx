@@ -1,0 +1,23 @@
+# eigenmotion generate pendulum_with_stop.py
+# input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18
+# body sha256:f08ce14904e1bac0556911ffdf1e36b31008b878738231c44899013c62422711
+# cython: language_level=3
+"""pendulum_with_stop, compiled: `system` is its System (eigenfactor)."""
+
+from cpython.pycapsule cimport PyCapsule_New
+
+from eigenmotion.system import System
+
+
+# what pendulum_with_stop.h says, without the name of a file that could be one of Python's
+cdef extern from *:
+    """
+    #include "eigenmotion.h"
+    extern const em_model pendulum_with_stop_model;
+    """
+    ctypedef struct em_model:
+        pass
+    const em_model pendulum_with_stop_model
+
+
+system = System(PyCapsule_New(<void *>&pendulum_with_stop_model, "eigenmotion.em_model", NULL), __name__)

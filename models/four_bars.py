@@ -1,0 +1,63 @@
+"""N four-bar linkages side by side: n parallelograms of equal bars that share their cranks.
+
+::
+
+    o     o     o       ...     pins in the ground, l apart
+    |q1   |q2   |q3             cranks, of length l like the couplers      | g
+    |     |     |                                                          v
+    o-----o-----o----- ...      couplers
+
+Coordinates: q1 ... q_(n+1) [rad], directions of the cranks; p1 ... p_n [rad], those of the couplers. Bars: slender,
+of mass m.
+Holonomic constraints: two rows a loop. It hangs and swings. Where all bars are in one line, two motions go on: a start
+with more speed, as that of the benchmark (upright, 1 m/s at the pins), passes there at looser tolerances.
+
+Source: the benchmark "N four-bar mechanism" of the IFToMM Technical Committee for Multibody Dynamics
+(M. Gonzalez, D. Dopico, U. Lugris and J. Cuadrado, A benchmarking system for MBS simulation software, Multibody System
+Dynamics 16, 2006).
+Oracle: the cranks stay parallel, one coordinate of which the energy is known.
+"""
+
+from sympy import Expr, Matrix, Rational, cos, pi, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model, draw, t
+
+m, l, g = symbols("m l g", positive=True)
+
+
+def bar(angle: Expr) -> Matrix:
+    """Return the vector along a bar."""
+    return l * Matrix([cos(angle), sin(angle)])
+
+
+def kinetic_energy(foot: Matrix, angle: Expr) -> Expr:
+    """Return that of a slender bar from `foot` on."""
+    velocity = (foot + bar(angle) / 2).diff(t)
+    return Rational(1, 2) * m * (velocity.dot(velocity) + l**2 / 12 * angle.diff() ** 2)
+
+
+def model(n: int = 2) -> Model:
+    """Return n linkages, n + 1 cranks."""
+    cranks, couplers = dynamicsymbols(f"q1:{n + 2}"), dynamicsymbols(f"p1:{n + 1}")
+    pins = [Matrix([k * l, 0]) for k in range(n + 1)]
+    tips = [pin + bar(q) for pin, q in zip(pins, cranks, strict=True)]
+    heights = [tip[1] / 2 for tip in tips] + [(tip + bar(p) / 2)[1] for tip, p in zip(tips, couplers, strict=False)]
+    loops = [tip + bar(p) - after for tip, p, after in zip(tips, couplers, tips[1:], strict=False)]
+    return Model(
+        name=f"four_bars_{n}",
+        coordinates=[*cranks, *couplers],
+        kinetic_energy=sum(kinetic_energy(pin, q) for pin, q in zip(pins, cranks, strict=True))
+        + sum(kinetic_energy(tip, p) for tip, p in zip(tips, couplers, strict=False)),
+        potential_energy=m * g * sum(heights),
+        holonomic_constraints=[entry for loop in loops for entry in loop],
+        parameters={m: 1.0, l: 1.0, g: 9.81},
+        initial=dict.fromkeys(cranks, 1 - pi / 2),
+        drawing=[
+            *(draw.Ground(pin) for pin in pins),
+            *(draw.Line(pin, tip) for pin, tip in zip(pins, tips, strict=True)),
+            *(draw.Line(tip, tip + bar(p)) for tip, p in zip(tips, couplers, strict=False)),
+            *(draw.Disk(tip, l / 30) for tip in tips),
+            draw.Trace(tips[-1]),
+        ],
+    )

@@ -1,0 +1,37 @@
+"""A pendulum that swings against a wall, and leans on it in the end.
+
+::
+
+    -----o-----
+      wall\\
+          |\\  l
+          | \\
+          |  O m        | g
+                        v
+
+Coordinate: theta [rad], from the downward vertical; the wall is at theta = stop; restitution e.
+
+Oracle: between impacts Jacobi's elliptic functions; each impact leaves e^2 of the kinetic energy.
+"""
+
+from sympy import Rational, cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Contact, Model, draw
+
+theta = dynamicsymbols("theta")
+m, l, g, e, stop = symbols("m l g e stop", positive=True)
+
+position = l * sin(theta), -l * cos(theta)
+wall = l * sin(stop), -l * cos(stop)
+
+model = Model(
+    name="pendulum_with_stop",
+    coordinates=[theta],
+    kinetic_energy=Rational(1, 2) * m * (l * theta.diff()) ** 2,
+    potential_energy=-m * g * l * cos(theta),
+    contacts={"wall": Contact(l * (theta - stop), restitution=e, rest=Rational(1, 1000))},
+    parameters={m: 1.0, l: 1.0, g: 9.81, e: 0.8, stop: 0.1},
+    initial={theta: 1.2},
+    drawing=[draw.Ground((0, 0)), draw.Line((0, 0), wall), draw.Line((0, 0), position), draw.Disk(position, l / 10)],
+)

@@ -1,0 +1,33 @@
+/* em_fmi2.h: what the Functional Mock-up Interface 2.0 asks of a unit for co-simulation, as far as em_fmu.h uses it: types,
+ * and the values of its enumerations, after the standard (fmi-standard.org). */
+#ifndef EM_FMI2_H
+#define EM_FMI2_H
+
+#include <stddef.h>
+
+#ifdef _WIN32
+#define EM_FMI2_EXPORT __declspec(dllexport)
+#else
+#define EM_FMI2_EXPORT __attribute__((visibility("default")))
+#endif
+
+typedef void *fmi2Component, *fmi2ComponentEnvironment, *fmi2FMUstate;
+typedef unsigned int fmi2ValueReference;
+typedef double fmi2Real;
+typedef int fmi2Integer, fmi2Boolean;
+typedef const char *fmi2String;
+typedef char fmi2Byte;
+
+typedef enum { fmi2OK, fmi2Warning, fmi2Discard, fmi2Error, fmi2Fatal, fmi2Pending } fmi2Status;
+typedef enum { fmi2ModelExchange, fmi2CoSimulation } fmi2Type;
+typedef enum { fmi2DoStepStatus, fmi2PendingStatus, fmi2LastSuccessfulTime, fmi2Terminated } fmi2StatusKind;
+
+typedef struct {
+    void (*logger)(fmi2ComponentEnvironment, fmi2String, fmi2Status, fmi2String, fmi2String, ...);
+    void *(*allocateMemory)(size_t, size_t);
+    void (*freeMemory)(void *);
+    void (*stepFinished)(fmi2ComponentEnvironment, fmi2Status);
+    fmi2ComponentEnvironment componentEnvironment;
+} fmi2CallbackFunctions;
+
+#endif

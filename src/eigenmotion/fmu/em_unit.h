@@ -1,0 +1,202 @@
+/* em_unit.h: a mechanism as a unit that is told its parameters, start and inputs one by one, and steps: what an FMU holds.
+ *
+ * Its numbers have references, one after the other: parameters, x, v, inputs; then the model's outputs. */
+#ifndef EM_UNIT_H
+#define EM_UNIT_H
+
+#include <stdio.h>
+
+#include "em_control.h"
+#include "em_start.h"
+
+/* What is asked of every run. */
+typedef struct em_unit_options {
+    em_method method;
+    double rtol, atol, step; /* step: of a method of fixed step, else 0 */
+    const double *v;         /* (n) at the start */
+} em_unit_options;
+
+typedef struct em_unit {
+    const em_model *model;
+    em_unit_options options;
+    int steps;               /* whether initialisation is over: parameters and start stand */
+    double t_start, rtol;
+    double *given;           /* (n_given) parameters, x and v at the start, inputs */
+    em_stepper *stepper;     /* or NULL: to be opened with what is given */
+    char words[256];         /* what went wrong last */
+} em_unit;
+
+static size_t em_unit_given(const em_model *m) { return (size_t)(m->n_parameters + 2 * m->n + m->n_inputs); }
+static double *em_unit_x(const em_unit *unit) { return unit->given + unit->model->n_parameters; }
+static double *em_unit_v(const em_unit *unit) { return em_unit_x(unit) + unit->model->n; }
+static double *em_unit_u(const em_unit *unit) { return em_unit_v(unit) + unit->model->n; }
+
+static void em_unit_copy(double *to, const double *from, int count) {
+    for (int k = 0; k < count; ++k) to[k] = from[k];
+}
+
+static void em_unit_close(em_unit *unit) {
+    em_stepper_close(unit->stepper);
+    unit->stepper = NULL;
+}
+
+/* The model's own values. */
+static void em_unit_reset(em_unit *unit) {
+    const em_model *m = unit->model;
+    em_unit_close(unit);
+    unit->steps = 0;
+    unit->t_start = 0.0;
+    unit->rtol = unit->options.rtol;
+    em_unit_copy(unit->given, m->parameter_defaults, m->n_parameters);
+    em_unit_copy(em_unit_x(unit), m->initial_x, m->n);
+    em_unit_copy(em_unit_v(unit), unit->options.v, m->n);
+    em_unit_copy(em_unit_u(unit), m->input_defaults, m->n_inputs);
+}
+
+static void em_unit_free(em_unit *unit) {
+    if (unit == NULL) return;
+    em_unit_close(unit);
+    free(unit->given);
+    free(unit);
+}
+
+/* NULL without memory. */
+static em_unit *em_unit_create(const em_model *model, em_unit_options options) {
+    em_unit *unit = calloc(1, sizeof *unit);
+    if (unit == NULL) return NULL;
+    unit->model = model;
+    unit->options = options;
+    unit->given = calloc(em_unit_given(model) + 1, sizeof *unit->given);
+    if (unit->given == NULL) return em_unit_free(unit), NULL;
+    em_unit_reset(unit);
+    return unit;
+}
+
+/* -1, and words that say where a fault sits. */
+static int em_unit_fail(em_unit *unit, const em_fault *fault, double t) {
+    static const char *const reasons[] = {
+        "finished", "terminal event", "step size underflow", "too many steps", "the state is not finite",
+        "singular mass matrix", "dependent constraints", "coincident eigenvalues", "position not reached", "interrupted",
+        "out of memory", "eigenfactors drifted", "an event has no value", "energy drifted", "constraints drifted",
+        "no motion starts there"};
+    const size_t count = sizeof reasons / sizeof *reasons, status = (size_t)fault->status;
+    const int row = fault->status == EM_DEPENDENT_CONSTRAINTS || fault->status == EM_POSITION_NOT_REACHED ||
+                    fault->status == EM_CONSTRAINTS_DRIFTED;
+    const int named = !row && fault->first >= 0 && fault->first < unit->model->n;
+    const char *const reason = status < count ? reasons[status] : "failed";
+    if (row) snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s, row %d", t, reason, fault->first);
+    else snprintf(unit->words, sizeof unit->words, "at t = %.9g: %s%s%s", t, reason, named ? ", coordinate " : "",
+                  named ? unit->model->coordinates[fault->first] : "");
+    return -1;
+}
+
+/* The run of a stepper, in memory for c, y and atol. 0, or -1 and words. */
+static int em_unit_start(em_unit *unit, double *c, double *y, double *atol) {
+    const em_model *m = unit->model;
+    const em_unit_options *o = &unit->options;
+    em_fault fault;
+    for (int k = 0; k < m->n; ++k) atol[k] = o->atol * (unit->rtol / o->rtol);
+    if (m->prepare(unit->given, c, &fault)) return em_unit_fail(unit, &fault, unit->t_start);
+    if (!em_start(m, unit->t_start, em_unit_x(unit), em_unit_v(unit), c, unit->rtol, atol, y)) {
+        fault = (em_fault){EM_START_REFUSED, -1, -1, 0.0};
+        return em_unit_fail(unit, &fault, unit->t_start);
+    }
+    const em_run task = {.t_start = unit->t_start, .y_start = y, .prepared = c, .method = o->method, .rtol = unit->rtol,
+                         .atol = atol, .first_step = o->step, .max_step = INFINITY, .max_steps = 1000000000,
+                         .stabilise = 1, .model = m};
+    unit->stepper = em_stepper_open(m, &task, em_unit_u(unit));
+    if (unit->stepper == NULL) fault = (em_fault){EM_OUT_OF_MEMORY, -1, -1, 0.0};
+    else fault = unit->stepper->run.fault;
+    if (fault.status == EM_FINISHED) return 0;
+    em_unit_close(unit);
+    return em_unit_fail(unit, &fault, unit->t_start);
+}
+
+/* Opens the stepper unless it is open. 0, or -1 and words: no motion starts there. */
+static int em_unit_open(em_unit *unit) {
+    if (unit->stepper != NULL) return 0;
+    const em_model *m = unit->model;
+    const size_t c = (size_t)m->n_prepared, y = (size_t)m->n_state;
+    double *const memory = calloc(c + y + (size_t)m->n, sizeof *memory);
+    const em_fault none = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
+    if (memory == NULL) return em_unit_fail(unit, &none, unit->t_start);
+    const int failed = em_unit_start(unit, memory, memory + c, memory + c + y);
+    free(memory);
+    return failed;
+}
+
+/* A number by its reference. 0, or -1 and words. */
+static int em_unit_set(em_unit *unit, unsigned reference, double value) {
+    const size_t inputs = (size_t)(unit->model->n_parameters + 2 * unit->model->n);
+    if (reference >= em_unit_given(unit->model) || (unit->steps && reference < inputs) || !isfinite(value)) {
+        snprintf(unit->words, sizeof unit->words, "value reference %u: %s", reference,
+                 !isfinite(value) ? "not a finite number" : reference < inputs ? "parameters and start are fixed while stepping"
+                                                                               : "no number that can be set");
+        return -1;
+    }
+    if (reference < inputs) em_unit_close(unit);
+    unit->given[reference] = value;
+    return 0;
+}
+
+/* out (n_outputs) <- the model's outputs. 0, or -1 and words. */
+static int em_unit_outputs(em_unit *unit, double *out) {
+    em_fault fault;
+    if (em_unit_open(unit)) return -1;
+    const em_stepper *s = unit->stepper;
+    if (!s->model->output(s->t, s->x, s->v, s->run.prepared, em_unit_u(unit), 0, out, &fault)) return 0;
+    return em_unit_fail(unit, &fault, s->t);
+}
+
+/* One of those given, or x or v as they are now. */
+static double em_unit_number(const em_unit *unit, unsigned reference) {
+    const unsigned p = (unsigned)unit->model->n_parameters, n = (unsigned)unit->model->n;
+    if (unit->stepper == NULL || reference < p || reference >= p + 2 * n) return unit->given[reference];
+    return reference < p + n ? unit->stepper->x[reference - p] : unit->stepper->v[reference - p - n];
+}
+
+static int em_unit_advance(em_unit *unit, double t) {
+    if (em_unit_open(unit)) return -1;
+    if (!em_stepper_advance(unit->stepper, t, em_unit_u(unit))) return 0;
+    return em_unit_fail(unit, &unit->stepper->run.fault, unit->stepper->t);
+}
+
+/* --- all of it in one block of memory that can be moved --- */
+
+typedef struct em_unit_state {
+    int steps, open;
+    double t_start, rtol;
+} em_unit_state;
+
+static size_t em_unit_size(const em_unit *unit) {
+    const em_model *m = unit->model;
+    return sizeof(em_unit_state) + em_unit_given(m) * sizeof(double) + m->saved + (size_t)m->n_inputs * sizeof(double);
+}
+
+static void em_unit_save(const em_unit *unit, void *saved) {
+    const size_t numbers = em_unit_given(unit->model) * sizeof(double);
+    const em_unit_state state = {unit->steps, unit->stepper != NULL, unit->t_start, unit->rtol};
+    char *const place = saved;
+    memcpy(place, &state, sizeof state);
+    memcpy(place + sizeof state, unit->given, numbers);
+    if (state.open) em_stepper_save(unit->stepper, place + sizeof state + numbers);
+}
+
+/* 0, or -1 and words. */
+static int em_unit_restore(em_unit *unit, const void *saved) {
+    const size_t numbers = em_unit_given(unit->model) * sizeof(double);
+    const char *const place = saved;
+    em_unit_state state;
+    memcpy(&state, place, sizeof state);
+    em_unit_close(unit);
+    memcpy(unit->given, place + sizeof state, numbers);
+    unit->steps = state.steps;
+    unit->t_start = state.t_start;
+    unit->rtol = state.rtol;
+    if (!state.open) return 0;
+    if (em_unit_open(unit)) return -1;
+    em_stepper_restore(unit->stepper, place + sizeof state + numbers);
+    return 0;
+}
+
+#endif

@@ -1,0 +1,40 @@
+"""Runs of compiled methods: in one go, or in parts where controllers are asked on the way."""
+
+from contextlib import suppress
+
+from ..arguments.options import Task
+from ..results.solution import DenseOutput, Solution
+from ..results.trajectory import Trajectory
+from ..runtime import Run
+from .methods import Method
+from .sampled import as_held, drive, opened
+
+
+def run_compiled(task: Task, method: Method, number: int) -> Solution:
+    """Run what has been checked.
+
+    Raises
+    ------
+    BaseException
+        What a controller raised, as it is; its `solution` is what was done up to there.
+    """
+    if not task.inputs.sampled:
+        return _solution(task, method, Run(task, number))
+    task, held = opened(task)
+    run = Run(task, number, False)
+    try:
+        drive(run, task, held)
+    except BaseException as error:
+        run.close(True)
+        with suppress(AttributeError):  # of exceptions that take none
+            error.solution = _solution(as_held(task, held), method, run)  # type: ignore[attr-defined]
+        raise
+    run.close(False)
+    return _solution(as_held(task, held), method, run)
+
+
+def _solution(task: Task, method: Method, run: Run) -> Solution:
+    fields = run.fields(method.name)
+    if run.n_dense:
+        fields["sol"] = DenseOutput(run.step_times, run.interpolate)
+    return Solution(Trajectory(task, fields["t"], fields["y"].T, run.legs), fields)

@@ -1,0 +1,137 @@
+/* em_control.h: a mechanism under control, step by step, in plain C: em_stepper_open, _advance, _save, _restore, _close.
+ *
+ *     em_stepper *s = em_stepper_open(&NAME_model, &task, u);
+ *     while (!em_stepper_advance(s, s->t + 0.001, u)) u[0] = controller(s->t, s->x, s->v);
+ *     em_stepper_close(s);
+ *
+ * All memory is taken as a stepper opens. It knows nothing of others: any number may be open, each used by one thread at a
+ * time. Where an advance fails, s->run.fault says why, and the stepper stands at the last state it came to: t, x, v are
+ * there, and the next advance goes on from it. */
+#ifndef EM_CONTROL_H
+#define EM_CONTROL_H
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "eigenmotion.h"
+
+typedef struct em_stepper {
+    const em_model *model;
+    double t, *x, *v;    /* where it stands: x, v (n) */
+    double *u;           /* (n_inputs) values of those inputs that are constant */
+    em_run run;          /* what is asked; counts; why the last advance failed; crossings of events in it */
+    em_signal *inputs;   /* (n_inputs) */
+    void *walk;
+} em_stepper;
+
+enum { EM_EVENTS_KEPT = 64 }; /* crossings of one event in one advance; of more the last is kept */
+
+static inline void em_stepper_close(em_stepper *s) {
+    if (s == NULL) return;
+    if (s->walk != NULL) s->model->close(s->walk);
+    s->model->release(&s->run);
+    free(s);
+}
+
+/* Tables of events, of a size that does not change. 0, or -1 without memory. */
+static inline int em_stepper_reserve(em_stepper *s) {
+    for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k) {
+        em_rows *rows = &s->run.events[k];
+        rows->t = calloc(EM_EVENTS_KEPT, sizeof *rows->t);
+        rows->y = calloc(EM_EVENTS_KEPT * rows->width, sizeof *rows->y);
+        rows->capacity = rows->most = EM_EVENTS_KEPT;
+        if (rows->t == NULL || rows->y == NULL) return -1;
+    }
+    return 0;
+}
+
+/* What is asked, copied beside the stepper, in one block with it: numbers (doubles), and the inputs. */
+static inline em_stepper *em_stepper_copy(const em_model *model, const em_run *task, const double *u) {
+    const size_t n = (size_t)model->n, states = (size_t)model->n_state, c = (size_t)model->n_prepared;
+    const size_t inputs = (size_t)model->n_inputs, numbers = 3 * n + states + c + inputs;
+    const size_t events = (size_t)model->n_events;
+    em_stepper *s = calloc(1, sizeof *s + inputs * sizeof(em_signal) + numbers * sizeof(double) + events * sizeof(int));
+    if (s == NULL) return NULL;
+    s->inputs = (em_signal *)(s + 1);
+    double *place = (double *)(s->inputs + inputs);
+    s->x = place, s->v = place + n, s->u = place + 2 * n;
+    double *const atol = s->u + inputs, *const y = atol + n, *const prepared = y + states;
+    s->model = model;
+    s->run = *task;
+    s->run.atol = memcpy(atol, task->atol, n * sizeof *atol);
+    s->run.y_start = memcpy(y, task->y_start, states * sizeof *y);
+    if (c > 0) memcpy(prepared, task->prepared, c * sizeof *prepared);
+    s->run.prepared = prepared;
+    s->run.event_terminal = (int *)(prepared + c); /* none: who steps decides */
+    s->run.event_direction = model->event_direction;
+    s->run.inputs = s->inputs;
+    for (size_t k = 0; k < inputs; ++k) {
+        s->inputs[k] = task->inputs != NULL ? task->inputs[k] : (em_signal){EM_CONSTANT, 0, NULL, NULL};
+        if (s->inputs[k].kind != EM_CONSTANT) continue;
+        s->u[k] = u != NULL ? u[k] : s->inputs[k].values != NULL ? s->inputs[k].values[0] : model->input_defaults[k];
+        s->inputs[k].values = &s->u[k];
+    }
+    return s;
+}
+
+/* A stepper at task->t_start and y_start, of any method; those of fixed step have task->first_step for it. u (n_inputs):
+ * the inputs, or NULL: those of the task, or the model's defaults. Rows, end and dense output of the task mean nothing here.
+ * NULL without memory; else look at s->run.fault.status: EM_FINISHED, or why no motion starts there. Samples of inputs and
+ * the model stay the caller's. */
+static inline em_stepper *em_stepper_open(const em_model *model, const em_run *task, const double *u) {
+    em_stepper *s = em_stepper_copy(model, task, u);
+    if (s == NULL) return NULL;
+    s->run.t_end = INFINITY;
+    s->run.t_eval = &s->run.t_start; /* none of them: no rows are kept */
+    s->run.n_t_eval = 0;
+    s->run.dense = 0;
+    s->walk = model->open(&s->run);
+    if (s->walk == NULL || em_stepper_reserve(s)) return em_stepper_close(s), NULL;
+    s->t = model->now(s->walk, s->x, s->v);
+    return s;
+}
+
+/* Whether u (n_inputs) changes an input. Those that are signals stay so. */
+static inline int em_stepper_set(em_stepper *s, const double *u) {
+    int jumped = 0;
+    for (int k = 0; k < s->model->n_inputs; ++k) {
+        if (s->inputs[k].kind != EM_CONSTANT || u[k] == s->u[k]) continue;
+        s->u[k] = u[k];
+        jumped = 1;
+    }
+    return jumped;
+}
+
+/* Exactly to t, forwards or back, with inputs u (n_inputs) from here on, NULL: as they are. 0, or -1 and s->run.fault. */
+static inline int em_stepper_advance(em_stepper *s, double t, const double *u) {
+    if (!isfinite(t)) {
+        s->run.fault = (em_fault){EM_NON_FINITE_STATE, -1, -1, t};
+        return -1;
+    }
+    const int jumped = u != NULL && em_stepper_set(s, u);
+    for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k) s->run.events[k].count = 0;
+    const int failed = s->model->advance(s->walk, t, jumped);
+    s->t = s->model->now(s->walk, s->x, s->v);
+    return failed;
+}
+
+/* How many bytes em_stepper_save needs. */
+static inline size_t em_stepper_size(const em_stepper *s) {
+    return s->model->saved + (size_t)s->model->n_inputs * sizeof(double);
+}
+
+/* All of the motion, so that after em_stepper_restore every number comes out again to the last bit: in the same program,
+ * by a stepper of the same task. */
+static inline void em_stepper_save(const em_stepper *s, void *saved) {
+    s->model->save(s->walk, saved);
+    memcpy((char *)saved + s->model->saved, s->u, (size_t)s->model->n_inputs * sizeof(double));
+}
+
+static inline void em_stepper_restore(em_stepper *s, const void *saved) {
+    s->model->restore(s->walk, saved);
+    memcpy(s->u, (const char *)saved + s->model->saved, (size_t)s->model->n_inputs * sizeof(double));
+    s->t = s->model->now(s->walk, s->x, s->v);
+}
+
+#endif

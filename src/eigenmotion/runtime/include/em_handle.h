@@ -1,0 +1,90 @@
+/* em_handle.h: a run that goes on as far as it is told, as em_model has it (em_control.h is for whoever wants one). */
+#ifndef EM_HANDLE_H
+#define EM_HANDLE_H
+
+#include "em_stepper.h"
+
+/* What a run has counted so far: the part of it that is saved. */
+typedef struct em_tally {
+    int kept;
+    long n_rhs, n_steps, n_rejected, n_bounded, n_stiff;
+    double t_reached;
+} em_tally;
+
+enum { EM_SAVED_WALK = offsetof(em_walk, run) };
+
+/* em_model.open */
+static void *em_handle_open(em_run *run) { return em_open(run); }
+
+/* em_model.close */
+static void em_handle_close(void *walk) { em_close(walk); }
+
+/* The other way in time, where pieces of signals are entered from their other ends. */
+static void em_turn_back(em_walk *w) {
+    w->direction = -w->direction;
+    w->stale |= em_enter_pieces(w);
+}
+
+/* em_model.advance: steps up to t, after what inputs may have jumped. Whatever ended an advance before does not count:
+ * the run stands where it came to, and tries again. */
+static int em_handle_advance(void *walk, double t, int jumped) {
+    em_walk *w = walk;
+    em_run *run = w->run;
+    if (w->refused) return EM_END;
+    run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+    w->ended = EM_GO_ON;
+    w->most_steps = run->n_steps + run->max_steps;
+    w->stale |= jumped && w->begun;
+    if (w->direction * (t - w->t) < 0.0) em_turn_back(w);
+    if (w->stale && w->t != t) {
+        if (em_resume(w)) return EM_END;
+        if (!em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
+        w->stale = 0;
+    }
+    return em_advance(w, t);
+}
+
+/* em_model.now */
+static double em_handle_now(const void *walk, double *x, double *v) {
+    const em_walk *w = walk;
+    em_fault fault;
+    memcpy(x, w->y, N * sizeof *x);
+    if (w->begun && !w->stale) memcpy(v, w->K[0], N * sizeof *v);
+    else if (em_xdot(w->run, w->mode, w->t, w->y, v, &fault))
+        for (int k = 0; k < N; ++k) v[k] = NAN;
+    return w->t;
+}
+
+/* em_model.publish */
+static int em_handle_publish(const void *walk, double *y, em_fault *fault) {
+    const em_walk *w = walk;
+    return em_publish(w->run, w->mode, w->t, w->y, w->memory, y, fault);
+}
+
+/* em_model.save */
+static void em_handle_save(const void *walk, void *saved) {
+    const em_walk *w = walk;
+    const em_run *run = w->run;
+    const em_tally tally = {run->kept, run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded, run->n_stiff,
+                            run->t_reached};
+    memcpy(saved, w, EM_SAVED_WALK);
+    memcpy((char *)saved + EM_SAVED_WALK, &tally, sizeof tally);
+}
+
+/* em_model.restore */
+static void em_handle_restore(void *walk, const void *saved) {
+    em_walk *w = walk;
+    em_run *run = w->run;
+    em_tally tally;
+    memcpy(w, saved, EM_SAVED_WALK);
+    memcpy(&tally, (const char *)saved + EM_SAVED_WALK, sizeof tally);
+    run->kept = tally.kept;
+    run->n_rhs = tally.n_rhs;
+    run->n_steps = tally.n_steps;
+    run->n_rejected = tally.n_rejected;
+    run->n_bounded = tally.n_bounded;
+    run->n_stiff = tally.n_stiff;
+    run->t_reached = tally.t_reached;
+}
+
+#endif

@@ -1,0 +1,91 @@
+/* em_legs.h: how a run goes on after events that act (em_acts.h): anew, from what they made of the state at the root. */
+#ifndef EM_LEGS_H
+#define EM_LEGS_H
+
+#include "em_step.h"
+
+static int em_begin(em_walk *w);
+
+#ifdef EM_ACTS
+/* A leg from w->t on in the mode c (n_prepared), unless it is the one before. 0, or -1 and w->reason. */
+static int em_leg_begin(em_walk *w, const double *c) {
+    em_run *run = w->run;
+    if (N_SWITCHES == 0) return 0;
+    if (run->legs.count > 0 && !memcmp(run->prepared, c, N_PARAMETERS * sizeof *c)) return 0;
+    run->legs.width = N_PREPARED + 1;
+    double *const leg = em_rows_next(&run->legs, &w->reason);
+    if (leg == NULL) return -1;
+    memmove(leg, c, N_PREPARED * sizeof *c);
+    leg[N_PREPARED] = (double)run->rows.count;
+    run->prepared = leg;
+    em_rows_keep(&run->legs, w->t);
+    return 0;
+}
+
+/* row (n_state), published <- after the events w->fired at t, in a leg of its own. 0, or -1 and w->reason. */
+static int em_act_on(em_walk *w, double t, double *row) {
+    const em_run *run = w->run;
+    double x[N], v[N], c[N_PREPARED + 1];
+    memcpy(x, row, sizeof x);
+    memcpy(c, run->prepared, N_PREPARED * sizeof *c);
+    if (model_velocity(0, t, row, c, v, &w->reason)) return -1;
+    em_signals(w, t);
+    if (em_act(t, x, v, c, w->u, run->least_norm ? EM_LEAST_NORM : 0, w->fired, w->pile, &w->reason)) return -1;
+    w->t = t;
+    return em_leg_begin(w, c) || state(t, x, v, run->prepared, row, &w->reason) ? -1 : 0;
+}
+
+/* The mode in which a run starts. 0, or -1 and w->reason. */
+static int em_first_leg(em_walk *w) {
+    if (N_SWITCHES == 0) return 0;
+    for (int i = 0; i < N_INPUTS; ++i) w->piece[i] = em_signal_piece(&w->run->inputs[i], w->t, w->direction);
+    return em_act_on(w, w->t, w->y);
+}
+
+/* What a step knows of those before it is of another motion. */
+static void em_forget(em_walk *w) {
+    memset(&w->nodes, 0, sizeof w->nodes);
+    w->stages.known = w->stages.accepted = w->stages.sloped = w->stages.own = 0;
+    memset(w->longest, 0, sizeof w->longest);
+    memset(w->row_tolerance, 0, sizeof w->row_tolerance);
+    memset(w->zero, 0, sizeof w->zero);
+    memset(w->noise, 0, sizeof w->noise);
+    memset(w->memory, 0, sizeof w->memory);
+    w->longest_step = w->strongest = w->farthest = w->fastest = w->energy_tolerance = w->last_error = 0.0;
+    w->rank = w->near = w->has_interpolant = w->mode = w->run->kept = 0;
+    w->next_witness = 0;
+    w->fresh = EM_NEXT_LEG;
+}
+
+static int em_append_after(em_walk *w) {
+    em_run *run = w->run;
+    for (int i = 0; i < N_EVENTS; ++i)
+        if (w->struck[i] && em_append(w, &run->after[i], w->mode, w->t, w->y, w->memory)) return EM_END;
+    return run->t_eval == NULL ? em_append(w, &run->rows, w->mode, w->t, w->y, w->memory) : EM_GO_ON;
+}
+
+/* The step ends at t, where events act; the next leg begins. */
+static int em_next_leg(em_walk *w, double t, int terminal) {
+    double row[N_STATE], memory[EM_SOME_MEMORY];
+    em_run *run = w->run;
+    em_fault fault;
+    if (em_inside(w, t, w->argument, memory) || em_publish(run, w->mode, t, w->argument, memory, row, &fault))
+        return em_end_with(w, w->reason);
+    ++run->n_steps;
+    run->t_reached = t;
+    memcpy(w->struck, w->fired, sizeof w->struck);
+    if (em_act_on(w, t, row)) return em_end_with(w, w->reason);
+    em_forget(w);
+    memcpy(w->y, row, sizeof row);
+    if (run->least_norm && em_keep_constraints_at_start(w)) return em_end_with(w, w->reason);
+    if (em_enter_mode(w) < 0) return em_end_with(w, w->reason);
+    if (em_append_after(w)) return EM_END;
+    if (terminal) return em_end(w, EM_TERMINAL_EVENT);
+    return em_begin(w);
+}
+#else
+static int em_first_leg(em_walk *w) { return (void)w, 0; }
+static int em_next_leg(em_walk *w, double t, int terminal) { return (void)w, (void)t, (void)terminal, EM_END; }
+#endif
+
+#endif

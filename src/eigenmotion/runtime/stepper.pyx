@@ -1,0 +1,272 @@
+# cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
+"""A run that goes on as far as it is told: em_control.h for Python."""
+
+from hashlib import blake2b
+
+from cpython.bytes cimport PyBytes_AS_STRING, PyBytes_FromStringAndSize
+from cpython.exc cimport PyErr_CheckSignals
+from libc.math cimport isfinite
+from libc.stdlib cimport calloc, free
+from libc.string cimport memcpy
+
+from .abi cimport em_fault, em_method, em_run, em_signal, em_signal_kind
+from .arrays cimport Numbers, given, zeros
+from .control cimport em_stepper, em_stepper_advance, em_stepper_close, em_stepper_open, em_stepper_restore
+from .control cimport em_stepper_save, em_stepper_size
+from .point cimport PointModel, Prepared
+
+from .faults import EvaluationError, StopReason, explain
+
+_REASONS = tuple(StopReason)
+
+cdef enum:
+    TAG = 16  # bytes
+
+
+cdef int poll(void *argument) noexcept with gil:
+    """Non-zero where a signal asks for an end; what its handler raised is raised after the advance."""
+    try:
+        PyErr_CheckSignals()
+    except BaseException as error:
+        (<Steps> argument).pending = error
+        return 1
+    return 0
+
+
+cdef class Steps:
+    """One em_stepper.
+
+    Parameters
+    ----------
+    task
+        An `eigenmotion.arguments.options.Task`: its start, inputs, tolerances and limits of steps.
+    method
+        em_method; those of fixed step have their step as the task's first.
+    """
+
+    cdef em_stepper *steps
+    cdef em_signal *signals
+    cdef double *u
+    cdef readonly PointModel model
+    cdef readonly object task
+    cdef readonly int number
+    cdef dict places
+    cdef list held
+    cdef object pending
+    cdef bytes tag
+    cdef bint busy
+
+    def __cinit__(self, task, int method, *rest):
+        cdef em_run run
+        cdef PointModel model
+        cdef Prepared prepared
+        cdef Numbers y, atol
+        (model, prepared, inputs, start, _, state, rtol, absolute, _, _, first, longest, most, stabilise, least) = task
+        self.model, self.task, self.number, self.held = model, task, method, [prepared]
+        self.places = {name: k for k, name in enumerate(model.inputs)}
+        y, atol = given(state, (model.n_state,), "y"), given(absolute, (model.n,), "atol")
+        self.hold_inputs(inputs.compiled)
+        run = em_run(t_start=start, y_start=y.data, prepared=prepared.c, inputs=self.signals, method=<em_method> method,
+                     rtol=rtol, atol=atol.data, first_step=first, max_step=longest, max_steps=most, stabilise=stabilise,
+                     least_norm=least, poll=poll, poll_argument=<void *> self, model=model.model)
+        self.steps = em_stepper_open(model.model, &run, NULL)
+        if self.steps == NULL:
+            raise MemoryError
+        if self.steps.run.fault.status != 0:
+            raise self.failure()
+
+    def __dealloc__(self):
+        em_stepper_close(self.steps)
+        free(self.signals)
+        free(self.u)
+
+    cdef hold_inputs(self, tuple inputs):
+        cdef Py_ssize_t k
+        cdef Numbers times, values
+        self.signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
+        self.u = <double *> calloc(len(inputs) + 1, sizeof(double))
+        if self.signals == NULL or self.u == NULL:
+            raise MemoryError
+        for k, (kind, at, taken) in enumerate(inputs):
+            times, values = given(at, (len(at),), "times"), given(taken, (len(taken),), "values")
+            self.held += times, values
+            self.signals[k] = em_signal(kind=<em_signal_kind> (<int> kind), count=len(at), times=times.data,
+                                        values=values.data)
+
+    cdef failure(self):
+        fault = self.steps.run.fault
+        stop = _REASONS[<int> fault.status]
+        words = explain(stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
+        return EvaluationError(f"{self.model.name}: at t = {self.steps.t:.9g}: {words}", stop)
+
+    cdef int set_inputs(self, inputs) except -1:
+        """u <- what is given by name over what holds, or all of it in order."""
+        cdef Py_ssize_t k
+        cdef Numbers numbers
+        memcpy(self.u, self.steps.u, self.model.n_inputs * sizeof(double))
+        if type(inputs) is dict:
+            for name, value in (<dict> inputs).items():
+                k = self.place(name)
+                self.u[k] = value
+                self.check(k)
+            return 0
+        numbers = given(inputs, (self.model.n_inputs,), "inputs")
+        for k in range(self.model.n_inputs):
+            self.u[k] = numbers.data[k]
+            self.check(k)
+        return 0
+
+    cdef Py_ssize_t place(self, name) except -1:
+        place = self.places.get(name)
+        if place is None:
+            place = self.places.get(str(name).removesuffix("(t)"))
+        if place is None:
+            raise ValueError(f"unknown input {name!r}; known: {', '.join(self.places) or 'none'}")
+        return place
+
+    cdef int check(self, Py_ssize_t k) except -1:
+        if not isfinite(self.u[k]):
+            raise ValueError(f"input {self.model.inputs[k]!r} is {self.u[k]}, not a finite number")
+        if self.signals[k].kind != <em_signal_kind> 0 and self.u[k] != self.steps.u[k]:
+            raise ValueError(f"input {self.model.inputs[k]!r} is a signal of this stepper, which goes on as it is; "
+                             "open one with a number for it to set it on the way")
+        return 0
+
+    cdef int claim(self) except -1:
+        if self.busy:
+            raise RuntimeError("this stepper is being advanced, by another thread or a signal handler: "
+                               "each thread needs one of its own")
+        return 0
+
+    def advance(self, double t, inputs=None):
+        """Go exactly to t, forwards or back, with these inputs from here on."""
+        cdef const double *u = NULL
+        cdef int failed
+        self.claim()
+        if not isfinite(t):
+            raise ValueError(f"t is {t}, not a finite number")
+        if inputs is not None:
+            self.set_inputs(inputs)
+            u = self.u
+        self.busy = True
+        with nogil:
+            failed = em_stepper_advance(self.steps, t, u)
+        self.busy = False
+        if failed:
+            if self.pending is not None:
+                pending, self.pending = self.pending, None
+                raise pending
+            raise self.failure()
+
+    @property
+    def t(self):
+        """[s] where it stands."""
+        return self.steps.t
+
+    @property
+    def x(self):
+        """(n,) coordinates there."""
+        return self.copy(self.steps.x, self.model.n)
+
+    @property
+    def v(self):
+        """(n,) velocities there."""
+        return self.copy(self.steps.v, self.model.n)
+
+    @property
+    def u(self):
+        """(n_inputs,) inputs that hold there; NaN for those that are signals."""
+        cdef Numbers made = self.numbers(self.steps.u, self.model.n_inputs)
+        for k in range(self.model.n_inputs):
+            if self.signals[k].kind != <em_signal_kind> 0:
+                made.data[k] = float("nan")
+        return made.array
+
+    @property
+    def y(self):
+        """(n_state,) the state there, published meaning."""
+        cdef em_fault fault
+        cdef Numbers made = zeros((self.model.n_state,))
+        self.claim()
+        if self.model.model.publish(self.steps.walk, made.data, &fault) != 0:
+            raise self.model.failure(&fault)
+        return made.array
+
+    cdef Numbers numbers(self, const double *numbers, int count):
+        cdef Numbers made = zeros((count,))
+        memcpy(made.data, numbers, count * sizeof(double))
+        return made
+
+    cdef copy(self, const double *numbers, int count):
+        return self.numbers(numbers, count).array
+
+    @property
+    def nfev(self):
+        """Right-hand sides so far."""
+        return self.steps.run.n_rhs
+
+    @property
+    def nsteps(self):
+        """Accepted steps so far."""
+        return self.steps.run.n_steps
+
+    @property
+    def nrejected(self):
+        """Rejected steps so far."""
+        return self.steps.run.n_rejected
+
+    @property
+    def events(self):
+        """Name of each event -> times (k,) at which it passed zero in the last advance; of more than 64 the last."""
+        return {name: self.copy(self.steps.run.events[k].t, <int> self.steps.run.events[k].count)
+                for k, name in enumerate(self.model.events)}
+
+    def save(self):
+        """All of the motion as bytes: `restore` gives every number back to the last bit."""
+        cdef bytes saved = PyBytes_FromStringAndSize(NULL, TAG + <Py_ssize_t> em_stepper_size(self.steps))
+        cdef bytes tag = self.tagged()
+        self.claim()
+        memcpy(PyBytes_AS_STRING(saved), PyBytes_AS_STRING(tag), TAG)
+        em_stepper_save(self.steps, PyBytes_AS_STRING(saved) + TAG)
+        return saved
+
+    def restore(self, bytes saved not None):
+        """Go back to where `save` was called, here or by another stepper of the same model and options.
+
+        Raises
+        ------
+        ValueError
+            It is of another model, or of one with other parameters, method or tolerances.
+        """
+        self.claim()
+        if len(saved) != TAG + <Py_ssize_t> em_stepper_size(self.steps) or saved[:TAG] != self.tagged():
+            raise ValueError(f"{self.model.name}: what is to be restored was saved by a stepper of another model, "
+                             "or with other parameters, method, tolerances or compiled for another processor")
+        em_stepper_restore(self.steps, PyBytes_AS_STRING(saved) + TAG)
+
+    cdef bytes tagged(self):
+        """What two steppers must have in common to understand each other's bytes."""
+        if self.tag is None:
+            m, task = self.model, self.task
+            signals = [(kind, times.tobytes(), values.tobytes()) for kind, times, values in task.inputs.compiled if kind]
+            said = (m.name, m.formulation, m.close_eigenvalues, m.schur, m.coordinates, m.parameters, m.inputs, m.events,
+                    m.layout, m.block, m.left_out, m.lanes, <long> m.model.saved, task.prepared.parameters,
+                    self.prepared_numbers(), self.number, task.rtol, task.atol.tobytes(), task.first_step,
+                    task.max_step, task.stabilise, task.least_norm, signals)
+            self.tag = blake2b(repr(said).encode(), digest_size=TAG).digest()
+        return self.tag
+
+    cdef bytes prepared_numbers(self):
+        """What the model makes of its parameters, which tells models of the same names apart."""
+        cdef Prepared prepared = self.task.prepared
+        return (<char *> prepared.c)[:self.model.model.n_prepared * sizeof(double)]
+
+    def __reduce__(self):
+        """As what is asked, and what is saved."""
+        return _restored, (type(self), self.task, self.number, self.save())
+
+
+def _restored(kind, task, int number, bytes saved):
+    made = kind(task, number)
+    made.restore(saved)
+    return made

@@ -1,0 +1,59 @@
+"""Several contacts at once: what they share, and what no multiplier is told by."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from sympy import Rational, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Contact, Friction, Model, StopReason, System
+
+from .generation import system_for
+
+G = 9.81
+SHARED = {"dependent_constraints": "least_norm"}
+
+
+@cache
+def box(feet: tuple[int, ...], rough: bool = False) -> System:
+    """A plank on feet, dropped aslant."""
+    x, y, phi = dynamicsymbols("x y phi")
+    m, g, l, e, mu = symbols("m g l e mu", positive=True)
+    contacts = {f"foot{k}": Contact(y + at * l * sin(phi), e, Rational(1, 100)) for k, at in enumerate(feet)}
+    rubs = {f"rub{k}": Friction(x.diff() - at * l * sin(phi) * phi.diff(), mu, f"foot{k}") for k, at in enumerate(feet)}
+    return system_for(
+        Model(name=f"box{len(feet)}{'r' * rough}", coordinates=[x, y, phi],
+              kinetic_energy=m * (x.diff() ** 2 + y.diff() ** 2 + (l * phi.diff()) ** 2 / 3) / 2,
+              potential_energy=m * g * y, contacts=contacts | (rubs if rough else {}),
+              parameters={m: 1.0, g: G, l: 0.5, e: 0.3, mu: 0.4},
+              initial={y: 1.0, phi: 0.3, x.diff(): 1.0}), "lagrange")  # fmt: skip
+
+
+@pytest.mark.parametrize("options", [{}, {"stabilisation": "none"}, {"method": "Radau"}], ids=str)
+def test_a_plank_rattles_and_lies_down(options):
+    run = box((-1, 1)).simulate((0.0, 5.0), **options)
+    assert run.success, run.message
+    assert run.x[:, -1] == pytest.approx([5.0, 0.0, 0.0], abs=1e-9)
+    assert np.diff(run.energy).max() < 1e-9
+    assert run.multipliers[:, -1] == pytest.approx([-G / 2, -G / 2])
+
+
+def test_a_foot_too_many_is_named_or_shares():
+    system = box((-1, 0, 1))
+    refused = system.simulate((0.0, 5.0))
+    assert refused.stop is StopReason.DEPENDENT_CONSTRAINTS
+    assert "row 1" in refused.message
+    assert 'dependent_constraints="least_norm"' in refused.message
+    run = system.simulate((0.0, 5.0), **SHARED)
+    assert run.success, run.message
+    assert run.multipliers[:, -1] == pytest.approx([-G / 3] * 3)
+
+
+@pytest.mark.parametrize("method", ["dop853", "Radau"])
+def test_feet_that_slide_stop_where_their_friction_has_taken_the_speed(method):
+    run = box((-1, 1), rough=True).simulate((0.0, 2.0), x0=[0, 0, 0], v0={"x": 1.0}, method=method, **SHARED)
+    assert run.success, run.message
+    assert run.x[0, -1] == pytest.approx(1 / (2 * 0.4 * G), rel=1e-9)
+    assert run.modes[-1][1] == {f"{what}{k}_{how}": value for k in (0, 1) for what, how, value in
+                                (("foot", "held", 1.0), ("rub", "stuck", 1.0), ("rub", "slides", 0.0))}  # fmt: skip
