@@ -109,7 +109,7 @@ def test_events_lie_on_the_projected_trajectory_to_rounding(method, formulation)
     assert len(times["lowest"]) == 5
     x = rows["lowest"][:, :2]
     np.testing.assert_allclose(np.hypot(*x.T), L, rtol=1e-15)
-    assert np.abs(x[:, 0]).max() < 4e-15
+    assert np.abs(x[:, 0]).max() < 8e-15  # three units in the last place of the time, at that speed
     for time, y in zip(times["turning"], rows["turning"], strict=True):
         q, v = y[:4], system.compiled.velocity_rows(np.array([time]), y[None], system.prepare())[0]
         assert abs(v[0] * np.cos(time) ** 2 + v[1] * q[0] / 10 + v[0] / 2) < 1e-13

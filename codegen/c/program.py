@@ -184,6 +184,7 @@ class Kernels:
     events: Kernel
     quasi: Kernel
     drawing: Kernel
+    partials: PartialKernels
     impacts: Kernel
     resets: Kernel
     levels: Kernel

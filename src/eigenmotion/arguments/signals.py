@@ -1,7 +1,7 @@
 """Inputs u(t) of a run: constants, and samples with zero-order hold, linear or cubic interpolation."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from importlib import import_module
 from typing import Any, Literal, TypeAlias
@@ -45,6 +45,9 @@ class Signal:
     times: ArrayLike
     values: ArrayLike
     kind: Literal["hold", "linear", "cubic"] = "linear"
+    _fitted: list[tuple[Any, Vector]] = field(
+        init=False, repr=False, default_factory=list
+    )  # the spline, once it has been asked for
 
     def __post_init__(self) -> None:
         for name in ("times", "values"):
@@ -71,25 +74,28 @@ class Signal:
             return np.asarray(values[np.searchsorted(times, inside, side="right") - 1])
         if self.kind == "linear":
             return np.asarray(np.interp(inside, times, values))
-        return np.asarray(_spline(times, values)(inside))
+        return np.asarray(self._spline[0](inside))
 
     @property
     def compiled(self) -> Compiled:
         """Kind, times and values as `em_signal` has them."""
         times, values = np.asarray(self.times), np.asarray(self.values)
         if self.kind == "cubic":  # (k - 1, 4), highest power first, time from the left sample on
-            values = _spline(times, values).c.T.ravel()
+            values = self._spline[1]
         return _KINDS[self.kind], times, values
+
+    @property
+    def _spline(self) -> tuple[Any, Vector]:
+        """Not-a-knot spline and its coefficients, made once. SciPy's takes a while to import."""
+        if not self._fitted:
+            made = import_module("scipy.interpolate").CubicSpline(np.asarray(self.times), np.asarray(self.values))
+            self._fitted.append((made, made.c.T.ravel()))
+        return self._fitted[0]
 
     @property
     def kinks(self) -> Vector:
         """Times at which u or its rate jumps."""
         return np.empty(0) if self.kind == "cubic" else np.asarray(self.times)
-
-
-def _spline(times: Vector, values: Vector) -> Any:
-    """Return the not-a-knot spline. SciPy's takes a while to import, and few signals are cubic."""
-    return import_module("scipy.interpolate").CubicSpline(times, values)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -36,8 +36,8 @@ _log = logging.getLogger("eigenmotion")
 @click.option("--rtol", type=Finite(), default=1e-6, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
 @click.option("--method", default="dop853", show_default=True, metavar="NAME",
-              help=f"{', '.join(COMPILED)}; {AUTO}: one of the last two; implicit, for stiff models: "
-              f"{', '.join(IMPLICIT)}.")  # fmt: skip
+              help=f"{', '.join(name for name in COMPILED if name not in IMPLICIT)}; implicit, for stiff models: "
+              f"{', '.join(IMPLICIT)}; {AUTO}: what suits the scene.")  # fmt: skip
 @setting
 @click.option("--estimate-error", is_flag=True, help="Run again more accurately, and say how large the error is.")
 @click.option("--plot", type=click.Path(path_type=Path, dir_okay=False), metavar="FILE",

@@ -1,15 +1,63 @@
 """Which method a run takes that leaves the choice to us: method="auto".
 
-As measured over all models (benchmarks/nodes.py, docs/theory.md). A method for stiff scenes finds its place here,
-before the others.
+As measured over all models (benchmarks/nodes.py, benchmarks/stiff.py, docs/theory.md).
 """
 
+from math import inf, sqrt
+
+import numpy as np
+
+from ..arguments.options import Task
 from ..runtime import CompiledModel
 from .methods import METHODS, Method
 
 _LEAST_LANES = 4
 _TIGHT = {"eigenfactor": 1e-6}
 _TIGHT_OTHERWISE = 1e-5
+_STIFF = METHODS["radau9"]
+_APART = 100.0
+"""How many times as fast as all that lasts must be what dies out, for a scene to be stiff;"""
+_SPANS = 50.0
+"""in the span it falls by e to the power of minus so much;"""
+_DAMPED = 0.1
+"""its rate has at least this part of it real, for what oscillates for long has to be resolved;"""
+_STEPS = 2000.0
+"""and stability would take at least about so many explicit steps."""
+_NONE = np.empty(0)
+
+
+def automatic_of_run(task: Task) -> tuple[Method, str]:
+    """Return a stiff method, and why in words, where the scene is stiff at its start; else as `automatic`, and "".
+
+    What may come later, a contact, say, the start does not tell: an explicit run says so at its end.
+    """
+    fast = _dying_rate(task)
+    if not fast:
+        return automatic(task.model, task.rtol, task.least_norm), ""
+    return _STIFF, (
+        f" method='auto' took {_STIFF.name}, since the scene is stiff: at its start something dies out at a rate of "
+        f"{fast:.2g} / s, {_APART:g} times as fast as what lasts, or more."
+    )
+
+
+def _dying_rate(task: Task) -> float:
+    """Return the rate by which stability would keep explicit steps short, and not their error; 0: there is none.
+
+    From the eigenvalues of the motion's Jacobian at the start, which do not depend on units or coordinates.
+    """
+    span, model, prepared = task.t_end - task.t_start, task.model, task.prepared
+    u = task.inputs.at(task.t_start) if model.n_inputs else _NONE
+    size = model.slopes_size(task.t_start, task.y, prepared, u, task.least_norm)
+    if not 4 * _STEPS < (sqrt(size) + size) * abs(span) < inf:  # no eigenvalue is larger
+        return 0.0
+    v = model.velocity_rows(np.array([task.t_start]), task.y[None], prepared)
+    z = np.concatenate([task.y[: model.n], v[0]])
+    J = model.motion_jacobian(task.t_start, z, prepared, u, task.least_norm)
+    roots = np.linalg.eigvals(J)
+    sizes, dies = np.abs(roots), -roots.real * span
+    dying = (dies > _SPANS) & (dies > _DAMPED * sizes * abs(span))
+    fast, lasting = sizes[dying].max(initial=0.0), sizes[~dying].max(initial=1 / abs(span))
+    return float(fast) if fast > _APART * lasting and fast * abs(span) > 4 * _STEPS else 0.0
 
 
 def automatic(model: CompiledModel, rtol: float, least_norm: bool) -> Method:

@@ -20,7 +20,7 @@ class Method:
     solver : of the others, "module:class" of what makes the steps, as `scipy.integrate.OdeSolver` does
     needs : the package without which there is none, "" where it comes with ours
     extra : what installs that: pip install 'eigenmotion[extra]'
-    iterates : of a compiled one, whether its steps are found by iteration, which ends at the tolerances and no sooner
+    iterates : of a compiled one, whether its rates are found by iteration, which ends at the tolerances and no sooner
     """
 
     name: str
@@ -52,6 +52,8 @@ METHODS = _table(
     Method("dopri5", order=5, number=1),
     Method("dop853", order=8, number=2),
     Method("ra15", order=15, number=3, iterates=True),
+    Method("radau5", order=5, implicit=True, number=6),
+    Method("radau9", order=9, implicit=True, number=7),
     Method("Radau", order=5, implicit=True, solver="scipy.integrate:Radau"),
     Method("BDF", order=None, implicit=True, solver="scipy.integrate:BDF"),
     Method("LSODA", order=None, implicit=True, solver="scipy.integrate:LSODA"),
@@ -69,7 +71,7 @@ IMPLICIT = _table(*(method for method in METHODS.values() if method.implicit))
 
 
 def checker_of(method: Method) -> Method:
-    """Return the method that checks runs of another: of its kind the one of the highest order that does not vary.
+    """Return the method that checks runs of another: of its kind the one of the highest order.
 
     None that iterates: near rounding its errors are larger than its order says.
     """

@@ -13,7 +13,7 @@ from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, OptionError, Task,
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..runtime import CompiledModel, EvaluationError, plain
-from .choosing import automatic
+from .choosing import automatic_of_run
 from .compiled import run_compiled
 from .error_estimate import with_error_estimate
 from .methods import AUTO, METHODS, Method
@@ -73,10 +73,11 @@ def simulate(
         controller, asked every period. What it raises comes out as it is, with what was done as its `solution`.
     method
         "rk34", "dopri5", "dop853": compiled, Runge-Kutta; "ra15": compiled, eight Radau nodes side by side, order 15,
-        often the quickest where motions are smooth and tolerances tight; "auto": one of the last two, by tolerance,
-        formulation and processor, which `Solution.method` names. "Radau", "BDF", "LSODA" (SciPy), "CVODE"
-        (SUNDIALS): implicit, for stiff scenes, on the motion (x, v); what they integrate is not projected, so that
-        drift adds up, but every row and event is ("project"). Upper or lower case.
+        often the quickest where motions are smooth and tolerances tight; "radau5", "radau9": compiled, implicit, for
+        stiff scenes, Radau IIA of orders 5 and 9 on the motion (x, v); "auto": "radau9" where the scene is stiff at its
+        start, else "dop853" or "ra15", by tolerance, formulation and processor, which `Solution.method` names. "Radau",
+        "BDF", "LSODA" (SciPy), "CVODE" (SUNDIALS): implicit too, with steps in Python; what they integrate is not
+        projected, so that drift adds up, but every row and event is ("project"). Upper or lower case.
     rtol, atol
         A step's error in x_k and v_k is kept below atol_k + rtol |.|. atol: number, or mapping coordinate -> number
         (carried over to the velocity; 1e-9 where missing).
@@ -132,7 +133,7 @@ def simulate(
             system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
-    chosen = automatic(compiled, task.rtol, task.least_norm) if named == AUTO else METHODS[named]
+    chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
         _check_sampled(task, chosen, estimate_error)
     check_direction(compiled, task.t_start, task.t_end)
@@ -142,6 +143,8 @@ def simulate(
     else:
         checker = None if estimate_error is True else _checker(estimate_error)
         solution = with_error_estimate(task, chosen, checker, run_task)
+    if why:
+        solution["message"] += why
     if asked is not None:
         solution["sensitivity"] = sensitivity(task, solution, asked)
     return solution

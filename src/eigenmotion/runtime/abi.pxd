@@ -35,6 +35,10 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef enum em_method:
         EM_RA15
+        EM_RK4
+        EM_MIDPOINT
+        EM_RADAU5
+        EM_RADAU9
 
     ctypedef struct em_rows:
         size_t count
@@ -93,6 +97,8 @@ cdef extern from "eigenmotion.h" nogil:
         long n_steps
         long n_rejected
         long n_bounded
+        long n_jacobians
+        long n_factors
         long n_stiff
         double t_reached
         const em_model *model

@@ -63,11 +63,11 @@ _REMEDY = {
     StopReason.TERMINAL_EVENT: "A terminal event ended the run.",
     StopReason.STEP_SIZE_UNDERFLOW: (
         "The step size fell below the spacing of numbers{at}. Look for a singularity or a jump near this time; "
-        "if there is none, loosen rtol and atol, or use a stiff method (Radau, BDF)."
+        "if there is none, loosen rtol and atol, or use a stiff method (radau9)."
     ),
     StopReason.TOO_MANY_STEPS: (
         "The step limit was reached. Raise max_steps, or loosen rtol and atol; where steps are short though the motion "
-        "is slow, the scene is stiff: use a stiff method (Radau, BDF)."
+        "is slow, the scene is stiff: use a stiff method (radau9)."
     ),
     StopReason.NON_FINITE_STATE: (
         "The state or its rate is not finite{at}. Look for a division by zero or a domain error in the energies, "
@@ -178,7 +178,7 @@ def stiffness(held: int, steps: int, iterates: bool) -> str:
     return (
         f" The scene is stiff: about {held} of {steps} steps were kept short by "
         f"{'an iteration that converges slowly' if iterates else 'stability'}, not by their error. Use "
-        f"{'dop853, or ' if iterates else ''}a stiff method (Radau, BDF, LSODA)."
+        f"{'dop853, or ' if iterates else ''}a stiff method: radau9, or Radau, BDF, LSODA."
     )
 
 

@@ -258,6 +258,22 @@ cdef class PointModel:
             raise self.failure(&fault)
         return rate.array
 
+    def slopes_size(self, double t, y, Prepared c not None, u, bint least_norm):
+        """Root of the sum of squares of da/dx and da/dv at a state y; infinite where there are none."""
+        cdef em_fault fault
+        cdef int k, n = self.n
+        cdef double size = 0.0
+        cdef Numbers state = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers z = zeros((2 * n,)), J = zeros((2 * n, 2 * n))
+        memcpy(z.data, state.data, n * sizeof(double))
+        if self.model.velocity(t, state.data, c.c, z.data + n, &fault) != 0:
+            return float("inf")
+        if self.model.motion_jacobian(t, z.data, c.c, s.data, least_norm, J.data, &fault) != 0:
+            return float("inf")
+        for k in range(2 * n * n, 4 * n * n):
+            size += J.data[k] * J.data[k]
+        return size ** 0.5
+
     def motion_jacobian(self, double t, z, Prepared c not None, u, bint least_norm):
         """(2 n, 2 n): d (v, a) / d (x, v)."""
         cdef em_fault fault

@@ -220,7 +220,8 @@ cdef class Run:
         if self.model.acts:
             _, after = self.events(self.run.after)
             after = [now if acts else y for now, y, (acts, _) in zip(after, y_events, self.model.deeds)]
-        counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff, 0, 0)
+        counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
+                  self.run.n_jacobians, self.run.n_factors)
         return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after,
                       modes_of(self.model, self.legs))
 

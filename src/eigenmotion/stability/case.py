@@ -15,7 +15,7 @@ from .truth import Integrated, Truth
 from .variants import UNCONSTRAINED, Variant
 
 EXPLICIT = {"rk34": 1e-7, "dopri5": 1e-8, "dop853": 1e-8, "ra15": 1e-8}
-STIFF = {"Radau": 1e-6, "BDF": 1e-6, "LSODA": 1e-7, "CVODE": 1e-7}
+STIFF = {"radau5": 1e-7, "radau9": 1e-8, "Radau": 1e-6, "BDF": 1e-6, "LSODA": 1e-7, "CVODE": 1e-7}
 TOLERANCES: Mapping[str, float] = MappingProxyType(
     {name: tolerance for name, tolerance in (EXPLICIT | STIFF).items() if METHODS[name].is_installed}
 )

@@ -13,10 +13,11 @@ from ..building.build import build
 from ..building.errors import BuildError
 from ..codegen.model import Model, ModelError
 from ..results.solution import Solution
+from ..running.methods import METHODS
 from ..running.simulate import simulate
 from ..runtime import EvaluationError, StopReason
 from ..system.system import System
-from .case import EXPLICIT, Case, Trial
+from .case import Case, Trial
 from .expected import Expected, expected_of
 from .indicators import indicators
 from .outcome import MARGIN, MEANINGLESS, Cell, Outcome, judged
@@ -56,7 +57,7 @@ def examine(case: Case, value: float, planted: Mapping[Variant, System] | None =
         (variant, method)
         for method in case.tolerances
         for variant in case.variants
-        if method in EXPLICIT or variant in IMPLICIT
+        if METHODS[method].is_compiled or variant in IMPLICIT
     ]
     cells = tuple(_cell(case, expected, built[variant], variant, method) for variant, method in chosen)
     return Examined(
@@ -114,7 +115,7 @@ def _run(case: Case, trial: Trial, system: System, variant: Variant, method: str
             rtol=tolerance,
             atol=tolerance * trial.units,
             t_eval=trial.times,
-            max_steps=case.max_steps if method in EXPLICIT else case.max_steps_stiff,
+            max_steps=case.max_steps if METHODS[method].is_compiled else case.max_steps_stiff,
             **options,
         )
 

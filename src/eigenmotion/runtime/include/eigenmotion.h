@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 7 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 9 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -67,7 +67,9 @@ typedef struct em_signal {
 } em_signal;
 
 /* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error. */
-typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT } em_method;
+typedef enum em_method {
+    EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT, EM_RADAU5, EM_RADAU9
+} em_method;
 
 enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
 
@@ -143,6 +145,7 @@ typedef struct em_run {
     int kept;                    /* flags of the constraint rows kept at the last accepted step (em_rank.h) */
     long n_rhs, n_steps, n_rejected;
     long n_bounded;              /* accepted steps that did not run the published equations */
+    long n_jacobians, n_factors; /* of implicit methods: slopes of the acceleration, and sets of factors made of them */
     long n_stiff;                /* that stability kept short, or the convergence of an iteration, and not their error */
     double t_reached;
     const struct em_model *model; /* the caller's, where the run is to be held against its energy, or NULL */

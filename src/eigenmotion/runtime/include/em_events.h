@@ -45,7 +45,7 @@ static int em_events_at(em_walk *w, double t, const double *y, const double *v, 
 /* The same at a state of the step under way. */
 static int em_events_of(em_walk *w, double t, const double *y, double *g) {
     double v[N];
-    if (model_velocity(w->mode, t, y, w->run->prepared, v, &w->reason)) return -1;
+    if (em_xdot(w->run, w->mode, t, y, v, &w->reason)) return -1;
     return em_events_at(w, t, y, v, g);
 }
 

@@ -50,7 +50,7 @@ static double em_handle_now(const void *walk, double *x, double *v) {
     em_fault fault;
     memcpy(x, w->y, N * sizeof *x);
     if (w->begun && !w->stale) memcpy(v, w->K[0], N * sizeof *v);
-    else if (model_velocity(w->mode, w->t, w->y, w->run->prepared, v, &fault))
+    else if (em_xdot(w->run, w->mode, w->t, w->y, v, &fault))
         for (int k = 0; k < N; ++k) v[k] = NAN;
     return w->t;
 }
@@ -58,7 +58,7 @@ static double em_handle_now(const void *walk, double *x, double *v) {
 /* em_model.publish */
 static int em_handle_publish(const void *walk, double *y, em_fault *fault) {
     const em_walk *w = walk;
-    return model_publish(w->mode, w->t, w->y, w->run->prepared, w->memory, y, fault);
+    return em_publish(w->run, w->mode, w->t, w->y, w->memory, y, fault);
 }
 
 /* em_model.save */

@@ -28,7 +28,7 @@ static int em_interpolate(const em_run *run, size_t step, double t, double *y) {
     if (at->leg > 0) then.prepared = run->legs.y + (at->leg - 1) * run->legs.width;
     scheme.evaluate(F, scheme.terms, (t - at->t) / at->h, inside);
     if (em_settle(&then, &mode, EM_KEEP_MODE | at->kept, t, inside, memory, t - at->t, &fault) < 0) return -1;
-    return model_publish(mode, t, inside, then.prepared, memory, y, &fault);
+    return em_publish(&then, mode, t, inside, memory, y, &fault);
 }
 
 #endif

@@ -45,6 +45,7 @@ static int em_first_leg(em_walk *w) {
 /* What a step knows of those before it is of another motion. */
 static void em_forget(em_walk *w) {
     memset(&w->nodes, 0, sizeof w->nodes);
+    w->stages.known = w->stages.accepted = w->stages.sloped = w->stages.own = 0;
     memset(w->longest, 0, sizeof w->longest);
     memset(w->row_tolerance, 0, sizeof w->row_tolerance);
     memset(w->zero, 0, sizeof w->zero);
@@ -68,7 +69,7 @@ static int em_next_leg(em_walk *w, double t, int terminal) {
     double row[N_STATE], memory[EM_SOME_MEMORY];
     em_run *run = w->run;
     em_fault fault;
-    if (em_inside(w, t, w->argument, memory) || model_publish(w->mode, t, w->argument, run->prepared, memory, row, &fault))
+    if (em_inside(w, t, w->argument, memory) || em_publish(run, w->mode, t, w->argument, memory, row, &fault))
         return em_end_with(w, w->reason);
     ++run->n_steps;
     run->t_reached = t;
@@ -77,7 +78,7 @@ static int em_next_leg(em_walk *w, double t, int terminal) {
     em_forget(w);
     memcpy(w->y, row, sizeof row);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_end_with(w, w->reason);
-    if (em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason) < 0) return em_end_with(w, w->reason);
+    if (em_enter_mode(w) < 0) return em_end_with(w, w->reason);
     if (em_append_after(w)) return EM_END;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
     return em_begin(w);

@@ -207,10 +207,8 @@ EM_COLD int em_newton_from_afar(double t, double *x, const double *c, int least_
     return em_newton(t, x, c, STEPS, least_norm, fault);
 }
 
-/* x, v <- the nearest state in the mass metric that satisfies the constraints on positions and velocities. */
-EM_COLD int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
-    if (N_POSITIONS > 0 && em_newton_from_afar(t, x, c, least_norm, fault) < 0) return -1;
-    if (N_ROWS == 0) return 0;
+/* v <- the nearest velocity in the mass metric that satisfies the constraints at x. */
+EM_COLD int em_project_velocity(double t, const double *x, double *v, const double *c, int least_norm, em_fault *fault) {
     em_root root;
     double A[EM_SOME_ROWS * N], b[EM_SOME_ROWS], terms[EM_SOME_ROWS];
     if (em_root_at(t, x, c, &root, fault)) return -1;
@@ -220,6 +218,18 @@ EM_COLD int em_project(double t, double *x, double *v, const double *c, int leas
         for (int k = 0; k < N; ++k) b[row] += A[row * N + k] * v[k], terms[row] += fabs(A[row * N + k] * v[k]);
     }
     return em_correct(&root, v, b, terms, least_norm, fault);
+}
+
+/* x, v <- the nearest state in the mass metric that satisfies the constraints on positions and velocities. */
+EM_COLD int em_project(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+    if (N_POSITIONS > 0 && em_newton_from_afar(t, x, c, least_norm, fault) < 0) return -1;
+    return N_ROWS > 0 ? em_project_velocity(t, x, v, c, least_norm, fault) : 0;
+}
+
+/* The same after a step, from nearby. */
+EM_COLD int em_settle_motion(double t, double *x, double *v, const double *c, int least_norm, em_fault *fault) {
+    if (N_POSITIONS > 0 && em_newton(t, x, c, 3, least_norm, fault) < 0) return -1;
+    return N_ROWS > 0 ? em_project_velocity(t, x, v, c, least_norm, fault) : 0;
 }
 
 /* C (n, n), s (n) of M(x) in units of `scales`, block by block; near the C given, or from scratch where C is 0. */

@@ -6,6 +6,7 @@
 #ifndef EM_METHODS_H
 #define EM_METHODS_H
 
+#include "em_collocation.h"
 #include "em_node_interpolant.h"
 #include "em_nodes.h"
 #include "em_runge_kutta.h"
@@ -17,7 +18,7 @@
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
                            tableau.errors == 0, em_##name##_step, judge,                                 \
-                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate};                 \
+                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL};     \
     }
 
 /* rk34 has no second state at the end of a step. */
@@ -32,7 +33,12 @@ EM_RUNGE_KUTTA(midpoint, EM_MIDPOINT_TABLEAU, NULL)
 
 static em_scheme em_ra15(void) {
     return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
-                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate};
+                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL};
+}
+
+static em_scheme em_collocation(const em_radau_iia *rk) {
+    return (em_scheme){rk->stages, 1.0, 0.0, 8.0, rk->stages, 0, em_collocation_step, NULL, em_collocation_interpolate,
+                       em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk};
 }
 
 /* The table. */
@@ -41,6 +47,8 @@ static em_scheme em_scheme_of(em_method method) {
         case EM_RK34: return em_rk34();
         case EM_DOPRI5: return em_dopri5();
         case EM_RA15: return em_ra15();
+        case EM_RADAU5: return em_collocation(&EM_RADAU5_TABLEAU);
+        case EM_RADAU9: return em_collocation(&EM_RADAU9_TABLEAU);
         case EM_RK4: return em_rk4();
         case EM_MIDPOINT: return em_midpoint();
         case EM_DOP853: break;

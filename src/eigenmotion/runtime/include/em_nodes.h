@@ -93,14 +93,14 @@ static void em_weigh_rates(em_walk *w) {
     for (int i = 0; !EM_SECOND_ORDER && i < N; ++i) {
         double e[N] = {0.0}, ev[N], sum = 0.0;
         e[i] = 1.0;
-        model_velocity_error(w->mode, y, w->run->prepared, w->memory, e, ev);
+        em_velocity_error(w, e, ev);
         for (int k = 0; k < N; ++k) {
             const double by_x = w->h * w->weight[k], by_v = w->weight[N + k];
             sum += ev[k] * ev[k] * (by_v * by_v + by_x * by_x);
         }
         weight[N + i] = sqrt(sum);
     }
-    const int counts = !w->run->stabilise || w->mode == 0;
+    const int counts = em_counts_factors(w);
     for (int k = 2 * N; k < N_STATE; ++k) weight[k] = counts ? w->weight[k] : 0.0;
 }
 
@@ -227,7 +227,7 @@ EM_COLD void em_note_changes(em_walk *w) {
     double ev[N];
     memset(w->error, 0, sizeof w->error);
     for (int k = EM_FIRST_RATE; k < 2 * N; ++k) w->error[k] = em_number_at(w->nodes.F, k, EM_NODE_COUNT - 1) - w->K[0][k];
-    model_velocity_error(w->mode, w->y, w->run->prepared, w->memory, w->error + N, ev);
+    em_velocity_error(w, w->error + N, ev);
     memcpy(w->error + N, ev, sizeof ev);
 }
 

@@ -36,11 +36,14 @@ static void em_weigh_factors(em_walk *w, const double *before, const double *aft
         }
 }
 
+/* Whether errors of eigenfactors count: where they are integrated and nothing settles them. */
+static int em_counts_factors(const em_walk *w) { return w->mode == 0 || (w->mode != EM_MOTION && !w->run->stabilise); }
+
 /* The weights of x and v (and, unless settled, of the eigenfactors) between two states and their right-hand sides. */
 static void em_set_weights(em_walk *w, const double *y, const double *dy, const double *y_new, const double *dy_new) {
     em_weigh(N, w->run->atol, w->rtol, y, y_new, w->weight);
     em_weigh(N, w->run->atol, w->rtol, dy, dy_new, w->weight + N);
-    if (!w->run->stabilise || w->mode == 0) em_weigh_factors(w, y, y_new);
+    if (em_counts_factors(w)) em_weigh_factors(w, y, y_new);
 }
 
 /* Weights of the state at the start; what is 0 and has no absolute tolerance says nothing of its size. */
@@ -53,14 +56,14 @@ static void em_weigh_start(em_walk *w) {
 /* The weighted sum of squares of q (n_state): x, v and factors. */
 static double em_squares(const em_walk *w, const double *q) {
     double sum = em_weighted_squares(2 * N, q, w->weight);
-    if (!w->run->stabilise || w->mode == 0) sum += em_weighted_squares(N_STATE - 2 * N, q + 2 * N, w->weight + 2 * N);
+    if (em_counts_factors(w)) sum += em_weighted_squares(N_STATE - 2 * N, q + 2 * N, w->weight + 2 * N);
     return sum;
 }
 
 /* The same of e, an error or a rate of the state, whose part of eta becomes one of v in place. */
 static double em_squares_of_error(const em_walk *w, double *restrict e) {
     double ev[N];
-    model_velocity_error(w->mode, w->y, w->run->prepared, w->memory, e + N, ev);
+    em_velocity_error(w, e + N, ev);
     memcpy(e + N, ev, sizeof ev);
     return em_squares(w, e);
 }

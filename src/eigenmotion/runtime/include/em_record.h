@@ -10,7 +10,7 @@
 static int em_append(em_walk *w, em_rows *rows, int mode, double t, const double *y, const double *memory) {
     em_fault fault;
     double *row = em_rows_next(rows, &fault);
-    if (row == NULL || model_publish(mode, t, y, w->run->prepared, memory, row, &fault)) return em_end_with(w, fault);
+    if (row == NULL || em_publish(w->run, mode, t, y, memory, row, &fault)) return em_end_with(w, fault);
     em_rows_keep(rows, t);
     return EM_GO_ON;
 }

@@ -2,7 +2,8 @@
  *
  * Piece j of a sampled signal lies between times[j] and times[j + 1]; pieces -1 and count - 1 lie outside the samples,
  * where the value at the nearest end holds. A step never crosses a sample of EM_HOLD or EM_LINEAR, so that their
- * pieces are looked up once per step, nor the first and last of EM_CUBIC: all stages see one smooth function.
+ * pieces are looked up once per step, nor the first and last of EM_CUBIC: all stages see one smooth function. Methods
+ * that take averages of linear signals (em_averages.h) cross their samples, too.
  */
 #ifndef EM_SIGNALS_H
 #define EM_SIGNALS_H
@@ -22,10 +23,11 @@ static long em_signal_piece(const em_signal *u, double t, double direction) {
 }
 
 /* The next sample, in the direction of time, that a step must not cross; infinite after the last. */
-static double em_signal_end(const em_signal *u, long piece, double direction) {
+static double em_signal_end(const em_signal *u, long piece, double direction, int averages) {
     const long last = (long)u->count - 1;
+    const int crosses = u->kind == EM_CUBIC || (u->kind == EM_LINEAR && averages);
     long sample = direction > 0.0 ? piece + 1 : piece;
-    if (u->kind == EM_CUBIC && sample > 0 && sample < last) sample = direction > 0.0 ? last : 0;
+    if (crosses && sample > 0 && sample < last) sample = direction > 0.0 ? last : 0;
     return sample >= 0 && sample <= last ? u->times[sample] : direction * INFINITY;
 }
 

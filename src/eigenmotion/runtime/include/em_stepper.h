@@ -21,7 +21,7 @@ static int em_enter_pieces(em_walk *w) {
         const em_signal *u = &w->run->inputs[i];
         if (u->kind == EM_CONSTANT) continue;
         w->piece[i] = em_signal_piece(u, w->t, w->direction);
-        const double end = em_signal_end(u, w->piece[i], w->direction);
+        const double end = em_signal_end(u, w->piece[i], w->direction, w->scheme.averages);
         if (w->direction * (end - w->signals_end) < 0.0) w->signals_end = end;
         jumps |= u->kind == EM_HOLD;
     }
@@ -38,7 +38,7 @@ static int em_enter(em_walk *w) {
     if (!em_all_finite(w->y)) return em_not_finite(w, w->y, w->y), em_end_with(w, w->reason);
     if (run->least_norm && em_keep_constraints_at_start(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
     if (em_first_leg(w)) return em_append_first_rows(w) ? EM_END : em_end_with(w, w->reason);
-    const int settled = em_settle(run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
+    const int settled = em_enter_mode(w);
     if (settled < 0) memcpy(w->y, run->y_start, N_STATE * sizeof *w->y), w->mode = 0;
     if (em_append_first_rows(w)) return EM_END;
     return settled < 0 ? em_end_with(w, w->reason) : EM_GO_ON;
@@ -86,7 +86,7 @@ static void em_commit(em_walk *w) {
     em_run *run = w->run;
     ++run->n_steps;
     w->longest_step = em_max(w->longest_step, fabs(w->h));
-    run->n_bounded += w->mode != 0;
+    run->n_bounded += w->mode == 1;
     run->n_stiff += w->stiff;
     w->t = w->t_new;
     w->mode = w->mode_new;

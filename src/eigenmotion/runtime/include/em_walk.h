@@ -4,7 +4,9 @@
 
 #include <time.h>
 
+#include "em_motion.h"
 #include "em_radau.h"
+#include "em_radau_iia.h"
 #include "em_signals.h"
 #include "em_tableaux.h"
 
@@ -46,6 +48,9 @@ typedef struct em_scheme {
     int (*interpolate)(em_walk *w); /* F, of a step that has been settled; 0, or -1 and w->reason */
     int (*sketch)(em_walk *w);      /* F as far as the step alone tells; its terms, or -1: it does not */
     void (*evaluate)(const double *F, int terms, double theta, double *y); /* y (n_state) at t + theta h */
+    int mode;                       /* in which it starts: 0, or EM_MOTION, in which it stays */
+    int averages;                   /* whether steps cross the samples of linear signals */
+    const em_radau_iia *radau_iia;  /* coefficients of an implicit method, else NULL */
 } em_scheme;
 
 /* A number g at a time; two of different signs, and whose they are. */
@@ -81,6 +86,24 @@ typedef struct em_nodes {
     int slow;                                /* whether the iteration converges slowly, though it had little to do */
 } em_nodes;
 
+/* What a step by implicit stages carries from one to the next (em_stages.h). */
+typedef struct em_implicit {
+    double K[N * N], D[N * N];                       /* da/dx and da/dv, at slopes_t, or at the end of a coupled step */
+    double G[1 + EM_MOST_PAIRS][N * N], H[1 + EM_MOST_PAIRS][N * N]; /* factors made of them, re and im, */
+    int pivot[1 + EM_MOST_PAIRS][N];
+    double coupled[EM_MOST_NODES * N * EM_MOST_NODES * N]; /* and of slopes at each stage */
+    int coupled_pivot[EM_MOST_NODES * N];
+    double a[EM_MOST_NODES][N], V[EM_MOST_NODES][N], X[EM_MOST_NODES][N], r[EM_MOST_NODES][N]; /* of the stages */
+    double last[EM_MOST_NODES][N];                   /* the accelerations of the last step whose stages were found, */
+    double t, t_new, h, error;                       /* which is this one; */
+    double before_h, before_error;                   /* of the last accepted one */
+    double u[1 + EM_MOST_NODES][EM_SOME_INPUTS];     /* signals at the start and the stages, where they are averaged */
+    double slopes_t, factored_h;
+    double contraction;                              /* of the iteration's changes, from one to the next */
+    int iterations, sloped, outdated, known, accepted, averaged;
+    int own;                                         /* for how many steps to come stages have slopes of their own */
+} em_implicit;
+
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
 struct em_walk {
     double K[EM_STAGES][EM_WIDTH];             /* K[0] = f(t, y); the others are the method's */
@@ -88,6 +111,7 @@ struct em_walk {
     double y_raw[EM_WIDTH];                    /* y_new before it was settled */
     double argument[EM_WIDTH], error[EM_WIDTH], weight[EM_WIDTH];
     em_nodes nodes;
+    em_implicit stages;
     double F[EM_DENSE_COEFFICIENTS][N_STATE];  /* the interpolant of the step: what it means is the method's */
     double memory[EM_SOME_MEMORY], memory_new[EM_SOME_MEMORY];
     double u[EM_SOME_INPUTS];
@@ -135,7 +159,11 @@ struct em_walk {
 };
 
 static void em_signals(em_walk *w, double t) {
-    for (int i = 0; i < N_INPUTS; ++i) w->u[i] = em_signal_at(&w->run->inputs[i], w->piece[i], t);
+    for (int i = 0; i < N_INPUTS; ++i) {
+        const em_signal *u = &w->run->inputs[i];
+        const int crosses = u->kind == EM_LINEAR && w->scheme.averages;
+        w->u[i] = em_signal_at(u, crosses ? em_signal_piece(u, t, w->direction) : w->piece[i], t);
+    }
 }
 
 /* What stands behind a fault of a right-hand side at y. Returns -1 (em_guard.h). */
@@ -144,12 +172,41 @@ static int em_blame(em_walk *w, double t, const double *y);
 /* What is asked of constraint rows. */
 static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
 
+/* dy <- (v, a) at a state of the motion, with the signals in w->u. */
+EM_COLD int em_motion_rate_here(em_walk *w, double t, const double *y, double *dy) {
+    em_run *run = w->run;
+    ++run->n_rhs;
+    const int flags = em_constraint_flags(run);
+    return em_motion_rhs(t, y, run->prepared, w->u, w->memory, flags, dy, &w->reason) ? em_blame(w, t, y) : 0;
+}
+
 /* dy <- f(t, y) with the signals at t. */
 EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, double *memory, double *dy) {
     em_run *run = w->run;
     if (N_INPUTS > 0) em_signals(w, t);
+    if (mode == EM_MOTION && !EM_CARRIES_MOTION) return em_motion_rate_here(w, t, y, dy);
     ++run->n_rhs;
     return model_rhs(mode, t, y, run->prepared, w->u, memory, em_constraint_flags(run), dy, &w->reason) ? em_blame(w, t, y) : 0;
+}
+
+/* v (n) <- xdot. 0, or -1 and *fault */
+static int em_xdot(const em_run *run, int mode, double t, const double *y, double *v, em_fault *fault) {
+    if (mode != EM_MOTION) return model_velocity(mode, t, y, run->prepared, v, fault);
+    memcpy(v, y + N, N * sizeof *v);
+    return 0;
+}
+
+/* ev (n) <- what an error e (n) of y[N .. 2 N) makes of xdot */
+static void em_velocity_error(const em_walk *w, const double *e, double *ev) {
+    if (w->mode == EM_MOTION) memcpy(ev, e, N * sizeof *ev);
+    else model_velocity_error(w->mode, w->y, w->run->prepared, w->memory, e, ev);
+}
+
+/* row (n_state) <- y in the published meaning. 0, or -1 and *fault */
+static int em_publish(const em_run *run, int mode, double t, const double *y, const double *memory, double *row,
+                      em_fault *fault) {
+    if (mode == EM_MOTION) return em_motion_publish(t, y, run->prepared, row, fault);
+    return model_publish(mode, t, y, run->prepared, memory, row, fault);
 }
 
 static int em_settle(const em_run *run, int *mode, int flags, double t, double *y, double *memory, double pace,
@@ -157,7 +214,19 @@ static int em_settle(const em_run *run, int *mode, int flags, double t, double *
     if (!SETTLES && run->stabilise && !(flags & EM_BEGIN)) return 0;
     if (run->stabilise) flags |= EM_STABILISE;
     if (!(flags & EM_LEAST_NORM)) flags |= em_constraint_flags(run);
+    if (*mode == EM_MOTION) return em_motion_settle(flags, t, y, run->prepared, memory, pace, fault);
     return model_settle(mode, flags, t, y, run->prepared, memory, pace, fault);
+}
+
+/* The published state in w->y as that of the scheme's mode, settled. As em_settle. */
+static int em_enter_mode(em_walk *w) {
+    double v[N];
+    if (w->scheme.mode == EM_MOTION) {
+        if (em_xdot(w->run, 0, w->t, w->y, v, &w->reason)) return -1;
+        memcpy(w->y + N, v, sizeof v);
+        w->mode = EM_MOTION;
+    }
+    return em_settle(w->run, &w->mode, EM_BEGIN, w->t, w->y, w->memory, 0.0, &w->reason);
 }
 
 /* dy <- f at the nearest point on the constraints. Where their rows lose their directions, as near a singular position,

@@ -1,0 +1,134 @@
+"""Stiff scenes: time to an error, of the compiled stiff methods and CasADi's CVODES; steps across samples of an input.
+
+Time of whole calls, the error the largest of x on the way at 201 rows, relative to 1 + |x|, against collocation in
+extended precision on equations apart from the generator's (report/measure.py). CVODES stays in C and has CasADi's exact
+Jacobian; it only has to return the end state. Last the steps that 1,000 samples of a torque take, linear between
+them, over those of the spline through them; and the time of "auto" over that of the method it takes.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+from time import thread_time
+
+import numpy as np
+from common.timing import interleaved
+from sympy import Rational, cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+from eigenmotion import Model, Signal, build
+from eigenmotion.reference.classical import classical
+from eigenmotion.reference.motion import reference
+from eigenmotion.report.measure import Budget, Judge, measure
+from eigenmotion.report.peers import Start, peers
+from eigenmotion.report.recommend import curves
+from eigenmotion.report.solvers import Problem, Solver, implicit_solvers
+from eigenmotion.stability.models import elastic_link
+
+OURS, TARGETS = ("radau5", "radau9"), (1e-4, 1e-6, 1e-8, 1e-10)
+
+
+def governor() -> Model:
+    """A flyball governor: two balls on arms, whose sleeve hangs on a link of stiffness k and damping d.
+
+    The engine's torque falls as the sleeve rises.
+    """
+    phi, theta, z = dynamicsymbols("phi theta z")
+    m, M, J, g, l, k, d, c, tau, kappa = symbols("m M J g l k d c tau kappa", positive=True)
+    stretch = z - 2 * l * cos(theta)
+    rate = z.diff() + 2 * l * sin(theta) * theta.diff()
+    balls = m * l**2 * (theta.diff() ** 2 + sin(theta) ** 2 * phi.diff() ** 2)
+    return Model(
+        name="governor", coordinates=[phi, theta, z],
+        kinetic_energy=balls + Rational(1, 2) * (J * phi.diff() ** 2 + M * z.diff() ** 2),
+        potential_energy=-2 * m * g * l * cos(theta) - M * g * z + Rational(1, 2) * k * stretch**2,
+        forces={phi: tau - c * phi.diff() - kappa * (2 * l - z), theta: -2 * d * l * sin(theta) * rate, z: -d * rate},
+        parameters={m: 1.0, M: 2.0, J: 0.1, g: 9.81, l: 0.3, k: 1e7, d: 1e4, c: 0.2, tau: 4.0, kappa: 15.0},
+        initial={theta: 0.6, z: 0.6 * cos(0.6), phi.diff(): 8.0},
+    )  # fmt: skip
+
+
+def relaxation() -> Model:
+    """Van der Pol's oscillator as a mass on a spring with a damping that changes its sign, mu = 1000."""
+    x = dynamicsymbols("x")
+    mu = symbols("mu", positive=True)
+    return Model(
+        name="relaxation", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, potential_energy=x**2 / 2,
+        forces={x: mu * (1 - x**2) * x.diff()}, parameters={mu: 1000.0}, initial={x: 2.0},
+    )  # fmt: skip
+
+
+def driven() -> Model:
+    """A pendulum on a stiff, damped spring, driven by a torque."""
+    theta, r, u = dynamicsymbols("theta r u")
+    m, k, d, g, L = symbols("m k d g L", positive=True)
+    return Model(
+        name="driven_link", coordinates=[theta, r],
+        kinetic_energy=Rational(1, 2) * m * (r.diff() ** 2 + r**2 * theta.diff() ** 2),
+        potential_energy=Rational(1, 2) * k * (r - L) ** 2 - m * g * r * cos(theta),
+        forces={r: -d * r.diff(), theta: u}, inputs={u: 0.0},
+        parameters={m: 1.0, k: 1e10, d: 1e6, g: 9.81, L: 1.0}, initial={theta: 1.0, r: 1.0},
+    )  # fmt: skip
+
+
+SCENES = (
+    ("link, k = 1e10, d = 1e6", elastic_link, {"parameters": {"k": 1e10, "d": 1e6}, "x0": {"q": 0.01}}, 1.0),
+    ("flyball governor", governor, {}, 4.0),
+    ("van der Pol, mu = 1000", relaxation, {}, 2000.0),
+)
+
+
+def solvers_of(model: Model, problem: Problem, values: dict[str, float]) -> tuple[list[Solver], Judge]:
+    """Return our stiff methods and CVODES, and what judges them."""
+    system = build(model, formulation="lagrange")
+    equations, probe = classical(model).with_values(values), problem.simulate(system, "radau9", 1e-9)
+    rows = np.concatenate([probe.x, probe.v]).T
+    known = reference(equations, rows[0], problem.t_end, along=(probe.t, rows))
+    ours = [solver for solver in implicit_solvers([system], problem)[0] if solver.method in OURS]
+    theirs = [solver for solver in peers(equations, Start(rows[0], problem.t_end)).solvers if "CVODES" in solver.label]
+    return [*ours, *theirs], Judge(known, system, values)
+
+
+def print_times() -> None:
+    """Print the time of each solver to each error, over CVODES BDF's."""
+    print(f"{'time to an error of':<44}" + "".join(f"{target:>12.0e}" for target in TARGETS))
+    for title, model, given, t_end in SCENES:
+        solvers, judge = solvers_of(model(), Problem(t_end, given), given.get("parameters", {}))
+        found = {c.label: c for c in curves(measure(solvers, judge, Budget(), lambda *_: None))}
+        base = next((curve for label, curve in found.items() if label.endswith("BDF")), None)
+        for label, curve in found.items():
+            seconds = [(curve.seconds_at(target), base and base.seconds_at(target)) for target in TARGETS]
+            cells = [f"{1e3 * s:.3g} ms" if s else "-" for s, _ in seconds]
+            ratios = [f"{s / b:.2g}" if s and b else "-" for s, b in seconds]
+            print(f"{title:<26}{label:<18}" + "".join(f"{cell:>12}" for cell in cells))
+            print(f"{'':<26}{'over CVODES BDF':<18}" + "".join(f"{ratio:>12}" for ratio in ratios), flush=True)
+
+
+def print_inputs() -> None:
+    """Print how many steps a sampled torque takes, over those of the spline through its samples."""
+    system, times = build(driven(), formulation="lagrange"), np.linspace(0.0, 10.0, 1000)
+    torque = 3 * np.sin(2 * times) + np.cos(5 * times)
+    print("\nsteps across 1,000 linear samples over those of the spline through them")
+    for method in OURS:
+        for rtol in (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8):
+            steps = {kind: system.simulate((0.0, 10.0), method=method, rtol=rtol, atol=rtol,
+                                           inputs={"u": Signal(times, torque, kind)}).nsteps
+                     for kind in ("linear", "cubic")}  # fmt: skip
+            print(f"{method:<10}{rtol:<10.0e}{steps['linear']:>6} / {steps['cubic']:<6}"
+                  f"{steps['linear'] / steps['cubic']:>8.2f}")  # fmt: skip
+
+
+def print_choice() -> None:
+    """Print what looking for stiffness costs a run that has none."""
+    system = build(relaxation(), formulation="lagrange")
+    given = {"parameters": {"mu": 0.1}, "rtol": 1e-4}
+    calls = {method: partial(system.simulate, (0.0, 5.0), method=method, **given) for method in ("auto", "dop853")}
+    seconds = interleaved(calls, 400, thread_time)
+    print(f"\n'auto' over dop853, a call of {1e6 * np.median(seconds['dop853']):.0f} us: "
+          f"{np.median(seconds['auto']) / np.median(seconds['dop853']):.2f}")  # fmt: skip
+
+
+if __name__ == "__main__":
+    print_times()
+    print_inputs()
+    print_choice()
