@@ -61,7 +61,7 @@ METHODS = _table(
 AUTO = "auto"
 """The name by which users leave the choice to choosing.py."""
 COMPILED = _table(*(method for method in METHODS.values() if method.is_compiled))
-FIXED = _table(Method("rk4", order=4, number=4), Method("midpoint", order=2, number=5))
+FIXED = _table(Method("rk4", order=4, number=6), Method("midpoint", order=2, number=7))
 """Of steppers alone: their steps are as long as told, all alike, and nothing says how large their error is."""
 STEPPED = _table(*COMPILED.values(), *FIXED.values())
 """All that steppers have."""

@@ -67,7 +67,7 @@ typedef struct em_signal {
 } em_signal;
 
 /* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error. */
-typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT } em_method;
+typedef enum em_method { EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4 = 6, EM_MIDPOINT } em_method;
 
 enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
 
