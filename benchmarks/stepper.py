@@ -3,7 +3,8 @@
 First: 1,000 steps of 10 ms of the Furuta pendulum under a controller in Python, whose time is taken apart; off the
 steps' time goes what as many right-hand sides cost in C. The motion is compared with one run whose input holds the same
 values. Then microseconds of each of a million steps of 1 ms in C (common/control.c): medians, 99.9th percentiles, the
-most, and the right-hand sides of a step.
+most, and the right-hand sides of a step. A right-hand side by itself costs more than one inside a step, where compilers
+see both: what is besides them may be less than nothing. `most` is when the system took the processor away.
 """
 
 from __future__ import annotations

@@ -238,6 +238,22 @@ def test_events_are_told_and_none_ends_an_advance():
     assert found[2]["end"] == pytest.approx(run.t_events[1], abs=1e-9)
 
 
+@pytest.mark.parametrize(("name", "end"), [("bouncing_ball", 1.5), ("block_on_incline", 1.0)])
+def test_events_that_act_do_so_within_an_advance(name, end):
+    """Impacts, friction that sticks: as in one run, and to the last bit from moments saved before and after."""
+    system, times = system_of(name, "lagrange"), np.linspace(0, end, 31)[1:]
+    stepper, saved = system.stepper(rtol=1e-10), []
+    for t in times:
+        saved.append(stepper.save())
+        stepper.advance(t)
+    last = stepper.y
+    run = system.simulate((0, end), rtol=1e-10, t_eval=[end])
+    assert np.abs(last - run.y[:, -1]).max() < 1e-9
+    for k in (3, 15, 28):
+        stepper.restore(saved[k])
+        assert np.array_equal(stepped(stepper, times[k:])[-1], last)
+
+
 def test_limits_are_of_one_advance():
     stepper = system_of("pendulum").stepper(max_steps=30, max_step=0.1)
     for t in (1.0, 3.0, 5.0):

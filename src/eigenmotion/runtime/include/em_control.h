@@ -34,15 +34,19 @@ static inline void em_stepper_close(em_stepper *s) {
     free(s);
 }
 
-/* Tables of events, of a size that does not change. 0, or -1 without memory. */
+/* Room for so many rows in a table, and no more. 0, or -1 without memory. */
+static inline int em_stepper_room(em_rows *rows) {
+    rows->t = calloc(EM_EVENTS_KEPT, sizeof *rows->t);
+    rows->y = calloc(EM_EVENTS_KEPT * rows->width, sizeof *rows->y);
+    rows->capacity = rows->most = EM_EVENTS_KEPT;
+    return rows->t == NULL || rows->y == NULL ? -1 : 0;
+}
+
+/* Tables of events, of a size that does not change; of modes the last alone is kept. 0, or -1 without memory. */
 static inline int em_stepper_reserve(em_stepper *s) {
-    for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k) {
-        em_rows *rows = &s->run.events[k];
-        rows->t = calloc(EM_EVENTS_KEPT, sizeof *rows->t);
-        rows->y = calloc(EM_EVENTS_KEPT * rows->width, sizeof *rows->y);
-        rows->capacity = rows->most = EM_EVENTS_KEPT;
-        if (rows->t == NULL || rows->y == NULL) return -1;
-    }
+    s->run.legs.most = 1;
+    for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k)
+        if (em_stepper_room(&s->run.events[k]) || em_stepper_room(&s->run.after[k])) return -1;
     return 0;
 }
 
@@ -110,7 +114,8 @@ static inline int em_stepper_advance(em_stepper *s, double t, const double *u) {
         return -1;
     }
     const int jumped = u != NULL && em_stepper_set(s, u);
-    for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k) s->run.events[k].count = 0;
+    for (int k = 0; s->run.events != NULL && k < s->model->n_events; ++k)
+        s->run.events[k].count = s->run.after[k].count = 0;
     const int failed = s->model->advance(s->walk, t, jumped);
     s->t = s->model->now(s->walk, s->x, s->v);
     return failed;

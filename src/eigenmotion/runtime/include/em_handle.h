@@ -4,11 +4,18 @@
 
 #include "em_stepper.h"
 
-/* What a run has counted so far: the part of it that is saved. */
+/* How many of the prepared parameters say in which mode a run is: all, where events change it. */
+#ifdef EM_ACTS
+enum { EM_SAVED_PREPARED = N_SWITCHES > 0 ? N_PREPARED : 0 };
+#else
+enum { EM_SAVED_PREPARED = 0 };
+#endif
+
+/* What a run has counted so far, and its mode: the part of it that is saved. */
 typedef struct em_tally {
     int kept;
     long n_rhs, n_steps, n_rejected, n_bounded, n_stiff;
-    double t_reached;
+    double t_reached, prepared[EM_SAVED_PREPARED + 1];
 } em_tally;
 
 enum { EM_SAVED_WALK = offsetof(em_walk, run) };
@@ -65,8 +72,9 @@ static int em_handle_publish(const void *walk, double *y, em_fault *fault) {
 static void em_handle_save(const void *walk, void *saved) {
     const em_walk *w = walk;
     const em_run *run = w->run;
-    const em_tally tally = {run->kept, run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded, run->n_stiff,
-                            run->t_reached};
+    em_tally tally = {run->kept, run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded, run->n_stiff,
+                      run->t_reached, {0.0}};
+    memcpy(tally.prepared, run->prepared, EM_SAVED_PREPARED * sizeof *tally.prepared);
     memcpy(saved, w, EM_SAVED_WALK);
     memcpy((char *)saved + EM_SAVED_WALK, &tally, sizeof tally);
 }
@@ -78,6 +86,10 @@ static void em_handle_restore(void *walk, const void *saved) {
     em_tally tally;
     memcpy(w, saved, EM_SAVED_WALK);
     memcpy(&tally, (const char *)saved + EM_SAVED_WALK, sizeof tally);
+    if (EM_SAVED_PREPARED > 0) { /* in a table of one row, where steppers have the mode they are in */
+        memcpy(run->legs.y, tally.prepared, EM_SAVED_PREPARED * sizeof *tally.prepared);
+        run->prepared = run->legs.y;
+    }
     run->kept = tally.kept;
     run->n_rhs = tally.n_rhs;
     run->n_steps = tally.n_steps;
