@@ -106,6 +106,16 @@ SCENARIOS = (
 )
 
 HEAVY = frozenset(name for one in SCENARIOS if one.heavy for name in (one.file, one.name))
+ACTING = (
+    "block_on_incline",
+    "bouncing_ball",
+    "compass_gait",
+    "newtons_cradle",
+    "pendulum_with_stop",
+    "rimless_wheel",
+)
+"""Models whose events act: test_impacts and test_contacts hold their runs against what is known of them."""
+
 BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
 EVERY = pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)
 

@@ -180,7 +180,10 @@ def test_every_reason_is_tested_here():
         StopReason.TERMINAL_EVENT,
         StopReason.EVENT_UNDEFINED,
         StopReason.START_REFUSED,
-    }  # test_events, test_ensemble
+        StopReason.EVENTS_PILE_UP,
+        StopReason.IMPACT_UNDEFINED,
+        StopReason.RESET_OFF,
+    }  # test_events, test_ensemble, test_impacts
     assert own | elsewhere == set(StopReason)
 
 

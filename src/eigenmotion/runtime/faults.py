@@ -117,8 +117,8 @@ _REMEDY = {
     ),
     StopReason.EVENTS_PILE_UP: (
         "Event {event} happens again and again without time passing (Zeno's way to rest): no run goes beyond. State "
-        "what comes to rest as a Contact with `rest`, the speed below which it stays in contact, or end the run, "
-        "before, by a terminal event on the speed."
+        "what comes to rest as a Contact with `rest`, the speed below which it stays in contact, or end the run "
+        "before by a terminal event on the speed."
     ),
     StopReason.IMPACT_UNDEFINED: (
         "The impact of event {event} has no solution: the constraints leave nothing free to move along the gradient of "
