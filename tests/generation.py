@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+import pytest
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
@@ -25,6 +26,8 @@ FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC", "-shared")
 COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 """Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
+LARGE = ("bicycle", "jansen")
+"""Models with a block of more than six coordinates, whose inverse nothing writes out."""
 
 __all__ = ["FORMULATIONS", "NAMES", "STRICT", "model_of", "relative", "states", "system_for", "system_of"]
 
@@ -38,6 +41,8 @@ def model_of(name: str) -> Model:
 @cache
 def system_of(name: str, formulation: str = "eigenfactor", **options: str) -> System:
     """Return the System of models/NAME.py, compiled in a hurry: once a process, and kept."""
+    if formulation == "inverse" and name in LARGE:
+        pytest.skip("inverses are written out for blocks of up to six coordinates")
     return loaded(compiler.generate(model_of(name), Choices(formulation, **options)), "-O0")
 
 
