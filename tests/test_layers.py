@@ -69,7 +69,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "running": ("codegen.model", "runtime", "arguments", "results"),
     "linear": ("codegen.model", "runtime", "arguments", "running", "pages"),
     "system": ("codegen.model", "runtime", "arguments", "running", "linear", "pages"),
-    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running", "system"),
+    "ensembles": ("codegen.model", "runtime", "arguments", "results", "running"),
     "building": (
         "codegen.model",
         "codegen.c",

@@ -230,6 +230,27 @@ def test_states_off_the_constraints_are_refused():
         system_of("rolling_disk", "lagrange").linearize(v={"psi": 3.3})
 
 
+def test_odd_mechanisms():
+    """Nothing left to move; a free mass; a coordinate without inertia; rows that share a reaction."""
+    x, y = dynamicsymbols("x y")
+    led = em.Model(name="led", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, holonomic_constraints=[x - sin(em.t)])
+    none = system_for(led, "lagrange").linearize([0.0], [1.0])
+    assert none.A.shape == (0, 0)
+    assert none.eigenvalues().shape == (0,)
+    assert none.modes() == ()
+    free = em.Model(name="free_mass", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2)
+    np.testing.assert_array_equal(system_for(free, "lagrange").linearize([1], [2]).eigenvalues(), [0.0, 0.0])
+    massless = em.Model(name="massless", coordinates=[x, y], kinetic_energy=x.diff() ** 2 / 2,
+                        potential_energy=(x - y) ** 2 + y**2 / 2, holonomic_constraints=[y - 2 * x])  # fmt: skip
+    same(system_for(massless, "lagrange").linearize().eigenvalues(), [1j * np.sqrt(6), -1j * np.sqrt(6)], 1e-14)
+    ring = x**2 + y**2 - 1
+    shared = em.Model(name="shared", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2,
+                      potential_energy=y, holonomic_constraints=[ring, 2 * ring], initial={y: -1.0},
+                      outputs={"reaction": em.multiplier(0)})  # fmt: skip
+    with pytest.raises(ModelError, match="'reaction' holds a multiplier of constraint rows that depend"):
+        system_for(shared, "lagrange").linearize()
+
+
 def test_what_is_not_steady_says_so():
     found = system_of("double_pendulum", "lagrange").linearize()
     assert not found.steady

@@ -108,7 +108,7 @@ def _of_independent(at: Place, basis: Tangent) -> Vector:
     numbers = list(basis.free)
     matrix, unit = at.jacobian[numbers] @ basis.Z, at.units[numbers]
     sizes = np.abs(unit[:, None] * matrix / unit)
-    return np.where(sizes > _ROUNDING * sizes.max(axis=1, keepdims=True), matrix, 0.0)
+    return np.where(sizes > _ROUNDING * sizes.max(axis=1, keepdims=True, initial=0.0), matrix, 0.0)
 
 
 def _chosen(at: Place) -> tuple[Tangent, bool]:

@@ -9,7 +9,7 @@ from ..arguments.names import Vector, by_spelling, rate_name, spelled, unknown
 from ..arguments.options import OptionError, Task
 from ..codegen.model.normalise import ModelError, shown
 from ..results.solution import Solution
-from ..runtime import CompiledModel
+from ..runtime import CompiledModel, EvaluationError
 from ..runtime.variations import tangent, vary
 from .methods import Method
 
@@ -126,21 +126,30 @@ def sensitivity(task: Task, solution: Solution, asked: Directions) -> dict[str, 
     ModelError
         A force jumps where no event of the model says so: what depends on when it does is not known.
     """
-    c, n = task.model, task.model.n
+    n = task.model.n
     t, z, at = _rows(task, solution)
-    x, v = z[0, :n], z[0, n:]
-    S = tangent(c, t[0], x, v, task.prepared, task.least_norm, asked.S, asked.P)
-    found = S[None]
-    if len(t) > 1:
-        rtol = min(max(task.rtol, 1e-14), _LOOSEST)
-        found, fault, _, _ = vary(c, task.prepared, task.inputs.compiled, t, z, at, S, asked.P, asked.sizes, rtol,
-                                  task.atol, task.max_steps, task.stabilise, task.least_norm)  # fmt: skip
-        if fault is not None:
-            remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
-                      "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
-            raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
+    found, fault = _varied(task, asked, t, z, at)
+    if fault is not None and solution.success:  # else the run has ended for a reason of its own, and says it
+        remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
+                  "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
+        raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
     rows = found[_of_solution(t, solution.t)]
     return {name: Sensitivity(rows[:, :n, column].T, rows[:, n:, column].T) for column, name in enumerate(asked.names)}
+
+
+def _varied(task: Task, asked: Directions, t: Vector, z: Vector, at: Vector) -> tuple[Vector, EvaluationError | None]:
+    """Return directions (k, 2 n, columns) at all rows, NaN from where they end, and why they do."""
+    c, n = task.model, task.model.n
+    try:
+        S = tangent(c, t[0], z[0, :n], z[0, n:], task.prepared, task.least_norm, asked.S, asked.P)
+    except EvaluationError as error:
+        return np.full((len(t), 2 * n, len(asked.names)), np.nan), error
+    if len(t) == 1:
+        return S[None], None
+    rtol = min(max(task.rtol, 1e-14), _LOOSEST)
+    found, fault, _, _ = vary(c, task.prepared, task.inputs.compiled, t, z, at, S, asked.P, asked.sizes, rtol,
+                              task.atol, task.max_steps, task.stabilise, task.least_norm)  # fmt: skip
+    return found, fault
 
 
 def _rows(task: Task, solution: Solution) -> tuple[Vector, Vector, Vector]:
