@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
-/* input sha256:76ef48d6f0dc006751c6d62f2f09c1a808e688e33385d9bcc0b4dcbc571b91bb */
-/* body sha256:084f748162342a5c65a39454cf2f9c77b73887efaf60aa0a69de3011a80db71c */
+/* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
+/* body sha256:5c9f192818aa18d108e18b0acd1df0df6971c274406ad9709adcadd41bc04a3e */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -51,6 +51,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 42,
+    N_GIVEN = 43,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 57,   /* x, v and these: what motion depends on */
     N_PREPARED = 88,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* beta, theta */
     N2 = 1,             /* gamma */
@@ -818,7 +820,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -1130,6 +1132,784 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     p[35] = p[37] = -(u_*cos_epsilon - ya);
     const double ra = c[25];
     p[42] = ra;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double rr = c[24];
+    const double beta = x[0];
+    const double cos_beta = em_cos(beta);
+    const double d = c[20];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double sin_beta = em_sin(beta);
+    const double z_4 = d*(cos_theta*cos_beta - sin_theta*sin_beta);
+    const double z_5 = rr*cos_beta - z_4;
+    const double lambda_0 = lambda[0];
+    const double z_6 = d*(sin_theta*cos_beta + cos_theta*sin_beta);
+    const double z_7 = rr*sin_beta - z_6;
+    const double lambda_1 = lambda[1];
+    const double lambda_2 = lambda[2];
+    const double lambda_3 = lambda[3];
+    const double lambda_4 = lambda[4];
+    const double lambda_5 = lambda[5];
+    D[0] = -(z_5*lambda_0 + z_7*lambda_1 + z_5*lambda_2 + z_7*lambda_3 + z_5*lambda_4 + z_7*lambda_5);
+    const double beta_dot = v[0];
+    const double theta_dot = v[1];
+    const double m2 = c[1];
+    const double da = c[21];
+    const double z_8 = m2*da;
+    const double z_9 = theta_dot*z_8;
+    const double z_10 = rr*cos_theta;
+    const double z_11 = sin_theta*sin_theta;
+    const double z_12 = m2*(da*da);
+    const double z_13 = theta_dot*z_12;
+    const double z_14 = z_11*z_13;
+    const double z_15 = cos_theta*cos_theta;
+    const double z_16 = z_14 - z_15*z_13;
+    const double z_17 = rr - da*cos_theta;
+    const double z_18 = cos_theta*z_17;
+    const double z_19 = z_16 - 0.5*(z_16 + (z_14 + z_9*z_18));
+    const double z_20 = 2.0*z_19;
+    const double z_21 = rr*sin_theta;
+    const double z_22 = cos_theta*sin_theta;
+    const double z_23 = z_12*z_22;
+    const double z_24 = z_17*sin_theta;
+    const double z_25 = z_23 - 0.5*(z_23 - z_8*z_24);
+    const double z_26 = z_8*z_21 + 2.0*z_25;
+    const double beta_ddot = a[0];
+    const double z_27 = 2.0*z_25;
+    const double theta_ddot = a[1];
+    const double z_28 = z_4*lambda_0 + z_6*lambda_1 + z_4*lambda_2 + z_6*lambda_3 + z_4*lambda_4 + z_6*lambda_5;
+    D[1] = (beta_dot*(z_9*z_10 - 2.0*z_19) - theta_dot*z_20) + (z_26*beta_ddot + z_27*theta_ddot) + z_28;
+    const double z_29 = z_13*z_22;
+    const double z_30 = z_29 - 0.5*(z_29 - z_9*z_24);
+    D[7] = z_9*z_21 + 2.0*z_30;
+    const double z_31 = beta_dot*z_26;
+    const double z_32 = 2.0*z_30;
+    const double z_33 = theta_dot*z_27;
+    D[8] = z_31 + (z_32 + z_33);
+    D[14] = z_28;
+    const double z_34 = z_11*z_12;
+    const double z_35 = z_34 - z_15*z_12;
+    const double z_36 = z_35 - 0.5*(z_35 + (z_34 + z_8*z_18));
+    D[15] = 0.5*(2.0*z_28 + 2.0*z_27*beta_ddot - (((z_8*z_10 - 2.0*z_36)*(beta_dot*beta_dot) -
+        2.0*beta_dot*theta_dot*(2.0*z_36)) + 2.0*beta_dot*z_20));
+    D[21] = z_32 - (z_33 + z_31);
+    const double gamma = x[2];
+    const double sin_gamma = em_sin(gamma);
+    const double yb = c[17];
+    const double yc = c[19];
+    const double sd = c[30];
+    const double cos_gamma = em_cos(gamma);
+    const double sc = c[29];
+    const double z_39 = sin_gamma*sd - cos_gamma*sc;
+    const double z_40 = yb + z_39 - yc;
+    const double xb = c[16];
+    const double xc = c[18];
+    const double z_41 = sin_gamma*sc + cos_gamma*sd;
+    const double z_42 = xb + z_41 - xc;
+    const double z_43 = z_42*z_42 + z_40*z_40;
+    const double z_44 = sqrt(z_43);
+    const double c0 = c[39];
+    const double l0 = c[40];
+    const double z_45 = c0*(z_44 - l0);
+    const double z_46 = z_45/z_44;
+    const double z_47 = sd*z_46;
+    const double z_48 = sc*z_46;
+    const double z_49 = z_42*z_39 - z_40*z_41;
+    const double z_50 = z_45*(z_49/(z_43*z_44));
+    const double z_51 = sd*z_40;
+    const double z_52 = c0*z_49/z_43;
+    const double z_53 = sc*z_42;
+    const double z_54 = sc*z_40;
+    const double z_55 = sd*z_42;
+    const double ss = c[26];
+    const double z_56 = ss*sin_gamma;
+    const double z_57 = ss*cos_gamma;
+    D[30] = -(((sin_gamma*(z_40*z_47 + z_42*z_48) - cos_gamma*((z_41*z_47 + z_50*z_51 - z_52*z_51) - (z_39*z_48 +
+        z_52*z_53 - z_50*z_53))) - (cos_gamma*(z_40*z_48 - z_42*z_47) + sin_gamma*((z_41*z_48 + z_50*z_54 -
+        z_52*z_54) + (z_39*z_47 + z_52*z_55 - z_50*z_55)))) - (lambda_0*z_56 - lambda_1*z_57));
+    const double delta_dot = v[4];
+    const double zt = c[37];
+    const double m4 = c[3];
+    const double ea = c[23];
+    const double e = c[22];
+    const double z_58 = ea - e;
+    const double z_59 = m4*z_58;
+    const double z_60 = zt*z_59;
+    const double phi_dot = v[3];
+    const double phi = x[3];
+    const double sin_phi = em_sin(phi);
+    const double z_62 = phi_dot*sin_phi;
+    const double z_63 = z_60*z_62;
+    const double z_64 = delta_dot*z_63;
+    const double z_65 = sin_phi*z_60;
+    const double cos_phi = em_cos(phi);
+    const double z_67 = cos_phi*cos_phi;
+    const double z_68 = m4*(z_58*z_58);
+    const double z_69 = z_67*z_68;
+    const double z_70 = sin_phi*sin_phi;
+    const double z_71 = z_69 - z_70*z_68;
+    const double z_72 = (zt - z_58*sin_phi)*z_59;
+    const double z_73 = cos_phi*z_60;
+    const double delta_ddot = a[4];
+    const double delta = x[4];
+    const double cos_delta = em_cos(delta);
+    const double sin_delta = em_sin(delta);
+    const double z_76 = e*(sin_phi*cos_delta + cos_phi*sin_delta);
+    const double z_77 = e*(cos_phi*cos_delta - sin_phi*sin_delta);
+    const double z_78 = z_76*lambda_2 - z_77*lambda_3;
+    D[45] = 0.5*((2.0*z_64 - (2.0*z_64 + (z_65 + (z_71 + (z_69 + sin_phi*z_72)) -
+        2.0*z_71)*(delta_dot*delta_dot))) + 2.0*z_78 - 2.0*z_73*delta_ddot);
+    D[46] = z_78;
+    const double z_79 = phi_dot*z_73;
+    const double z_80 = cos_phi*z_68;
+    const double z_81 = sin_phi*z_80;
+    const double z_82 = cos_phi*z_72;
+    const double z_83 = z_73 + 2.0*z_81 - (z_81 - z_82);
+    const double z_84 = delta_dot*z_83;
+    D[53] = -(z_79 - (z_79 + z_84));
+    const double z_85 = phi_dot*z_68;
+    const double z_86 = z_67*z_85;
+    const double z_87 = z_86 - z_70*z_85;
+    const double phi_ddot = a[3];
+    D[59] = z_78 + (z_65*(phi_dot*phi_dot) + delta_dot*(z_63 + (z_87 + (z_86 + z_62*z_72)) - 2.0*z_87)) -
+        (z_73*phi_ddot + z_83*delta_ddot);
+    const double z_88 = zt*cos_delta + z_76;
+    const double z_89 = zt*sin_delta - z_77;
+    D[60] = z_88*lambda_2 + z_89*lambda_3;
+    D[66] = -(2.0*z_79 + z_84);
+    const double z_90 = z_62*z_80;
+    D[67] = -(z_79 + 2.0*z_90 - (z_90 - phi_dot*z_82));
+    const double epsilon_dot = v[6];
+    const double u_ = c[33];
+    const double m6 = c[5];
+    const double zf = c[36];
+    const double fa = c[38];
+    const double z_91 = zf - fa;
+    const double z_92 = m6*z_91;
+    const double z_93 = u_*z_92;
+    const double omega_dot = v[5];
+    const double omega = x[5];
+    const double sin_omega = em_sin(omega);
+    const double z_95 = omega_dot*sin_omega;
+    const double z_96 = z_93*z_95;
+    const double z_97 = epsilon_dot*z_96;
+    const double z_98 = sin_omega*z_93;
+    const double cos_omega = em_cos(omega);
+    const double z_100 = cos_omega*cos_omega;
+    const double z_101 = m6*(z_91*z_91);
+    const double z_102 = z_100*z_101;
+    const double z_103 = sin_omega*sin_omega;
+    const double z_104 = z_102 - z_103*z_101;
+    const double z_105 = (u_ - z_91*sin_omega)*z_92;
+    const double z_106 = cos_omega*z_93;
+    const double epsilon_ddot = a[6];
+    const double epsilon = x[6];
+    const double cos_epsilon = em_cos(epsilon);
+    const double sin_epsilon = em_sin(epsilon);
+    const double z_109 = zf*(cos_omega*cos_epsilon - sin_omega*sin_epsilon);
+    const double z_110 = zf*(sin_omega*cos_epsilon + cos_omega*sin_epsilon);
+    const double z_111 = z_109*lambda_4 + z_110*lambda_5;
+    D[75] = 0.5*((2.0*z_97 - (2.0*z_97 + (z_98 + (z_104 + (z_102 + sin_omega*z_105)) -
+        2.0*z_104)*(epsilon_dot*epsilon_dot))) + 2.0*z_111 - 2.0*z_106*epsilon_ddot);
+    D[76] = z_111;
+    const double z_112 = omega_dot*z_106;
+    const double z_113 = cos_omega*z_101;
+    const double z_114 = sin_omega*z_113;
+    const double z_115 = cos_omega*z_105;
+    const double z_116 = z_106 + 2.0*z_114 - (z_114 - z_115);
+    const double z_117 = epsilon_dot*z_116;
+    D[83] = -(z_112 - (z_112 + z_117));
+    const double z_118 = omega_dot*z_101;
+    const double z_119 = z_100*z_118;
+    const double z_120 = z_119 - z_103*z_118;
+    const double omega_ddot = a[5];
+    D[89] = z_111 + (z_98*(omega_dot*omega_dot) + epsilon_dot*(z_96 + (z_120 + (z_119 + z_95*z_105)) - 2.0*z_120))
+        - (z_106*omega_ddot + z_116*epsilon_ddot);
+    const double z_121 = u_*sin_epsilon + z_109;
+    const double z_122 = u_*cos_epsilon - z_110;
+    D[90] = z_121*lambda_4 - z_122*lambda_5;
+    D[96] = -(2.0*z_112 + z_117);
+    const double z_123 = z_95*z_113;
+    D[97] = -(z_112 + 2.0*z_123 - (z_123 - omega_dot*z_115));
+    const double z_124 = beta_dot*rr;
+    const double z_125 = beta_dot + theta_dot;
+    const double z_126 = z_125*z_6;
+    const double z_127 = sin_beta*z_124 - z_126;
+    const double z_128 = theta_dot*z_126;
+    const double z_129 = z_4*theta_ddot;
+    D[98] = (beta_dot*z_127 - z_128) - (z_5*beta_ddot - z_129);
+    D[99] = -((z_128 + beta_dot*z_126) - (z_129 + z_4*beta_ddot));
+    const double gamma_dot = v[2];
+    const double z_130 = gamma_dot*gamma_dot;
+    const double gamma_ddot = a[2];
+    D[100] = z_130*z_57 + gamma_ddot*z_56;
+    const double z_131 = theta_dot*z_4;
+    const double z_132 = z_125*z_4;
+    const double z_133 = cos_beta*z_124 - z_132;
+    D[105] = z_131 - (z_133 + beta_dot*z_5);
+    D[106] = beta_dot*z_4 + (z_132 + z_131);
+    D[107] = 2.0*(gamma_dot*z_56);
+    const double z_134 = theta_dot*z_132;
+    const double z_135 = z_6*theta_ddot;
+    D[112] = -((beta_dot*z_133 - z_134) + (z_7*beta_ddot - z_135));
+    D[113] = (z_134 + beta_dot*z_132) + (z_135 + z_6*beta_ddot);
+    D[114] = z_130*z_56 - gamma_ddot*z_57;
+    const double z_136 = theta_dot*z_6;
+    D[119] = z_136 - (z_127 + beta_dot*z_7);
+    D[120] = beta_dot*z_6 + (z_126 + z_136);
+    D[121] = (-2.0)*(gamma_dot*z_57);
+    D[126] = (beta_dot*z_127 - z_128) - (z_5*beta_ddot - z_129);
+    D[127] = -((z_128 + beta_dot*z_126) - (z_129 + z_4*beta_ddot));
+    const double z_137 = phi_dot + delta_dot;
+    const double z_138 = z_137*z_77;
+    const double z_139 = phi_dot*z_138;
+    const double z_140 = z_76*phi_ddot;
+    D[129] = (z_139 + delta_dot*z_138) + (z_140 + z_76*delta_ddot);
+    const double z_141 = delta_dot*zt;
+    const double z_142 = sin_delta*z_141 - z_138;
+    D[130] = (z_139 - delta_dot*z_142) + (z_140 + z_88*delta_ddot);
+    D[133] = z_131 - (z_133 + beta_dot*z_5);
+    D[134] = beta_dot*z_4 + (z_132 + z_131);
+    const double z_143 = z_137*z_76;
+    const double z_144 = phi_dot*z_76;
+    D[136] = delta_dot*z_76 + (z_143 + z_144);
+    const double z_145 = cos_delta*z_141 + z_143;
+    D[137] = z_144 + (z_145 + delta_dot*z_88);
+    D[140] = -((beta_dot*z_133 - z_134) + (z_7*beta_ddot - z_135));
+    D[141] = (z_134 + beta_dot*z_132) + (z_135 + z_6*beta_ddot);
+    const double z_146 = phi_dot*z_143;
+    const double z_147 = z_77*phi_ddot;
+    D[143] = (z_146 + delta_dot*z_143) - (z_147 + z_77*delta_ddot);
+    D[144] = (z_146 + delta_dot*z_145) - (z_147 - z_89*delta_ddot);
+    D[147] = z_136 - (z_127 + beta_dot*z_7);
+    D[148] = beta_dot*z_6 + (z_126 + z_136);
+    const double z_148 = phi_dot*z_77;
+    D[150] = -(delta_dot*z_77 + (z_138 + z_148));
+    D[151] = -(z_148 - (z_142 + delta_dot*z_89));
+    D[154] = (beta_dot*z_127 - z_128) - (z_5*beta_ddot - z_129);
+    D[155] = -((z_128 + beta_dot*z_126) - (z_129 + z_4*beta_ddot));
+    const double z_149 = omega_dot + epsilon_dot;
+    const double z_150 = z_149*z_110;
+    const double z_151 = omega_dot*z_150;
+    const double z_152 = z_109*omega_ddot;
+    D[159] = -((z_151 + epsilon_dot*z_150) - (z_152 + z_109*epsilon_ddot));
+    const double z_153 = epsilon_dot*u_;
+    const double z_154 = cos_epsilon*z_153 - z_150;
+    D[160] = -((z_151 - epsilon_dot*z_154) - (z_152 + z_121*epsilon_ddot));
+    D[161] = z_131 - (z_133 + beta_dot*z_5);
+    D[162] = beta_dot*z_4 + (z_132 + z_131);
+    const double z_155 = z_149*z_109;
+    const double z_156 = omega_dot*z_109;
+    D[166] = epsilon_dot*z_109 + (z_155 + z_156);
+    const double z_157 = sin_epsilon*z_153 + z_155;
+    D[167] = z_156 + (z_157 + epsilon_dot*z_121);
+    D[168] = -((beta_dot*z_133 - z_134) + (z_7*beta_ddot - z_135));
+    D[169] = (z_134 + beta_dot*z_132) + (z_135 + z_6*beta_ddot);
+    const double z_158 = omega_dot*z_155;
+    const double z_159 = z_110*omega_ddot;
+    D[173] = (z_158 + epsilon_dot*z_155) + (z_159 + z_110*epsilon_ddot);
+    D[174] = (z_158 + epsilon_dot*z_157) + (z_159 - z_122*epsilon_ddot);
+    D[175] = z_136 - (z_127 + beta_dot*z_7);
+    D[176] = beta_dot*z_6 + (z_126 + z_136);
+    const double z_160 = omega_dot*z_110;
+    D[180] = epsilon_dot*z_110 + (z_150 + z_160);
+    D[181] = z_160 - (z_154 + epsilon_dot*z_122);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double beta_ddot = a[0];
+    const double ra = c[25];
+    D[0] = beta_ddot*(ra*ra);
+    const double da = c[21];
+    const double rr = c[24];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = rr - da*cos_theta;
+    const double z_2 = da*z_1;
+    const double beta_dot = v[0];
+    const double theta_dot = v[1];
+    const double z_3 = beta_dot + theta_dot;
+    const double sin_theta = em_sin(theta);
+    const double z_5 = theta_dot*sin_theta;
+    const double z_6 = z_3*z_5;
+    const double z_7 = da*da;
+    const double z_8 = cos_theta*z_7;
+    const double z_9 = (2.0*z_3 - z_3)*z_5;
+    const double z_10 = beta_dot*z_5;
+    const double z_11 = rr*da;
+    const double theta_ddot = a[1];
+    const double z_12 = beta_ddot + theta_ddot;
+    const double z_13 = cos_theta*z_12;
+    const double z_14 = sin_theta*sin_theta;
+    const double z_15 = z_12*z_14;
+    D[1] = z_2*z_6 + z_8*z_9 + z_10*z_11 + z_7*z_15 + rr*z_1*beta_ddot - z_2*z_13;
+    D[7] = beta_ddot;
+    D[8] = z_12;
+    const double beta = x[0];
+    const double cos_beta = em_cos(beta);
+    const double sin_beta = em_sin(beta);
+    const double z_18 = cos_theta*cos_beta - sin_theta*sin_beta;
+    const double lambda_1 = lambda[1];
+    const double lambda_3 = lambda[3];
+    const double lambda_5 = lambda[5];
+    const double z_19 = lambda_1 + lambda_3 + lambda_5;
+    const double z_20 = sin_theta*cos_beta + cos_theta*sin_beta;
+    const double lambda_0 = lambda[0];
+    const double lambda_2 = lambda[2];
+    const double lambda_4 = lambda[4];
+    const double z_21 = lambda_0 + lambda_2 + lambda_4;
+    D[20] = -(z_18*z_19 - z_20*z_21);
+    const double m2 = c[1];
+    const double z_22 = m2*z_1;
+    const double z_23 = m2*da;
+    const double z_24 = cos_theta*z_23;
+    const double z_25 = m2*rr;
+    const double z_26 = z_23*z_6 + beta_ddot*z_25 - z_12*z_24;
+    D[21] = z_22*z_6 + 2.0*z_24*z_9 + z_10*z_25 + 2.0*z_23*z_15 - z_22*z_13 - cos_theta*z_26;
+    const double z_27 = z_23*z_10;
+    D[24] = z_26 + cos_beta*z_19 + z_27 + beta_ddot*z_22 - sin_beta*z_21;
+    const double m1 = c[0];
+    D[25] = 2.0*(m1*ra*beta_ddot);
+    D[41] = -1.0;
+    const double z_28 = beta_dot*beta_dot;
+    const double z_29 = z_28 + 2.0*beta_dot*theta_dot;
+    const double z_30 = sin_theta*z_29;
+    const double z_31 = sin_theta*(2.0*z_29 - z_29);
+    const double z_32 = sin_theta*z_28;
+    const double z_33 = cos_theta*beta_ddot;
+    const double z_34 = beta_ddot*z_14;
+    D[44] = 0.5*(2.0*z_10*z_2 + 2.0*z_10*z_8 + 2.0*theta_ddot*z_7 + 2.0*z_7*z_34 - z_2*z_30 - z_8*z_31 - z_32*z_11
+        - 2.0*z_2*z_33);
+    D[51] = z_12;
+    D[63] = z_20*lambda_0 + z_20*lambda_2 + z_20*lambda_4 - z_18*lambda_1 - z_18*lambda_3 - z_18*lambda_5;
+    const double z_35 = 2.0*z_27 - z_23*z_30 - 2.0*beta_ddot*z_24;
+    D[64] = 0.5*(2.0*z_10*z_22 + 4.0*z_10*z_24 + 4.0*theta_ddot*z_23 + 4.0*z_23*z_34 - z_22*z_30 - 2.0*z_24*z_31 -
+        z_25*z_32 - 2.0*z_22*z_33 - cos_theta*z_35);
+    D[67] = 0.5*(z_35 - z_23*z_32);
+    const double gamma_ddot = a[2];
+    const double sa = c[27];
+    const double sb = c[28];
+    D[88] = gamma_ddot*(sa*sa + sb*sb);
+    D[95] = gamma_ddot;
+    const double gamma = x[2];
+    const double cos_gamma = em_cos(gamma);
+    const double xb = c[16];
+    const double xc = c[18];
+    const double sin_gamma = em_sin(gamma);
+    const double sc = c[29];
+    const double sd = c[30];
+    const double z_38 = xb + sin_gamma*sc + cos_gamma*sd - xc;
+    const double yb = c[17];
+    const double yc = c[19];
+    const double z_39 = yb + sin_gamma*sd - yc - cos_gamma*sc;
+    const double z_40 = z_38*z_38 + z_39*z_39;
+    const double z_41 = sqrt(z_40);
+    const double z_42 = 1.0/z_41;
+    const double z_43 = cos_gamma*z_42;
+    const double c0 = c[39];
+    const double l0 = c[40];
+    const double z_44 = z_41 - l0;
+    const double z_45 = c0*z_44;
+    const double z_46 = sc*z_45;
+    const double z_47 = sin_gamma*z_42;
+    const double z_48 = sd*z_45;
+    const double z_49 = 1.0/(z_40*z_41);
+    const double z_50 = cos_gamma*z_49;
+    const double z_51 = sin_gamma*z_49;
+    const double z_52 = z_38*z_43;
+    const double z_53 = c0*sc;
+    const double z_54 = z_38*z_47;
+    const double z_55 = c0*sd;
+    const double z_56 = z_39*z_43;
+    const double z_57 = z_39*z_47;
+    const double z_58 = z_52*z_53 + z_56*z_55 + z_57*z_53 - z_54*z_55;
+    const double z_59 = z_38*z_46*z_50 + z_39*z_48*z_50 + z_39*z_46*z_51 - z_38*z_48*z_51 - z_58*z_42;
+    const double z_60 = z_43*z_46 - z_47*z_48 - z_38*z_59;
+    D[102] = z_60;
+    const double z_61 = z_43*z_48 + z_47*z_46 - z_39*z_59;
+    D[103] = z_61;
+    D[104] = -z_60;
+    D[105] = -z_61;
+    D[112] = -(cos_gamma*lambda_0 + sin_gamma*lambda_1);
+    const double m3 = c[2];
+    const double z_62 = m3*gamma_ddot;
+    D[113] = 2.0*(sa*z_62);
+    D[114] = 2.0*(sb*z_62);
+    D[115] = z_45*z_52 + z_45*z_57 + sin_gamma*z_60 - cos_gamma*z_61;
+    D[116] = -(z_45*z_54 - z_45*z_56 - sin_gamma*z_61 - cos_gamma*z_60);
+    const double z_63 = sc*z_44;
+    const double z_64 = sd*z_44;
+    D[125] = z_52*z_63 + z_56*z_64 + z_57*z_63 - z_54*z_64;
+    D[126] = -z_58;
+    const double phi = x[3];
+    const double cos_phi = em_cos(phi);
+    const double delta_dot = v[4];
+    const double z_66 = delta_dot*delta_dot;
+    const double z_67 = cos_phi*z_66;
+    const double ea = c[23];
+    const double e = c[22];
+    const double z_68 = ea - e;
+    const double zt = c[37];
+    const double sin_phi = em_sin(phi);
+    const double z_70 = zt - z_68*sin_phi;
+    const double z_71 = z_68*z_70;
+    const double z_72 = z_68*z_68;
+    const double z_73 = sin_phi*z_72;
+    const double z_74 = z_68*zt;
+    const double delta_ddot = a[4];
+    const double z_75 = sin_phi*delta_ddot;
+    const double phi_ddot = a[3];
+    const double z_76 = phi_ddot + delta_ddot;
+    D[132] = 0.5*(z_67*z_71 + z_67*z_73 + z_67*z_74 + 2.0*z_76*z_72 - 2.0*z_74*z_75);
+    D[139] = z_76;
+    const double m4 = c[3];
+    const double z_77 = m4*z_70;
+    const double z_78 = m4*z_68;
+    const double z_79 = sin_phi*z_78;
+    const double z_80 = m4*zt;
+    const double z_81 = z_67*z_77 + z_67*z_79 + z_67*z_80 + 4.0*z_76*z_78 - 2.0*z_80*z_75;
+    const double delta = x[4];
+    const double cos_delta = em_cos(delta);
+    const double sin_delta = em_sin(delta);
+    const double z_84 = cos_phi*cos_delta - sin_phi*sin_delta;
+    const double z_85 = sin_phi*cos_delta + cos_phi*sin_delta;
+    const double z_86 = z_84*lambda_2 + z_85*lambda_3;
+    D[151] = (-0.5)*(z_81 + 2.0*z_86);
+    D[152] = 0.5*z_81;
+    const double z_87 = z_78*z_75;
+    D[166] = z_78*z_67 - z_87;
+    const double phi_dot = v[3];
+    const double z_88 = cos_phi*(phi_dot*phi_dot);
+    const double z_89 = cos_phi*(phi_dot*delta_dot);
+    const double z_90 = delta_ddot*(cos_phi*cos_phi);
+    const double z_91 = sin_phi*phi_ddot;
+    D[175] = -(z_74*z_88 + z_89*z_71 + z_89*z_73 + z_89*z_74 + z_75*z_71 + z_74*z_91 - z_72*z_90 -
+        zt*z_70*delta_ddot - phi_ddot*z_72);
+    const double ta = c[31];
+    const double tb = c[32];
+    D[176] = delta_ddot*(ta*ta + tb*tb);
+    D[182] = z_76;
+    D[183] = delta_ddot;
+    const double z_92 = z_78*z_89;
+    const double z_93 = z_92 + z_87 - delta_ddot*z_80;
+    const double z_94 = z_80*z_88 + z_89*z_77 + 2.0*z_89*z_79 + z_89*z_80 + z_75*z_77 + z_80*z_91 - 2.0*z_78*z_90
+        - sin_phi*z_93 - 2.0*phi_ddot*z_78;
+    D[194] = -(z_86 - z_94);
+    D[195] = -z_94;
+    const double m5 = c[4];
+    const double z_95 = m5*delta_ddot;
+    D[203] = 2.0*(ta*z_95);
+    D[204] = 2.0*(tb*z_95);
+    D[209] = sin_delta*lambda_2 + delta_ddot*z_77 - cos_delta*lambda_3 - z_92 - z_93 - z_78*z_88 - z_78*z_91;
+    const double omega = x[5];
+    const double cos_omega = em_cos(omega);
+    const double epsilon_dot = v[6];
+    const double z_97 = epsilon_dot*epsilon_dot;
+    const double z_98 = cos_omega*z_97;
+    const double zf = c[36];
+    const double fa = c[38];
+    const double z_99 = zf - fa;
+    const double u_ = c[33];
+    const double sin_omega = em_sin(omega);
+    const double z_101 = u_ - z_99*sin_omega;
+    const double z_102 = z_99*z_101;
+    const double z_103 = z_99*z_99;
+    const double z_104 = sin_omega*z_103;
+    const double z_105 = z_99*u_;
+    const double epsilon_ddot = a[6];
+    const double z_106 = sin_omega*epsilon_ddot;
+    const double omega_ddot = a[5];
+    const double z_107 = omega_ddot + epsilon_ddot;
+    D[220] = 0.5*(z_98*z_102 + z_98*z_104 + z_98*z_105 + 2.0*z_107*z_103 - 2.0*z_105*z_106);
+    D[227] = z_107;
+    const double m6 = c[5];
+    const double z_108 = m6*z_99;
+    const double z_109 = z_108*z_106;
+    D[248] = z_108*z_98 - z_109;
+    const double z_110 = m6*z_101;
+    const double z_111 = sin_omega*z_108;
+    const double z_112 = m6*u_;
+    const double z_113 = z_98*z_110 + z_98*z_111 + z_98*z_112 + 4.0*z_107*z_108 - 2.0*z_112*z_106;
+    const double epsilon = x[6];
+    const double cos_epsilon = em_cos(epsilon);
+    const double sin_epsilon = em_sin(epsilon);
+    const double z_116 = sin_omega*cos_epsilon + cos_omega*sin_epsilon;
+    const double z_117 = cos_omega*cos_epsilon - sin_omega*sin_epsilon;
+    const double z_118 = z_116*lambda_4 - z_117*lambda_5;
+    D[251] = 0.5*(z_113 + 2.0*z_118);
+    D[253] = (-0.5)*z_113;
+    const double omega_dot = v[5];
+    const double z_119 = cos_omega*(omega_dot*omega_dot);
+    const double z_120 = cos_omega*(omega_dot*epsilon_dot);
+    const double z_121 = epsilon_ddot*(cos_omega*cos_omega);
+    const double z_122 = sin_omega*omega_ddot;
+    D[263] = -(z_105*z_119 + z_120*z_102 + z_120*z_104 + z_120*z_105 + z_106*z_102 + z_105*z_122 - z_103*z_121 -
+        u_*z_101*epsilon_ddot - omega_ddot*z_103);
+    const double ua = c[34];
+    const double ub = c[35];
+    D[264] = epsilon_ddot*(ua*ua + ub*ub);
+    D[270] = z_107;
+    D[271] = epsilon_ddot;
+    const double z_123 = z_108*z_120;
+    const double z_124 = z_123 + z_109 - epsilon_ddot*z_112;
+    D[291] = -(sin_epsilon*lambda_5 + cos_epsilon*lambda_4 + z_123 + z_124 + z_108*z_119 + z_108*z_122 -
+        epsilon_ddot*z_110);
+    const double m7 = c[6];
+    const double z_125 = m7*epsilon_ddot;
+    D[292] = 2.0*(ua*z_125);
+    D[293] = 2.0*(ub*z_125);
+    const double z_126 = z_112*z_119 + z_120*z_110 + 2.0*z_120*z_111 + z_120*z_112 + z_106*z_110 + z_112*z_122 -
+        2.0*z_108*z_121 - sin_omega*z_124 - 2.0*omega_ddot*z_108;
+    D[294] = z_118 - z_126;
+    D[296] = z_126;
+    const double z_127 = theta_dot*z_3;
+    const double z_128 = beta_dot*z_3;
+    D[321] = z_18*z_127 + z_20*theta_ddot + z_18*z_128 + z_20*beta_ddot;
+    D[325] = -(cos_beta*z_28 + sin_beta*beta_ddot);
+    const double gamma_dot = v[2];
+    const double z_129 = gamma_dot*gamma_dot;
+    D[327] = sin_gamma*z_129 - cos_gamma*gamma_ddot;
+    D[364] = z_20*z_127 + z_20*z_128 - z_18*theta_ddot - z_18*beta_ddot;
+    D[368] = -(sin_beta*z_28 - cos_beta*beta_ddot);
+    D[370] = -(cos_gamma*z_129 + sin_gamma*gamma_ddot);
+    D[407] = z_18*z_127 + z_20*theta_ddot + z_18*z_128 + z_20*beta_ddot;
+    const double z_130 = phi_dot + delta_dot;
+    const double z_131 = phi_dot*z_130;
+    const double z_132 = delta_dot*z_130;
+    D[409] = z_85*z_131 + z_85*z_132 - z_84*phi_ddot - z_84*delta_ddot;
+    D[411] = -(cos_beta*z_28 + sin_beta*beta_ddot);
+    D[424] = cos_delta*z_66 + sin_delta*delta_ddot;
+    D[450] = z_20*z_127 + z_20*z_128 - z_18*theta_ddot - z_18*beta_ddot;
+    D[452] = -(z_84*z_131 + z_85*phi_ddot + z_84*z_132 + z_85*delta_ddot);
+    D[454] = -(sin_beta*z_28 - cos_beta*beta_ddot);
+    D[467] = sin_delta*z_66 - cos_delta*delta_ddot;
+    D[493] = z_18*z_127 + z_20*theta_ddot + z_18*z_128 + z_20*beta_ddot;
+    D[497] = -(cos_beta*z_28 + sin_beta*beta_ddot);
+    D[506] = sin_epsilon*z_97 - cos_epsilon*epsilon_ddot;
+    const double z_133 = omega_dot + epsilon_dot;
+    const double z_134 = omega_dot*z_133;
+    const double z_135 = epsilon_dot*z_133;
+    D[509] = z_117*z_134 + z_116*omega_ddot + z_117*z_135 + z_116*epsilon_ddot;
+    D[536] = z_20*z_127 + z_20*z_128 - z_18*theta_ddot - z_18*beta_ddot;
+    D[540] = -(sin_beta*z_28 - cos_beta*beta_ddot);
+    D[549] = -(cos_epsilon*z_97 + sin_epsilon*epsilon_ddot);
+    D[552] = z_116*z_134 + z_116*z_135 - z_117*omega_ddot - z_117*epsilon_ddot;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double rr = c[24];
+    const double beta = x[0];
+    const double sin_beta = em_sin(beta);
+    const double d = c[20];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_beta = em_cos(beta);
+    const double cos_theta = em_cos(theta);
+    const double z_4 = sin_theta*cos_beta + cos_theta*sin_beta;
+    const double z_5 = d*z_4;
+    const double z_6 = rr*sin_beta - z_5;
+    D[0] = -z_6;
+    D[1] = z_5;
+    const double ss = c[26];
+    const double gamma = x[2];
+    const double cos_gamma = em_cos(gamma);
+    D[2] = -ss*cos_gamma;
+    D[30] = -1.0;
+    const double z_8 = cos_theta*cos_beta - sin_theta*sin_beta;
+    D[34] = -z_8;
+    D[38] = cos_beta;
+    const double sin_gamma = em_sin(gamma);
+    D[40] = -sin_gamma;
+    const double z_10 = d*z_8;
+    const double z_11 = rr*cos_beta - z_10;
+    D[57] = z_11;
+    D[58] = -z_10;
+    D[59] = -ss*sin_gamma;
+    D[88] = -1.0;
+    D[91] = -z_4;
+    D[95] = sin_beta;
+    D[97] = cos_gamma;
+    D[114] = -z_6;
+    D[115] = z_5;
+    const double e = c[22];
+    const double phi = x[3];
+    const double cos_phi = em_cos(phi);
+    const double delta = x[4];
+    const double cos_delta = em_cos(delta);
+    const double sin_phi = em_sin(phi);
+    const double sin_delta = em_sin(delta);
+    const double z_16 = cos_phi*cos_delta - sin_phi*sin_delta;
+    const double z_17 = e*z_16;
+    D[117] = -z_17;
+    const double zt = c[37];
+    const double z_18 = zt*sin_delta - z_17;
+    D[118] = z_18;
+    D[142] = -1.0;
+    D[148] = -z_8;
+    const double z_19 = sin_phi*cos_delta + cos_phi*sin_delta;
+    D[150] = -z_19;
+    D[152] = cos_beta;
+    D[165] = -cos_delta;
+    D[171] = z_11;
+    D[172] = -z_10;
+    const double z_20 = e*z_19;
+    D[174] = -z_20;
+    const double z_21 = zt*cos_delta + z_20;
+    D[175] = -z_21;
+    D[200] = -1.0;
+    D[205] = -z_4;
+    D[207] = z_16;
+    D[209] = sin_beta;
+    D[222] = -sin_delta;
+    D[228] = -z_6;
+    D[229] = z_5;
+    const double zf = c[36];
+    const double omega = x[5];
+    const double sin_omega = em_sin(omega);
+    const double epsilon = x[6];
+    const double cos_epsilon = em_cos(epsilon);
+    const double cos_omega = em_cos(omega);
+    const double sin_epsilon = em_sin(epsilon);
+    const double z_26 = sin_omega*cos_epsilon + cos_omega*sin_epsilon;
+    const double z_27 = zf*z_26;
+    D[233] = z_27;
+    const double u_ = c[33];
+    const double z_28 = u_*cos_epsilon - z_27;
+    D[234] = -z_28;
+    D[256] = -1.0;
+    D[262] = -z_8;
+    D[266] = cos_beta;
+    D[275] = -sin_epsilon;
+    const double z_29 = cos_omega*cos_epsilon - sin_omega*sin_epsilon;
+    D[278] = -z_29;
+    D[285] = z_11;
+    D[286] = -z_10;
+    const double z_30 = zf*z_29;
+    D[290] = -z_30;
+    const double z_31 = u_*sin_epsilon + z_30;
+    D[291] = -z_31;
+    D[314] = -1.0;
+    D[319] = -z_4;
+    D[323] = sin_beta;
+    D[332] = cos_epsilon;
+    D[335] = -z_26;
+    const double theta_dot = v[1];
+    const double z_32 = theta_dot*z_10;
+    const double beta_dot = v[0];
+    D[342] = z_32 - beta_dot*z_11;
+    D[343] = z_32 + beta_dot*z_10;
+    const double gamma_dot = v[2];
+    const double z_33 = gamma_dot*ss;
+    D[344] = sin_gamma*z_33;
+    D[349] = -z_6;
+    D[350] = z_5;
+    D[351] = -ss*cos_gamma;
+    D[376] = theta_dot*z_4 + beta_dot*z_4;
+    D[380] = -beta_dot*sin_beta;
+    D[382] = -gamma_dot*cos_gamma;
+    const double z_34 = theta_dot*z_5;
+    D[399] = z_34 - beta_dot*z_6;
+    D[400] = z_34 + beta_dot*z_5;
+    D[401] = -cos_gamma*z_33;
+    D[406] = z_11;
+    D[407] = -z_10;
+    D[408] = -ss*sin_gamma;
+    D[433] = -(theta_dot*z_8 + beta_dot*z_8);
+    D[437] = beta_dot*cos_beta;
+    D[439] = -gamma_dot*sin_gamma;
+    D[456] = z_32 - beta_dot*z_11;
+    D[457] = z_32 + beta_dot*z_10;
+    const double phi_dot = v[3];
+    const double z_35 = phi_dot*z_20;
+    const double delta_dot = v[4];
+    D[459] = z_35 + delta_dot*z_20;
+    D[460] = z_35 + delta_dot*z_21;
+    D[463] = -z_6;
+    D[464] = z_5;
+    D[466] = -z_17;
+    D[467] = z_18;
+    D[490] = theta_dot*z_4 + beta_dot*z_4;
+    D[492] = -(phi_dot*z_16 + delta_dot*z_16);
+    D[494] = -beta_dot*sin_beta;
+    D[507] = delta_dot*sin_delta;
+    D[513] = z_34 - beta_dot*z_6;
+    D[514] = z_34 + beta_dot*z_5;
+    const double z_36 = phi_dot*z_17;
+    D[516] = -(z_36 + delta_dot*z_17);
+    D[517] = -(z_36 - delta_dot*z_18);
+    D[520] = z_11;
+    D[521] = -z_10;
+    D[523] = -z_20;
+    D[524] = -z_21;
+    D[547] = -(theta_dot*z_8 + beta_dot*z_8);
+    D[549] = -(phi_dot*z_19 + delta_dot*z_19);
+    D[551] = beta_dot*cos_beta;
+    D[564] = -delta_dot*cos_delta;
+    D[570] = z_32 - beta_dot*z_11;
+    D[571] = z_32 + beta_dot*z_10;
+    const double omega_dot = v[5];
+    const double z_37 = omega_dot*z_30;
+    const double epsilon_dot = v[6];
+    D[575] = z_37 + epsilon_dot*z_30;
+    D[576] = z_37 + epsilon_dot*z_31;
+    D[577] = -z_6;
+    D[578] = z_5;
+    D[582] = z_27;
+    D[583] = -z_28;
+    D[604] = theta_dot*z_4 + beta_dot*z_4;
+    D[608] = -beta_dot*sin_beta;
+    D[617] = -epsilon_dot*cos_epsilon;
+    D[620] = omega_dot*z_26 + epsilon_dot*z_26;
+    D[627] = z_34 - beta_dot*z_6;
+    D[628] = z_34 + beta_dot*z_5;
+    const double z_38 = omega_dot*z_27;
+    D[632] = z_38 + epsilon_dot*z_27;
+    D[633] = z_38 - epsilon_dot*z_28;
+    D[634] = z_11;
+    D[635] = -z_10;
+    D[639] = -z_30;
+    D[640] = -z_31;
+    D[661] = -(theta_dot*z_8 + beta_dot*z_8);
+    D[665] = beta_dot*cos_beta;
+    D[674] = -epsilon_dot*sin_epsilon;
+    D[677] = -(omega_dot*z_29 + epsilon_dot*z_29);
 }
 
 #endif
@@ -1519,7 +2299,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -1862,6 +2643,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -1871,7 +2656,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -1971,6 +2756,11 @@ const em_model andrews_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

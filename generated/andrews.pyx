@@ -1,5 +1,5 @@
 # eigenmotion generate andrews.py
-# input sha256:76ef48d6f0dc006751c6d62f2f09c1a808e688e33385d9bcc0b4dcbc571b91bb
+# input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2
 # body sha256:67ad1cea1838603849c1c305aa98bd719ad433228ca25bfb3c34197f61a8300b
 # cython: language_level=3
 """andrews, compiled: `system` is its System (eigenfactor)."""

@@ -1,5 +1,5 @@
 /* eigenmotion generate bicycle.py */
-/* input sha256:c2e585a414f6be6297e9673245b24a8235f7ad9b118830528a5d1ab004249dc9 */
+/* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
 /* body sha256:a49a000d7b85ebdb781cd607ad53110e964319c6f9199b9b6062ac59535f81a0 */
 /* bicycle: 8 coordinates, 5 constraint rows, 88 states.
  * Link bicycle.c with a program of your own, or import the Python module built from bicycle.pyx. */

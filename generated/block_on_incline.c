@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:a38498c201eb84342bed16cccbd04f2586d18ff4f8ed0f6c08d5c4445d3def60 */
+/* body sha256:bd772f81790727a94cb4700334338b77f74143370a383ef593a2b69d5ac183cf */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -45,6 +45,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
+    N_GIVEN = 7,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
     N_PREPARED = 22,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* s */
 };
@@ -179,7 +181,7 @@ extern void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -271,6 +273,90 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, con
     level[0] = c_3;
     const double s_dot = v[0];
     level[1] = s_dot;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                             EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                  const double *restrict v, const double *restrict c, double *restrict D);
+extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                             EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    D[0] = 0.0;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double s_ddot = a[0];
+    const double g = c[1];
+    const double alpha = c[2];
+    const double sin_alpha = em_sin(alpha);
+    const double cos_alpha = em_cos(alpha);
+    const double friction_slides = c[5];
+    const double mu = c[3];
+    const double z_2 = friction_slides*mu;
+    const double z_3 = cos_alpha*z_2;
+    D[0] = s_ddot + g*sin_alpha + g*z_3;
+    const double m = c[0];
+    D[1] = m*sin_alpha + m*z_3;
+    const double z_4 = m*g;
+    const double z_5 = cos_alpha*z_4;
+    D[2] = z_5 - sin_alpha*z_4*z_2;
+    D[3] = friction_slides*z_5;
+    const double lambda_0 = lambda[0];
+    D[4] = lambda_0;
+    D[5] = mu*z_5;
+    D[11] = s_ddot;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                  const double *restrict v, const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double friction_stuck = c[4];
+    D[1] = friction_stuck;
+    const double s_dot = v[0];
+    D[6] = s_dot;
+}
+
+/* D (n_events, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
+    const double friction_slides = c[5];
+    D[1] = friction_slides;
+    const double s_dot = v[0];
+    D[7] = s_dot;
 }
 
 #endif
@@ -369,7 +455,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
     crossing[0] = s_dot*friction_slides;
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
@@ -459,6 +546,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -468,7 +559,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -491,7 +582,7 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "s", NULL };
 static const char *const parameter_names[] = { "m", "g", "alpha", "mu", "friction_stuck", "friction_slides", NULL };
@@ -573,9 +664,23 @@ const em_model block_on_incline_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
+    .event_partials = event_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

@@ -1,5 +1,5 @@
 # eigenmotion generate bricard.py
-# input sha256:48de1137e7976971392b7b646ac5f51dbece29e92877180f29ab43eea45f1cf4
+# input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9
 # body sha256:0d66ef3a20d4fe41a185a0d19fe180d1aa73f53cf00c722e720caa87f38cacad
 # cython: language_level=3
 """bricard, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
-/* input sha256:56bf9f034a20945e461a9a2885f6806fda5f4b09b42794cad9b2ede3b0e743fc */
-/* body sha256:06a3adb75ca9de01de6bb8bae01182af5b8be177c7804f4e7da89866b0b579b2 */
+/* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
+/* body sha256:3ec1c60d626d379426c44e5b68f3a7266324aef828884bd24406cb2db1d5830a */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -45,6 +45,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
+    N_GIVEN = 10,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
     N_PREPARED = 25,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 4,             /* x, q1, q2, q3 */
 };
@@ -348,7 +350,7 @@ extern void quasi(EM_UNUSED double t, EM_UNUSED const double *restrict x, const 
                     EM_UNUSED const double *restrict c, double *restrict y);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -544,6 +546,280 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void quasi_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double q1 = x[1];
+    const double cos_q1 = em_cos(q1);
+    const double q1_dot = v[1];
+    const double l1 = c[4];
+    const double m1 = c[1];
+    const double m2 = c[2];
+    const double m3 = c[3];
+    const double z_1 = m2 + m3;
+    const double z_2 = m1 + z_1;
+    const double z_3 = l1*z_2;
+    const double q1_ddot = a[1];
+    const double sin_q1 = em_sin(q1);
+    const double z_5 = sin_q1*z_3;
+    D[1] = cos_q1*(q1_dot*q1_dot)*z_3 + q1_ddot*z_5;
+    const double q2 = x[2];
+    const double cos_q2 = em_cos(q2);
+    const double q2_dot = v[2];
+    const double l2 = c[5];
+    const double z_7 = l2*z_1;
+    const double q2_ddot = a[2];
+    const double sin_q2 = em_sin(q2);
+    const double z_9 = sin_q2*z_7;
+    D[2] = cos_q2*(q2_dot*q2_dot)*z_7 + q2_ddot*z_9;
+    const double q3_dot = v[3];
+    const double q3 = x[3];
+    const double cos_q3 = em_cos(q3);
+    const double l3 = c[6];
+    const double z_11 = m3*l3;
+    const double z_12 = cos_q3*z_11;
+    const double q3_ddot = a[3];
+    const double sin_q3 = em_sin(q3);
+    const double z_14 = sin_q3*z_11;
+    D[3] = q3_dot*q3_dot*z_12 + q3_ddot*z_14;
+    const double z_15 = q1_dot*l1;
+    const double z_16 = z_2*z_15;
+    D[5] = 2.0*(sin_q1*z_16);
+    const double z_17 = q2_dot*sin_q2;
+    D[6] = 2.0*(z_7*z_17);
+    const double z_18 = q3_dot*z_11;
+    D[7] = 2.0*(sin_q3*z_18);
+    const double g = c[7];
+    const double z_19 = l1*g;
+    const double x_dot = v[0];
+    const double z_20 = x_dot*cos_q1*z_16;
+    const double z_21 = z_7*z_15;
+    const double z_22 = q2_dot*(cos_q1*cos_q2 + sin_q1*sin_q2)*z_21;
+    const double z_23 = (cos_q1*cos_q3 + sin_q1*sin_q3)*z_15*z_18;
+    const double z_24 = q1_dot*cos_q1;
+    const double z_25 = q1_dot*sin_q1;
+    const double z_26 = q2_dot*cos_q2;
+    const double z_27 = (cos_q2*z_24 - sin_q1*z_17) + (sin_q2*z_25 - cos_q1*z_26);
+    const double z_28 = l1*z_7;
+    const double z_29 = q2_dot*z_27*z_28;
+    const double z_30 = q3_dot*sin_q3;
+    const double z_31 = q3_dot*cos_q3;
+    const double z_32 = (cos_q3*z_24 - sin_q1*z_30) + (sin_q3*z_25 - cos_q1*z_31);
+    const double z_33 = l1*z_32*z_18;
+    const double x_ddot = a[0];
+    const double z_34 = cos_q2*sin_q1 - cos_q1*sin_q2;
+    const double z_35 = z_34*z_28;
+    const double z_36 = q2_ddot*z_35;
+    const double z_37 = cos_q3*sin_q1 - cos_q1*sin_q3;
+    const double z_38 = l1*z_37;
+    const double z_39 = z_11*z_38;
+    const double z_40 = q3_ddot*z_39;
+    D[9] = -(((cos_q1*(m1*z_19 + m2*z_19 + m3*z_19) + (z_20 - z_22 - z_23)) - (z_20 - z_29 - z_33)) - (x_ddot*z_5
+        - z_36 - z_40));
+    D[10] = z_36 - (z_22 - z_29);
+    D[11] = z_40 - (z_23 - z_33);
+    const double z_41 = z_34*z_21;
+    const double z_42 = ((cos_q2*z_25 + cos_q1*z_17) - (sin_q2*z_24 + sin_q1*z_26))*z_28;
+    const double z_43 = q2_dot*z_35;
+    D[14] = z_41 - (z_42 - z_43);
+    const double z_44 = z_11*z_15;
+    const double z_45 = z_37*z_44;
+    const double z_46 = l1*((cos_q3*z_25 + cos_q1*z_30) - (sin_q3*z_24 + sin_q1*z_31))*z_11;
+    const double z_47 = z_18*z_38;
+    D[15] = z_45 - (z_46 - z_47);
+    const double z_48 = z_27*z_21;
+    const double z_49 = q1_ddot*z_35;
+    D[17] = -((z_22 + z_48) + z_49);
+    const double z_50 = l2*g;
+    const double z_51 = x_dot*z_7*z_26;
+    const double z_52 = l2*z_18;
+    const double z_53 = q2_dot*(cos_q2*cos_q3 + sin_q2*sin_q3)*z_52;
+    const double z_54 = (cos_q3*z_26 - sin_q2*z_30) + (sin_q3*z_17 - cos_q2*z_31);
+    const double z_55 = z_54*z_52;
+    const double z_56 = cos_q3*sin_q2 - cos_q2*sin_q3;
+    const double z_57 = l2*z_11;
+    const double z_58 = z_56*z_57;
+    const double z_59 = q3_ddot*z_58;
+    D[18] = -(((cos_q2*(m2*z_50 + m3*z_50) - (z_22 + z_53 - z_51)) - (z_48 + z_51 - z_55)) - (z_49 + x_ddot*z_9 -
+        z_59));
+    D[19] = z_59 - (z_53 - z_55);
+    D[21] = -(z_43 + (z_42 + z_41));
+    const double z_60 = q2_dot*z_58;
+    const double z_61 = ((cos_q3*z_17 + cos_q2*z_30) - (sin_q3*z_26 + sin_q2*z_31))*z_57;
+    const double z_62 = z_56*z_52;
+    D[23] = z_60 - (z_61 - z_62);
+    const double z_63 = z_32*z_44;
+    const double z_64 = q1_ddot*z_39;
+    D[25] = -((z_23 + z_63) + z_64);
+    const double z_65 = q2_dot*z_54*z_57;
+    const double z_66 = q2_ddot*z_58;
+    D[26] = -((z_53 + z_65) + z_66);
+    const double z_67 = x_dot*cos_q3*z_18;
+    D[27] = -(((g*z_12 - (z_23 + z_53 - z_67)) - (z_63 + z_65 + z_67)) - (z_64 + z_66 + x_ddot*z_14));
+    D[29] = -(z_47 + (z_46 + z_45));
+    D[30] = -(z_62 + (z_61 + z_60));
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    D[0] = -1.0;
+    const double x_ddot = a[0];
+    D[1] = x_ddot;
+    const double q1 = x[1];
+    const double cos_q1 = em_cos(q1);
+    const double l1 = c[4];
+    const double q1_ddot = a[1];
+    const double z_1 = l1*q1_ddot;
+    const double q1_dot = v[1];
+    const double z_2 = q1_dot*q1_dot;
+    const double sin_q1 = em_sin(q1);
+    const double z_4 = l1*sin_q1;
+    const double z_5 = x_ddot - (cos_q1*z_1 - z_2*z_4);
+    D[2] = z_5;
+    const double q2 = x[2];
+    const double cos_q2 = em_cos(q2);
+    const double l2 = c[5];
+    const double q2_ddot = a[2];
+    const double z_7 = l2*q2_ddot;
+    const double q2_dot = v[2];
+    const double z_8 = q2_dot*q2_dot;
+    const double sin_q2 = em_sin(q2);
+    const double z_10 = l2*sin_q2;
+    const double z_11 = (cos_q2*z_7 - z_8*z_10) - z_5;
+    D[3] = -z_11;
+    const double q3 = x[3];
+    const double cos_q3 = em_cos(q3);
+    const double l3 = c[6];
+    const double q3_ddot = a[3];
+    const double z_13 = l3*q3_ddot;
+    const double q3_dot = v[3];
+    const double z_14 = q3_dot*q3_dot;
+    const double sin_q3 = em_sin(q3);
+    const double z_16 = l3*sin_q3;
+    D[4] = z_14*z_16 - cos_q3*z_13 - z_11;
+    const double m1 = c[1];
+    const double m2 = c[2];
+    const double m3 = c[3];
+    const double z_17 = m2 + m3;
+    const double z_18 = m1 + z_17;
+    const double z_19 = z_18*cos_q1;
+    D[5] = -(q1_ddot*z_19 - z_18*sin_q1*z_2);
+    const double z_20 = z_17*cos_q2;
+    D[6] = -(q2_ddot*z_20 - z_17*sin_q2*z_8);
+    const double z_21 = m3*q3_ddot;
+    const double z_22 = m3*sin_q3;
+    D[7] = -(cos_q3*z_21 - z_14*z_22);
+    const double g = c[7];
+    const double z_23 = g*z_4 - (q1_ddot*(l1*l1) - l1*cos_q1*x_ddot);
+    D[12] = -z_23;
+    const double z_24 = cos_q1*cos_q2 + sin_q1*sin_q2;
+    const double z_25 = cos_q2*sin_q1;
+    const double z_26 = cos_q1*sin_q2;
+    const double z_27 = (q1_dot*z_25 + q2_dot*z_26) - (q1_dot*z_26 + q2_dot*z_25);
+    const double z_28 = q2_dot*l2;
+    const double z_29 = z_25 - z_26;
+    const double z_30 = q1_dot*l1;
+    const double z_31 = z_29*z_30*z_28;
+    const double z_32 = (l1*z_24*z_7 + z_31 - l1*z_27*z_28) - z_23;
+    D[13] = -(-z_32);
+    const double z_33 = cos_q1*cos_q3 + sin_q1*sin_q3;
+    const double z_34 = l1*z_33;
+    const double z_35 = q3_dot*l3;
+    const double z_36 = cos_q3*sin_q1;
+    const double z_37 = cos_q1*sin_q3;
+    const double z_38 = (q1_dot*z_36 + q3_dot*z_37) - (q1_dot*z_37 + q3_dot*z_36);
+    const double z_39 = l1*z_38;
+    const double z_40 = z_36 - z_37;
+    const double z_41 = z_40*z_30;
+    const double z_42 = z_35*z_41;
+    D[14] = z_13*z_34 + z_42 + z_32 - z_35*z_39;
+    const double z_43 = m3*l3;
+    const double z_44 = q3_ddot*z_43;
+    const double z_45 = z_17*z_24;
+    const double z_46 = q3_dot*z_43;
+    const double z_47 = z_17*z_27;
+    const double z_48 = q1_dot*z_40*z_46;
+    const double z_49 = z_17*z_29;
+    const double z_50 = q1_dot*z_28*z_49;
+    const double z_51 = m3*g + m2*g;
+    D[15] = 2.0*z_18*z_1 + z_33*z_44 + z_7*z_45 + z_48 + z_50 - x_ddot*z_19 - z_38*z_46 - z_28*z_47 - sin_q1*(m1*g
+        + z_51);
+    const double z_52 = q2_dot*z_30*z_49;
+    D[16] = l1*q2_ddot*z_45 + z_52 - q2_dot*l1*z_47;
+    const double z_53 = q3_dot*m3;
+    const double z_54 = z_53*z_41;
+    D[17] = z_21*z_34 + z_54 - z_53*z_39;
+    D[18] = -sin_q1*(m3*l1 + m2*l1 + m1*l1);
+    const double z_55 = g*z_10 + (z_31 + l2*cos_q2*x_ddot + l2*z_27*z_30 - q2_ddot*(l2*l2) - l2*z_24*z_1);
+    D[23] = -z_55;
+    const double z_56 = cos_q2*cos_q3 + sin_q2*sin_q3;
+    const double z_57 = l2*z_56;
+    const double z_58 = cos_q3*sin_q2;
+    const double z_59 = cos_q2*sin_q3;
+    const double z_60 = (q2_dot*z_58 + q3_dot*z_59) - (q2_dot*z_59 + q3_dot*z_58);
+    const double z_61 = l2*z_60;
+    const double z_62 = z_58 - z_59;
+    const double z_63 = z_62*z_28;
+    const double z_64 = z_35*z_63;
+    D[24] = z_13*z_57 + z_64 - z_35*z_61 - z_55;
+    D[25] = -(z_50 + q1_dot*l2*z_47 - l2*q1_ddot*z_45);
+    const double z_65 = q2_dot*z_62*z_46;
+    D[26] = 2.0*z_17*z_7 + z_56*z_44 + z_1*z_45 + z_65 - z_52 - x_ddot*z_20 - z_60*z_46 - z_30*z_47 - sin_q2*z_51;
+    const double z_66 = z_53*z_63;
+    D[27] = z_21*z_57 + z_66 - z_53*z_61;
+    D[28] = -sin_q2*(m3*l2 + m2*l2);
+    const double z_67 = z_56*z_7;
+    const double z_68 = z_33*z_1;
+    const double z_69 = cos_q3*x_ddot;
+    const double z_70 = z_60*z_28;
+    const double z_71 = z_38*z_30;
+    D[34] = -(z_42 + z_64 + l3*z_69 + l3*z_70 + l3*z_71 + g*z_16 - q3_ddot*(l3*l3) - l3*z_67 - l3*z_68);
+    D[35] = -(z_48 + q1_dot*z_38*z_43 - z_33*q1_ddot*z_43);
+    D[36] = -(z_65 + q2_dot*z_60*z_43 - z_56*q2_ddot*z_43);
+    D[37] = 2.0*z_44 + m3*z_67 + m3*z_68 - z_54 - z_66 - m3*z_69 - m3*z_70 - m3*z_71 - g*z_22;
+    D[38] = -sin_q3*z_43;
+}
+
+/* D (n, n_arguments), of P(x, t) v */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void quasi_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             double *restrict D)
+{
+    memset(D, 0, sizeof *D * N * N_ARGUMENTS);
+    D[4] = 1.0;
+    D[23] = 1.0;
+    D[42] = 1.0;
+    D[61] = 1.0;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -666,7 +942,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -837,6 +1114,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -846,7 +1127,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -940,6 +1221,9 @@ const em_model cart_pendulums_3_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -954,6 +1238,7 @@ const em_model cart_pendulums_3_model = {
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,
+    .quasi_partials = quasi_partials,
     .event = model_events,
     .lanes = &cart_pendulums_3_lanes,
     .n_shapes = 9,

@@ -1,5 +1,5 @@
 # eigenmotion generate cart_pendulums.py
-# input sha256:56bf9f034a20945e461a9a2885f6806fda5f4b09b42794cad9b2ede3b0e743fc
+# input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e
 # body sha256:42491777cf6db07c9d0e783385f83b1ba9304b894cfaad887e7369fc3ea6d0ff
 # cython: language_level=3
 """cart_pendulums_3, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
-/* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
-/* body sha256:346edf7e4ec27dad011bb6fdc4de3e052ca5a190b73b3c7e39858f8f859afb10 */
+/* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
+/* body sha256:d77c8f2dd66f0d8019c78e8c43ec03f38d0652164aa3abb110209013962be58a */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -45,6 +45,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 11,
+    N_GIVEN = 12,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 22,   /* x, v and these: what motion depends on */
     N_PREPARED = 42,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* theta_1, theta_2, theta_3, theta_4, theta_5 */
 };
@@ -441,7 +443,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -738,6 +740,454 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta_1 = x[0];
+    const double cos_theta_1 = em_cos(theta_1);
+    const double m_5 = c[4];
+    const double theta_1_dot = v[0];
+    const double l_1 = c[5];
+    const double z_1 = theta_1_dot*l_1;
+    const double z_2 = cos_theta_1*z_1;
+    const double theta_2_dot = v[1];
+    const double l_2 = c[6];
+    const double theta_2 = x[1];
+    const double cos_theta_2 = em_cos(theta_2);
+    const double z_4 = l_2*cos_theta_2;
+    const double z_5 = theta_2_dot*z_4;
+    const double z_6 = z_2 + z_5;
+    const double theta_3_dot = v[2];
+    const double l_3 = c[7];
+    const double theta_3 = x[2];
+    const double cos_theta_3 = em_cos(theta_3);
+    const double z_8 = l_3*cos_theta_3;
+    const double z_9 = theta_3_dot*z_8;
+    const double z_10 = z_6 + z_9;
+    const double theta_4_dot = v[3];
+    const double l_4 = c[8];
+    const double theta_4 = x[3];
+    const double cos_theta_4 = em_cos(theta_4);
+    const double z_12 = l_4*cos_theta_4;
+    const double z_13 = theta_4_dot*z_12;
+    const double z_14 = z_10 + z_13;
+    const double theta_5_dot = v[4];
+    const double l_5 = c[9];
+    const double theta_5 = x[4];
+    const double cos_theta_5 = em_cos(theta_5);
+    const double z_16 = l_5*cos_theta_5;
+    const double z_17 = z_14 + theta_5_dot*z_16;
+    const double m_4 = c[3];
+    const double z_18 = m_5*z_17 + m_4*z_14;
+    const double m_3 = c[2];
+    const double z_19 = z_18 + m_3*z_10;
+    const double m_2 = c[1];
+    const double z_20 = z_19 + m_2*z_6;
+    const double z_21 = z_20*z_1;
+    const double m_1 = c[0];
+    const double g = c[10];
+    const double z_22 = m_4*g + m_5*g;
+    const double z_23 = m_3*g + z_22;
+    const double z_24 = m_2*g + z_23;
+    const double z_25 = l_1*(theta_1_dot*theta_1_dot);
+    const double z_26 = theta_2_dot*theta_2_dot;
+    const double z_27 = cos_theta_1*z_25 + z_26*z_4;
+    const double z_28 = theta_3_dot*theta_3_dot;
+    const double z_29 = z_27 + z_28*z_8;
+    const double z_30 = theta_4_dot*theta_4_dot;
+    const double z_31 = z_29 + z_30*z_12;
+    const double z_32 = theta_5_dot*theta_5_dot;
+    const double z_33 = z_31 + z_32*z_16;
+    const double z_34 = m_5*z_33 + m_4*z_31;
+    const double z_35 = m_3*z_29 + z_34;
+    const double z_36 = m_2*z_27 + z_35;
+    const double z_37 = l_1*m_4 + l_1*m_5;
+    const double z_38 = l_1*m_3 + z_37;
+    const double z_39 = l_1*m_2 + z_38;
+    const double z_40 = z_39*cos_theta_1;
+    const double theta_5_ddot = a[4];
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_42 = m_5*l_5;
+    const double z_43 = sin_theta_5*z_42;
+    const double z_44 = theta_5_ddot*z_43;
+    const double theta_4_ddot = a[3];
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_46 = l_4*sin_theta_4;
+    const double z_47 = theta_4_ddot*z_46;
+    const double theta_3_ddot = a[2];
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_49 = l_3*sin_theta_3;
+    const double z_50 = theta_3_ddot*z_49;
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_52 = l_2*sin_theta_2;
+    const double theta_2_ddot = a[1];
+    const double z_53 = z_39*theta_2_ddot;
+    const double sin_theta_1 = em_sin(theta_1);
+    const double z_55 = sin_theta_1*z_25 + z_26*z_52;
+    const double z_56 = z_55 + z_28*z_49;
+    const double z_57 = z_56 + z_30*z_46;
+    const double z_58 = z_57 + l_5*sin_theta_5*z_32;
+    const double z_59 = m_5*z_58 + m_4*z_57;
+    const double z_60 = m_3*z_56 + z_59;
+    const double z_61 = m_2*z_55 + z_60;
+    const double z_62 = z_39*sin_theta_1;
+    const double z_63 = cos_theta_5*z_42;
+    const double z_64 = theta_5_ddot*z_63;
+    const double z_65 = theta_4_ddot*z_12;
+    const double z_66 = theta_3_ddot*z_8;
+    D[0] = -(cos_theta_1*(z_21 + z_25*z_40 - (l_1*m_1*g + z_21 + l_1*z_24) - l_1*z_36 - l_1*z_44 - z_37*z_47 -
+        z_38*z_50 - z_52*z_53) - sin_theta_1*(l_1*z_61 - z_25*z_62 - l_1*z_64 - z_37*z_65 - z_38*z_66 -
+        z_4*z_53));
+    const double z_67 = l_2*z_26;
+    const double z_68 = l_2*theta_2_ddot;
+    D[1] = -(cos_theta_2*(z_67*z_40 - z_62*z_68) + sin_theta_2*(z_67*z_62 + z_40*z_68));
+    const double z_69 = l_3*z_28;
+    const double z_70 = cos_theta_1*z_38;
+    const double z_71 = l_3*theta_3_ddot;
+    const double z_72 = sin_theta_1*z_38;
+    D[2] = -(cos_theta_3*(z_69*z_70 - z_71*z_72) + sin_theta_3*(z_69*z_72 + z_71*z_70));
+    const double z_73 = l_4*z_30;
+    const double z_74 = cos_theta_1*z_37;
+    const double z_75 = l_4*theta_4_ddot;
+    const double z_76 = sin_theta_1*z_37;
+    D[3] = -(cos_theta_4*(z_73*z_74 - z_75*z_76) + sin_theta_4*(z_73*z_76 + z_75*z_74));
+    const double z_77 = z_32*z_42;
+    const double z_78 = l_1*cos_theta_1;
+    const double z_79 = theta_5_ddot*z_42;
+    const double z_80 = l_1*sin_theta_1;
+    D[4] = -(cos_theta_5*(z_77*z_78 - z_79*z_80) + sin_theta_5*(z_77*z_80 + z_79*z_78));
+    const double z_81 = theta_2_dot*z_52;
+    D[6] = (-2.0)*(z_40*z_81 - z_5*z_62);
+    const double z_82 = theta_3_dot*z_49;
+    D[7] = (-2.0)*(z_82*z_70 - z_9*z_72);
+    const double z_83 = theta_4_dot*z_46;
+    D[8] = (-2.0)*(z_83*z_74 - z_13*z_76);
+    const double z_84 = theta_5_dot*z_43;
+    const double z_85 = theta_5_dot*z_63;
+    D[9] = (-2.0)*(z_84*z_78 - z_85*z_80);
+    const double z_86 = m_4*l_2 + m_5*l_2;
+    const double z_87 = m_3*l_2 + z_86;
+    const double z_88 = m_2*l_2 + z_87;
+    const double z_89 = cos_theta_2*z_88;
+    const double theta_1_ddot = a[0];
+    const double z_90 = z_39*theta_1_ddot;
+    const double z_91 = sin_theta_2*z_88;
+    D[10] = -(cos_theta_1*(z_25*z_89 - z_52*z_90) + sin_theta_1*(z_25*z_91 + z_4*z_90));
+    const double z_92 = theta_2_dot*l_2*z_20;
+    const double z_93 = z_88*z_26;
+    const double z_94 = l_2*theta_1_ddot;
+    D[11] = -(cos_theta_2*(z_92 + z_4*z_93 - (z_92 + l_2*z_24) - l_2*z_36 - l_2*z_44 - z_86*z_47 - z_87*z_50 -
+        z_62*z_94) - sin_theta_2*(l_2*z_61 - z_52*z_93 - l_2*z_64 - z_86*z_65 - z_87*z_66 - z_40*z_94));
+    const double z_95 = cos_theta_2*z_87;
+    const double z_96 = sin_theta_2*z_87;
+    D[12] = -(cos_theta_3*(z_69*z_95 - z_71*z_96) + sin_theta_3*(z_69*z_96 + z_71*z_95));
+    const double z_97 = cos_theta_2*z_86;
+    const double z_98 = sin_theta_2*z_86;
+    D[13] = -(cos_theta_4*(z_73*z_97 - z_75*z_98) + sin_theta_4*(z_73*z_98 + z_75*z_97));
+    D[14] = -(cos_theta_5*(z_4*z_77 - z_52*z_79) + sin_theta_5*(z_52*z_77 + z_4*z_79));
+    const double z_99 = sin_theta_1*z_1;
+    D[15] = 2.0*(z_2*z_91 - z_99*z_89);
+    D[17] = (-2.0)*(z_82*z_95 - z_9*z_96);
+    D[18] = (-2.0)*(z_83*z_97 - z_13*z_98);
+    D[19] = (-2.0)*(z_4*z_84 - z_52*z_85);
+    const double z_100 = m_4*l_3 + m_5*l_3;
+    const double z_101 = m_3*l_3 + z_100;
+    const double z_102 = cos_theta_3*z_101;
+    const double z_103 = z_38*theta_1_ddot;
+    const double z_104 = sin_theta_3*z_101;
+    D[20] = -(cos_theta_1*(z_25*z_102 - z_49*z_103) + sin_theta_1*(z_25*z_104 + z_8*z_103));
+    const double z_105 = z_87*theta_2_ddot;
+    D[21] = -(cos_theta_2*(z_67*z_102 - z_49*z_105) + sin_theta_2*(z_67*z_104 + z_8*z_105));
+    const double z_106 = theta_3_dot*l_3*z_19;
+    const double z_107 = z_101*z_28;
+    const double z_108 = l_3*theta_2_ddot;
+    const double z_109 = l_3*theta_1_ddot;
+    D[22] = -(cos_theta_3*(z_106 + z_8*z_107 - (z_106 + l_3*z_23) - l_3*z_35 - l_3*z_44 - z_100*z_47 - z_96*z_108
+        - z_72*z_109) - sin_theta_3*(l_3*z_60 - z_49*z_107 - l_3*z_64 - z_100*z_65 - z_95*z_108 - z_70*z_109));
+    const double z_110 = cos_theta_3*z_100;
+    const double z_111 = sin_theta_3*z_100;
+    D[23] = -(cos_theta_4*(z_73*z_110 - z_75*z_111) + sin_theta_4*(z_73*z_111 + z_75*z_110));
+    D[24] = -(cos_theta_5*(z_8*z_77 - z_49*z_79) + sin_theta_5*(z_49*z_77 + z_8*z_79));
+    D[25] = 2.0*(z_2*z_104 - z_99*z_102);
+    D[26] = 2.0*(z_5*z_104 - z_81*z_102);
+    D[28] = (-2.0)*(z_83*z_110 - z_13*z_111);
+    D[29] = (-2.0)*(z_8*z_84 - z_49*z_85);
+    const double z_112 = m_4*l_4 + m_5*l_4;
+    const double z_113 = cos_theta_4*z_112;
+    const double z_114 = z_37*theta_1_ddot;
+    const double z_115 = sin_theta_4*z_112;
+    D[30] = -(cos_theta_1*(z_25*z_113 - z_46*z_114) + sin_theta_1*(z_25*z_115 + z_12*z_114));
+    const double z_116 = z_86*theta_2_ddot;
+    D[31] = -(cos_theta_2*(z_67*z_113 - z_46*z_116) + sin_theta_2*(z_67*z_115 + z_12*z_116));
+    const double z_117 = z_100*theta_3_ddot;
+    D[32] = -(cos_theta_3*(z_69*z_113 - z_46*z_117) + sin_theta_3*(z_69*z_115 + z_12*z_117));
+    const double z_118 = theta_4_dot*l_4*z_18;
+    const double z_119 = z_112*z_30;
+    const double z_120 = l_4*theta_3_ddot;
+    const double z_121 = l_4*theta_2_ddot;
+    const double z_122 = l_4*theta_1_ddot;
+    D[33] = -(cos_theta_4*(z_118 + z_12*z_119 - (z_118 + l_4*z_22) - l_4*z_34 - l_4*z_44 - z_111*z_120 -
+        z_98*z_121 - z_76*z_122) - sin_theta_4*(l_4*z_59 - z_46*z_119 - l_4*z_64 - z_110*z_120 - z_97*z_121 -
+        z_74*z_122));
+    D[34] = -(cos_theta_5*(z_12*z_77 - z_46*z_79) + sin_theta_5*(z_46*z_77 + z_12*z_79));
+    D[35] = 2.0*(z_2*z_115 - z_113*z_99);
+    D[36] = 2.0*(z_5*z_115 - z_113*z_81);
+    D[37] = 2.0*(z_9*z_115 - z_113*z_82);
+    D[39] = (-2.0)*(z_12*z_84 - z_46*z_85);
+    const double z_123 = l_1*theta_1_ddot;
+    D[40] = -(cos_theta_1*(z_63*z_25 - z_43*z_123) + sin_theta_1*(z_43*z_25 + z_63*z_123));
+    D[41] = -(cos_theta_2*(z_63*z_67 - z_43*z_68) + sin_theta_2*(z_43*z_67 + z_63*z_68));
+    D[42] = -(cos_theta_3*(z_63*z_69 - z_43*z_71) + sin_theta_3*(z_43*z_69 + z_63*z_71));
+    D[43] = -(cos_theta_4*(z_63*z_73 - z_43*z_75) + sin_theta_4*(z_43*z_73 + z_63*z_75));
+    const double z_124 = theta_5_dot*z_17*z_42;
+    const double z_125 = l_5*l_5*(m_5*z_32);
+    const double z_126 = theta_2_ddot*z_42;
+    const double z_127 = theta_1_ddot*z_42;
+    D[44] = -(cos_theta_5*(z_124 + cos_theta_5*z_125 - (z_124 + g*z_42) - z_33*z_42 - z_42*z_47 - z_42*z_50 -
+        z_52*z_126 - z_80*z_127) - sin_theta_5*(z_58*z_42 - sin_theta_5*z_125 - z_42*z_65 - z_42*z_66 - z_4*z_126
+        - z_78*z_127));
+    D[45] = (-2.0)*(z_63*z_99 - z_2*z_43);
+    D[46] = (-2.0)*(z_63*z_81 - z_5*z_43);
+    D[47] = (-2.0)*(z_63*z_82 - z_9*z_43);
+    D[48] = (-2.0)*(z_63*z_83 - z_13*z_43);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double g = c[10];
+    const double l_1 = c[5];
+    const double theta_1 = x[0];
+    const double sin_theta_1 = em_sin(theta_1);
+    const double z_1 = l_1*sin_theta_1;
+    const double z_2 = g*z_1;
+    const double theta_1_ddot = a[0];
+    D[0] = z_2 + theta_1_ddot*(l_1*l_1);
+    const double theta_1_dot = v[0];
+    const double z_3 = theta_1_dot*theta_1_dot;
+    const double theta_2_dot = v[1];
+    const double z_4 = theta_2_dot*theta_2_dot;
+    const double l_2 = c[6];
+    const double theta_2 = x[1];
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_6 = l_2*sin_theta_2;
+    const double z_7 = z_3*z_1 + z_4*z_6;
+    const double cos_theta_1 = em_cos(theta_1);
+    const double z_9 = l_1*cos_theta_1;
+    const double cos_theta_2 = em_cos(theta_2);
+    const double z_11 = l_2*cos_theta_2;
+    const double z_12 = z_3*z_9 + z_4*z_11;
+    const double theta_2_ddot = a[1];
+    const double z_13 = theta_2_ddot*z_6;
+    const double z_14 = theta_2_ddot*z_11;
+    const double z_15 = sin_theta_1*z_13 + cos_theta_1*z_14 + l_1*theta_1_ddot;
+    D[1] = -(z_7*z_9 - z_12*z_1 - z_2 - l_1*z_15);
+    const double theta_3_dot = v[2];
+    const double z_16 = theta_3_dot*theta_3_dot;
+    const double l_3 = c[7];
+    const double theta_3 = x[2];
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_18 = l_3*sin_theta_3;
+    const double z_19 = z_7 + z_16*z_18;
+    const double cos_theta_3 = em_cos(theta_3);
+    const double z_21 = l_3*cos_theta_3;
+    const double z_22 = z_12 + z_16*z_21;
+    const double theta_3_ddot = a[2];
+    const double z_23 = theta_3_ddot*z_18;
+    const double z_24 = theta_3_ddot*z_21;
+    const double z_25 = (sin_theta_1*z_23 + cos_theta_1*z_24) + z_15;
+    D[2] = -(z_19*z_9 - z_22*z_1 - z_2 - l_1*z_25);
+    const double theta_4_dot = v[3];
+    const double z_26 = theta_4_dot*theta_4_dot;
+    const double l_4 = c[8];
+    const double theta_4 = x[3];
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_28 = l_4*sin_theta_4;
+    const double z_29 = z_19 + z_26*z_28;
+    const double cos_theta_4 = em_cos(theta_4);
+    const double z_31 = l_4*cos_theta_4;
+    const double z_32 = z_22 + z_26*z_31;
+    const double theta_4_ddot = a[3];
+    const double z_33 = theta_4_ddot*z_28;
+    const double z_34 = theta_4_ddot*z_31;
+    const double z_35 = (sin_theta_1*z_33 + cos_theta_1*z_34) + z_25;
+    const double z_36 = z_2 + l_1*z_35;
+    D[3] = -(z_29*z_9 - z_32*z_1 - z_36);
+    const double theta_5_dot = v[4];
+    const double z_37 = theta_5_dot*theta_5_dot;
+    const double l_5 = c[9];
+    const double theta_5 = x[4];
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_39 = l_5*sin_theta_5;
+    const double z_40 = z_29 + z_37*z_39;
+    const double cos_theta_5 = em_cos(theta_5);
+    const double z_42 = l_5*cos_theta_5;
+    const double z_43 = z_32 + z_37*z_42;
+    const double theta_5_ddot = a[4];
+    const double z_44 = l_5*theta_5_ddot;
+    const double z_45 = sin_theta_5*z_44;
+    const double z_46 = cos_theta_5*z_44;
+    D[4] = -(z_40*z_9 - z_43*z_1 - z_1*z_45 - z_9*z_46 - z_36);
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double m_5 = c[4];
+    const double m_4 = c[3];
+    const double z_47 = m_5*z_43 + m_4*z_32;
+    const double z_48 = m_3*z_22 + z_47;
+    const double z_49 = m_2*z_12 + z_48;
+    const double z_50 = m_5*z_40 + m_4*z_29;
+    const double z_51 = m_3*z_19 + z_50;
+    const double z_52 = m_2*z_7 + z_51;
+    const double z_53 = m_5*sin_theta_5;
+    const double z_54 = z_53*z_44;
+    const double z_55 = m_5*cos_theta_5;
+    const double z_56 = z_55*z_44;
+    const double z_57 = m_4*g + m_5*g;
+    const double z_58 = m_3*g + z_57;
+    const double z_59 = m_2*g + z_58;
+    const double m_1 = c[0];
+    const double z_60 = l_1*m_4 + l_1*m_5;
+    const double z_61 = l_1*m_3 + z_60;
+    const double z_62 = l_1*m_2 + z_61;
+    const double z_63 = l_1*m_1;
+    const double z_64 = m_4 + m_5;
+    D[5] = sin_theta_1*z_49 + sin_theta_1*z_54 + cos_theta_1*z_56 + m_3*z_25 + m_2*z_15 + sin_theta_1*(z_59 +
+        m_1*g) + theta_1_ddot*(z_62 + 2.0*z_63) + z_35*z_64 - cos_theta_1*z_52;
+    const double z_65 = cos_theta_2*z_4;
+    const double z_66 = z_62*sin_theta_1;
+    const double z_67 = sin_theta_2*z_4;
+    const double z_68 = z_62*cos_theta_1;
+    const double z_69 = sin_theta_2*theta_2_ddot;
+    const double z_70 = cos_theta_2*theta_2_ddot;
+    D[6] = z_65*z_66 + z_69*z_66 + z_70*z_68 - z_67*z_68;
+    const double z_71 = cos_theta_3*z_16;
+    const double z_72 = sin_theta_1*z_61;
+    const double z_73 = sin_theta_3*z_16;
+    const double z_74 = cos_theta_1*z_61;
+    const double z_75 = sin_theta_3*theta_3_ddot;
+    const double z_76 = cos_theta_3*theta_3_ddot;
+    D[7] = z_71*z_72 + z_75*z_72 + z_76*z_74 - z_73*z_74;
+    const double z_77 = cos_theta_4*z_26;
+    const double z_78 = sin_theta_1*z_60;
+    const double z_79 = sin_theta_4*z_26;
+    const double z_80 = cos_theta_1*z_60;
+    const double z_81 = sin_theta_4*theta_4_ddot;
+    const double z_82 = cos_theta_4*theta_4_ddot;
+    D[8] = z_77*z_78 + z_81*z_78 + z_82*z_80 - z_79*z_80;
+    const double z_83 = z_37*z_55;
+    const double z_84 = z_37*z_53;
+    const double z_85 = theta_5_ddot*z_53;
+    const double z_86 = theta_5_ddot*z_55;
+    D[9] = z_1*z_83 + z_1*z_85 + z_9*z_86 - z_9*z_84;
+    D[10] = sin_theta_1*(z_62 + z_63);
+    const double z_87 = sin_theta_1*theta_1_ddot;
+    const double z_88 = cos_theta_1*theta_1_ddot;
+    const double z_89 = z_6*z_87 + z_11*z_88;
+    const double z_90 = g*z_6 + l_1*z_89;
+    D[13] = -(z_7*z_11 - z_12*z_6 - theta_2_ddot*(l_2*l_2) - z_90);
+    const double z_91 = l_2*theta_2_ddot + (sin_theta_2*z_23 + cos_theta_2*z_24);
+    D[14] = -(z_19*z_11 - z_22*z_6 - l_2*z_91 - z_90);
+    const double z_92 = (sin_theta_2*z_33 + cos_theta_2*z_34) + z_91;
+    const double z_93 = l_2*z_92 + z_90;
+    D[15] = -(z_29*z_11 - z_32*z_6 - z_93);
+    D[16] = -(z_40*z_11 - z_43*z_6 - z_6*z_45 - z_11*z_46 - z_93);
+    const double z_94 = m_2*l_2;
+    const double z_95 = m_4*l_2 + m_5*l_2;
+    const double z_96 = m_3*l_2 + z_95;
+    const double z_97 = z_94 + z_96;
+    const double z_98 = sin_theta_2*z_97;
+    const double z_99 = cos_theta_1*z_3;
+    const double z_100 = sin_theta_1*z_3;
+    const double z_101 = m_3 + z_64;
+    D[17] = z_98*z_99 + z_89*(m_2 + z_101) - cos_theta_2*z_97*z_100;
+    D[18] = sin_theta_2*z_49 + sin_theta_2*z_59 + sin_theta_2*z_54 + cos_theta_2*z_56 + m_3*z_91 +
+        z_62*sin_theta_2*z_87 + z_62*cos_theta_2*z_88 + theta_2_ddot*(z_94 + z_97) + z_64*z_92 - cos_theta_2*z_52;
+    const double z_102 = sin_theta_2*z_96;
+    const double z_103 = cos_theta_2*z_96;
+    D[19] = z_71*z_102 + z_75*z_102 + z_76*z_103 - z_73*z_103;
+    const double z_104 = sin_theta_2*z_95;
+    const double z_105 = cos_theta_2*z_95;
+    D[20] = z_77*z_104 + z_81*z_104 + z_82*z_105 - z_79*z_105;
+    D[21] = z_6*z_83 + z_6*z_85 + z_11*z_86 - z_11*z_84;
+    D[22] = z_98;
+    const double z_106 = z_18*z_87 + z_21*z_88;
+    const double z_107 = z_18*z_69 + z_21*z_70;
+    const double z_108 = l_1*z_106 + (g*z_18 + l_2*z_107);
+    D[26] = -(z_19*z_21 - z_22*z_18 - theta_3_ddot*(l_3*l_3) - z_108);
+    const double z_109 = l_3*theta_3_ddot + (sin_theta_3*z_33 + cos_theta_3*z_34);
+    const double z_110 = l_3*z_109 + z_108;
+    D[27] = -(z_29*z_21 - z_32*z_18 - z_110);
+    D[28] = -(z_40*z_21 - z_43*z_18 - z_18*z_45 - z_21*z_46 - z_110);
+    const double z_111 = m_3*l_3;
+    const double z_112 = m_4*l_3 + m_5*l_3;
+    const double z_113 = z_111 + z_112;
+    const double z_114 = sin_theta_3*z_113;
+    const double z_115 = cos_theta_3*z_113;
+    D[29] = z_114*z_99 + z_106*z_101 - z_100*z_115;
+    D[30] = z_114*z_65 + z_107*z_101 - z_67*z_115;
+    D[31] = sin_theta_3*z_48 + sin_theta_3*z_58 + sin_theta_3*z_54 + cos_theta_3*z_56 + sin_theta_3*z_96*z_69 +
+        cos_theta_3*z_96*z_70 + z_61*sin_theta_3*z_87 + z_61*cos_theta_3*z_88 + theta_3_ddot*(z_111 + z_113) +
+        z_64*z_109 - cos_theta_3*z_51;
+    const double z_116 = sin_theta_3*z_112;
+    const double z_117 = cos_theta_3*z_112;
+    D[32] = z_77*z_116 + z_81*z_116 + z_82*z_117 - z_79*z_117;
+    D[33] = z_18*z_83 + z_18*z_85 + z_21*z_86 - z_21*z_84;
+    D[34] = z_114;
+    const double z_118 = z_28*z_75 + z_31*z_76;
+    const double z_119 = z_28*z_69 + z_31*z_70;
+    const double z_120 = z_28*z_87 + z_31*z_88;
+    const double z_121 = (l_3*z_118 + l_2*z_119) + (l_1*z_120 + (g*z_28 + theta_4_ddot*(l_4*l_4)));
+    D[39] = -(z_29*z_31 - z_32*z_28 - z_121);
+    D[40] = -(z_40*z_31 - z_43*z_28 - z_28*z_45 - z_31*z_46 - z_121);
+    const double z_122 = m_4*l_4 + m_5*l_4;
+    const double z_123 = sin_theta_4*z_122;
+    const double z_124 = cos_theta_4*z_122;
+    D[41] = z_123*z_99 + z_64*z_120 - z_100*z_124;
+    D[42] = z_123*z_65 + z_64*z_119 - z_67*z_124;
+    D[43] = z_123*z_71 + z_64*z_118 - z_73*z_124;
+    D[44] = sin_theta_4*z_47 + sin_theta_4*z_57 + sin_theta_4*z_54 + cos_theta_4*z_56 + sin_theta_4*z_112*z_75 +
+        cos_theta_4*z_112*z_76 + sin_theta_4*z_95*z_69 + cos_theta_4*z_95*z_70 + z_60*sin_theta_4*z_87 +
+        z_60*cos_theta_4*z_88 + theta_4_ddot*(z_122 + z_122) - cos_theta_4*z_50;
+    D[45] = z_28*z_83 + z_28*z_85 + z_31*z_86 - z_31*z_84;
+    D[46] = z_123;
+    const double z_125 = theta_1_ddot*z_1;
+    const double z_126 = theta_1_ddot*z_9;
+    D[52] = theta_5_ddot*(l_5*l_5) + z_43*z_39 + g*z_39 + z_39*z_33 + z_42*z_34 + z_39*z_23 + z_42*z_24 +
+        z_39*z_13 + z_42*z_14 + z_39*z_125 + z_42*z_126 - z_40*z_42;
+    const double z_127 = l_5*z_53;
+    const double z_128 = l_5*z_55;
+    D[53] = z_127*z_99 + z_127*z_87 + z_128*z_88 - z_128*z_100;
+    D[54] = z_127*z_65 + z_127*z_69 + z_128*z_70 - z_128*z_67;
+    D[55] = z_127*z_71 + z_127*z_75 + z_128*z_76 - z_128*z_73;
+    D[56] = z_127*z_77 + z_127*z_81 + z_128*z_82 - z_128*z_79;
+    D[57] = 2.0*m_5*z_44 + z_43*z_53 + g*z_53 + z_53*z_33 + z_55*z_34 + z_53*z_23 + z_55*z_24 + z_53*z_13 +
+        z_55*z_14 + z_53*z_125 + z_55*z_126 - z_40*z_55;
+    D[58] = z_127;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -902,7 +1352,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -1122,6 +1573,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -1131,7 +1586,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -1227,6 +1682,9 @@ const em_model chain_5_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

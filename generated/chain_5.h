@@ -1,5 +1,5 @@
 /* eigenmotion generate chain.py */
-/* input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d */
+/* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
 /* body sha256:86e4968f6409227f7cb63a5f3044c20e4fa021082d0f99972460d16e7814e57c */
 /* chain_5: 5 coordinates, 0 constraint rows, 40 states.
  * Link chain_5.c with a program of your own, or import the Python module built from chain_5.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate chain.py
-# input sha256:5937a8df8603ef9c2324b06c6edca37a636ccc2a63a9ee91168c3a5a0bae827d
+# input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0
 # body sha256:c649ed9140abf8b5eaac5e4ae5bd19cd83ebb7d9342b1472aebc5173f3d0214b
 # cython: language_level=3
 """chain_5, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
-/* input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0 */
-/* body sha256:0002e333812027140478639cba2dc82d46e901f64467ee1ca784963ea2e8e3df */
+/* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
+/* body sha256:0726955b15b3ab9c59b83f2120d4d9e92cff34ea29b67ae0e30efe0cde10987f */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -48,6 +48,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
+    N_GIVEN = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
     N_PREPARED = 7,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* x, y, theta */
 };
@@ -304,7 +306,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -391,6 +393,104 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     p[9] = 0.5*(2.0*y - z_3);
     p[10] = 0.5*(2.0*x_ + z_1);
     p[11] = 0.5*(2.0*y + z_3);
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  EM_UNUSED const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta_dot = v[2];
+    const double z_0 = theta_dot*theta_dot;
+    const double theta = x[2];
+    const double sin_theta = em_sin(theta);
+    const double m = c[0];
+    const double a_ = c[2];
+    const double z_2 = m*a_;
+    const double z_3 = sin_theta*z_2;
+    const double cos_theta = em_cos(theta);
+    const double lambda_0 = lambda[0];
+    const double theta_ddot = a[2];
+    const double z_5 = lambda_0 + theta_ddot*z_2;
+    D[2] = z_0*z_3 - cos_theta*z_5;
+    const double z_6 = cos_theta*z_2;
+    D[5] = (-2.0)*(theta_dot*z_6);
+    D[8] = -(z_0*z_6 + sin_theta*z_5);
+    D[11] = (-2.0)*(theta_dot*z_3);
+    const double y_ddot = a[1];
+    const double x_ddot = a[0];
+    D[14] = -(y_ddot*z_3 + x_ddot*z_6);
+    const double x_dot = v[0];
+    const double y_dot = v[1];
+    D[20] = -(sin_theta*(y_ddot - x_dot*theta_dot) + cos_theta*(x_ddot + y_dot*theta_dot));
+    D[21] = -theta_dot*cos_theta;
+    D[22] = -theta_dot*sin_theta;
+    D[23] = -(y_dot*sin_theta + x_dot*cos_theta);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_dot = v[2];
+    const double z_0 = theta_dot*theta_dot;
+    const double a_ = c[2];
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double z_2 = a_*cos_theta;
+    const double x_ddot = a[0];
+    const double theta_ddot = a[2];
+    const double sin_theta = em_sin(theta);
+    const double z_4 = a_*sin_theta;
+    D[0] = -(z_0*z_2 + theta_ddot*z_4 - x_ddot);
+    const double m = c[0];
+    const double z_5 = m*sin_theta;
+    const double z_6 = m*cos_theta;
+    D[2] = -(theta_ddot*z_5 + z_0*z_6);
+    const double y_ddot = a[1];
+    D[4] = -(z_0*z_4 - y_ddot - theta_ddot*z_2);
+    D[6] = theta_ddot*z_6 - z_0*z_5;
+    D[8] = y_ddot*z_2 + theta_ddot*(a_*a_) - x_ddot*z_4;
+    D[9] = theta_ddot;
+    D[10] = 2.0*m*a_*theta_ddot + y_ddot*z_6 - x_ddot*z_5;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  EM_UNUSED const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double y_dot = v[1];
+    const double theta = x[2];
+    const double sin_theta = em_sin(theta);
+    const double x_dot = v[0];
+    const double cos_theta = em_cos(theta);
+    D[2] = -(y_dot*sin_theta + x_dot*cos_theta);
+    D[3] = -sin_theta;
+    D[4] = cos_theta;
 }
 
 #endif
@@ -481,7 +581,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -634,6 +735,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -643,7 +748,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -734,6 +839,11 @@ const em_model chaplygin_sleigh_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

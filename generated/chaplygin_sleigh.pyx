@@ -1,5 +1,5 @@
 # eigenmotion generate chaplygin_sleigh.py
-# input sha256:ded090bbeb3b3b43d2254122958f193e69602bd5a08c92cd36b0ce99ee4812d0
+# input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238
 # body sha256:b2f12360cf882c8e88caf74568b7e0e3f78ddfcaa968002766db55dd8a39d8bd
 # cython: language_level=3
 """chaplygin_sleigh, compiled: `system` is its System (eigenfactor)."""

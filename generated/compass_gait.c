@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:d0a42b55ad13c440125f860b1db80d9c5f7da5fa4a713ae8a319cc4f24c11ed1 */
+/* body sha256:0af3da104d197f46c04a392d8f660651ffbacd730671463d8d8eafca78fb8e73 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -46,6 +46,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
     N_PREPARED = 22,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* theta, phi */
 };
@@ -287,7 +289,7 @@ extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -452,6 +454,179 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double gamma = c[4];
+    const double cos_gamma = em_cos(gamma);
+    const double g = c[3];
+    const double M = c[0];
+    const double l = c[2];
+    const double z_2 = g*(M*l);
+    const double m = c[1];
+    const double z_3 = l*m;
+    const double z_4 = g*z_3;
+    const double z_5 = cos_gamma*z_4;
+    const double sin_theta = em_sin(theta);
+    const double sin_gamma = em_sin(gamma);
+    const double z_8 = sin_gamma*z_4;
+    const double phi = x[1];
+    const double cos_phi = em_cos(phi);
+    const double sin_phi = em_sin(phi);
+    const double z_11 = z_5*(cos_phi*cos_theta + sin_phi*sin_theta) - z_8*(sin_phi*cos_theta - cos_phi*sin_theta);
+    D[0] = -(cos_theta*(cos_gamma*z_2 + z_5) + sin_theta*(sin_gamma*z_2 + z_8) - z_11);
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double z_12 = m*(l*l);
+    const double z_13 = cos_phi*z_12;
+    const double z_14 = sin_phi*sin_phi;
+    const double z_15 = phi_dot*z_12;
+    const double z_16 = z_14*z_15;
+    const double z_17 = cos_phi*cos_phi;
+    const double z_18 = z_16 - z_17*z_15;
+    const double z_19 = (l - l*cos_phi)*z_3;
+    const double z_20 = phi_dot*z_19;
+    const double z_21 = z_18 - 0.5*(z_18 + (z_16 + cos_phi*z_20));
+    const double z_22 = 2.0*z_21;
+    const double z_23 = sin_phi*z_13;
+    const double z_24 = z_23 - 0.5*(z_23 - sin_phi*z_19);
+    const double z_25 = sin_phi*z_12 + 2.0*z_24;
+    const double theta_ddot = a[0];
+    const double z_26 = 2.0*z_24;
+    const double phi_ddot = a[1];
+    D[1] = -((z_11 - (theta_dot*(phi_dot*z_13 - 2.0*z_21) + phi_dot*z_22)) - (z_25*theta_ddot - z_26*phi_ddot));
+    const double z_27 = phi_dot*z_23;
+    const double z_28 = z_27 - 0.5*(z_27 - sin_phi*z_20);
+    D[2] = sin_phi*z_15 + 2.0*z_28;
+    const double z_29 = 2.0*z_28;
+    D[3] = theta_dot*z_25 - (z_29 + phi_dot*z_26);
+    D[4] = -z_11;
+    const double z_30 = theta_dot*theta_dot;
+    const double z_31 = z_30 - 2.0*theta_dot*phi_dot;
+    const double z_32 = z_31*z_12;
+    const double z_33 = z_14*z_32;
+    const double z_34 = cos_phi*z_3;
+    D[5] = 0.5*(((2.0*z_11 + 2.0*(z_33 - z_17*z_32) - (2.0*z_33 + cos_phi*(z_31*z_19 - l*(z_31*z_34 - z_30*z_3))))
+        + 2.0*theta_dot*z_22) - 2.0*z_26*theta_ddot);
+    const double z_35 = theta_dot - phi_dot;
+    D[6] = -(z_29 + (2.0*z_35*z_23 + sin_phi*(z_35*z_19 + l*(theta_dot*z_3 - z_35*z_34))));
+    D[7] = (2.0*theta_dot*z_23 + sin_phi*(theta_dot*z_19 - theta_dot*z_13)) - theta_dot*z_26;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_ddot = a[0];
+    const double l = c[2];
+    const double z_0 = l*l;
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double g = c[3];
+    const double gamma = c[4];
+    const double sin_gamma = em_sin(gamma);
+    const double z_3 = g*sin_gamma;
+    const double z_4 = l*z_3;
+    const double sin_theta = em_sin(theta);
+    const double cos_gamma = em_cos(gamma);
+    const double z_7 = g*cos_gamma;
+    const double z_8 = l*z_7;
+    const double z_9 = cos_theta*z_4 - sin_theta*z_8;
+    D[0] = theta_ddot*z_0 + z_9;
+    const double phi = x[1];
+    const double cos_phi = em_cos(phi);
+    const double sin_phi = em_sin(phi);
+    const double z_12 = cos_phi*cos_theta + sin_phi*sin_theta;
+    const double z_13 = sin_phi*cos_theta - cos_phi*sin_theta;
+    const double z_14 = z_12*z_4 + z_13*z_8;
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double z_15 = phi_dot*sin_phi;
+    const double z_16 = cos_phi*z_15;
+    const double z_17 = z_0*z_16;
+    const double z_18 = l - l*cos_phi;
+    const double z_19 = l*z_18;
+    const double z_20 = z_17 + 0.5*(z_19*z_15 - z_17);
+    const double z_21 = 2.0*z_20;
+    const double z_22 = sin_phi*sin_phi;
+    const double z_23 = cos_phi*z_19 - z_0*z_22;
+    const double phi_ddot = a[1];
+    D[1] = ((z_9 - z_14) + (theta_dot*(z_0*z_15 + 2.0*z_20) - phi_dot*z_21)) - (theta_ddot*(z_23 - z_19) -
+        phi_ddot*z_23);
+    const double m = c[1];
+    const double z_24 = m*z_3;
+    const double M = c[0];
+    const double z_25 = m*z_7;
+    const double z_26 = z_24*z_12 + z_25*z_13;
+    const double z_27 = l*m;
+    const double z_28 = z_27*z_16;
+    const double z_29 = m*z_18;
+    const double z_30 = (1.0 - cos_phi)*z_27;
+    const double z_31 = z_28 - 0.25*(2.0*z_28 - (z_29*z_15 + z_30*z_15));
+    const double z_32 = 4.0*z_31;
+    const double z_33 = M*l;
+    const double z_34 = z_22*z_27 - 0.5*(cos_phi*z_29 + cos_phi*z_30);
+    const double z_35 = 2.0*z_34;
+    D[2] = ((cos_theta*(z_24 + M*z_3) - sin_theta*(z_25 + M*z_7) - z_26) + (theta_dot*(2.0*z_27*z_15 + 4.0*z_31) -
+        phi_dot*z_32)) + (theta_ddot*(2.0*z_33 + (z_29 + z_30) + 2.0*z_34) - phi_ddot*z_35);
+    const double z_36 = sin_gamma*z_27;
+    const double z_37 = cos_gamma*z_27;
+    const double z_38 = z_12*z_36 + z_13*z_37;
+    D[3] = cos_theta*(z_36 + z_33*sin_gamma) - sin_theta*(z_37 + z_33*cos_gamma) - z_38;
+    const double z_39 = z_27*z_7;
+    const double z_40 = z_27*z_3;
+    const double z_41 = z_39*z_12 - z_40*z_13;
+    D[4] = cos_theta*(z_33*z_7 + z_39) + sin_theta*(z_33*z_3 + z_40) - z_41;
+    const double z_42 = theta_dot*theta_dot;
+    const double z_43 = z_42 - 2.0*theta_dot*phi_dot;
+    const double z_44 = cos_phi*z_43;
+    const double z_45 = sin_phi*z_44;
+    D[7] = (-0.5)*(((2.0*z_0*z_45 + sin_phi*(z_43*z_19 + l*(l*z_42 - l*z_44)) - 2.0*z_14) + 2.0*theta_dot*z_21) -
+        2.0*(phi_ddot*z_0 + theta_ddot*z_23));
+    D[8] = (-0.5)*(((4.0*z_27*z_45 + sin_phi*((z_43*z_29 + z_43*z_30) - ((z_27*z_44 - z_42*z_27) - l*(m*z_42 -
+        m*z_44))) - 2.0*z_26) + 2.0*theta_dot*z_32) - 2.0*(2.0*phi_ddot*z_27 - theta_ddot*z_35));
+    D[9] = z_38;
+    D[10] = z_41;
+}
+
+/* D (n_events, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
+    D[0] = -2.0;
+    D[1] = 1.0;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -561,7 +736,8 @@ static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED
     crossing[0] = phi - 2.0*theta;
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -693,6 +869,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -702,7 +882,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -725,7 +905,7 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "phi", NULL };
 static const char *const parameter_names[] = { "M", "m", "l", "g", "gamma", NULL };
@@ -810,9 +990,21 @@ const em_model compass_gait_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .event_partials = event_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
-/* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
-/* body sha256:39a5d0497d3432fd47a8abbdf4a0d6198fcf1f11b4acf5ff814ae65a22933ee4 */
+/* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
+/* body sha256:8d1ce2534590c2ff2b0b59ef470ff8f3b77e85273c7b5daeda221654eff9e1e0 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -45,6 +45,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
     N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* theta1, theta2 */
 };
@@ -258,7 +260,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -362,6 +364,127 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double l2 = c[3];
+    const double l1 = c[2];
+    const double m2 = c[1];
+    const double z_2 = l1*m2;
+    const double z_3 = l2*z_2;
+    const double z_4 = cos_theta1*z_3;
+    const double z_5 = cos_theta2*z_4;
+    const double sin_theta2 = em_sin(theta2);
+    const double sin_theta1 = em_sin(theta1);
+    const double z_8 = sin_theta1*z_3;
+    const double z_9 = sin_theta2*z_8;
+    const double z_10 = theta1_dot*theta2_dot*(z_5 + z_9);
+    const double m1 = c[0];
+    const double g = c[4];
+    const double z_11 = (theta1_dot*z_5 - theta2_dot*z_9) + (theta1_dot*z_9 - theta2_dot*z_5);
+    const double z_12 = theta2_dot*z_11;
+    const double z_13 = cos_theta2*z_8;
+    const double z_14 = sin_theta2*z_4;
+    const double z_15 = z_13 - z_14;
+    const double theta2_ddot = a[1];
+    const double z_16 = z_15*theta2_ddot;
+    D[0] = ((z_10 + cos_theta1*(m1*l1*g + g*z_2)) - z_12) - z_16;
+    D[1] = z_16 - (z_10 - z_12);
+    const double z_17 = theta1_dot*z_15;
+    const double z_18 = (theta1_dot*z_13 + theta2_dot*z_14) - (theta1_dot*z_14 + theta2_dot*z_13);
+    const double z_19 = theta2_dot*z_15;
+    D[3] = z_17 - (z_18 - z_19);
+    const double z_20 = theta1_dot*z_11;
+    const double theta1_ddot = a[0];
+    const double z_21 = z_15*theta1_ddot;
+    D[4] = -((z_10 + z_20) + z_21);
+    D[5] = z_21 + (z_20 + (z_10 + m2*l2*cos_theta2*g));
+    D[6] = -(z_19 + (z_18 + z_17));
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double l1 = c[2];
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double g = c[4];
+    const double z_1 = l1*sin_theta1*g;
+    const double theta1_ddot = a[0];
+    const double z_2 = theta1_ddot*(l1*l1);
+    D[0] = z_1 + z_2;
+    const double cos_theta1 = em_cos(theta1);
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta1*sin_theta2;
+    const double l2 = c[3];
+    const double z_6 = l1*l2;
+    const double cos_theta2 = em_cos(theta2);
+    const double z_8 = cos_theta2*sin_theta1;
+    const double theta1_dot = v[0];
+    const double theta2_dot = v[1];
+    const double z_9 = theta1_dot*theta2_dot;
+    const double z_10 = (z_5*z_6 - z_8*z_6)*z_9;
+    const double z_11 = theta2_dot*z_5;
+    const double z_12 = theta1_dot*z_8;
+    const double z_13 = theta2_dot*z_8;
+    const double z_14 = theta1_dot*z_5;
+    const double z_15 = (z_6*z_11 + z_6*z_12) - (z_6*z_13 + z_6*z_14);
+    const double theta2_ddot = a[1];
+    const double z_16 = sin_theta1*sin_theta2;
+    const double z_17 = cos_theta1*cos_theta2;
+    const double z_18 = z_6*z_16 + z_6*z_17;
+    D[1] = ((z_1 - z_10) - theta2_dot*z_15) + (z_2 + theta2_ddot*z_18);
+    const double m2 = c[1];
+    const double z_19 = m2*g;
+    const double m1 = c[0];
+    const double z_20 = m2*l2;
+    const double z_21 = (z_20*z_5 - z_20*z_8)*z_9;
+    const double z_22 = (z_20*z_11 + z_20*z_12) - (z_20*z_13 + z_20*z_14);
+    const double z_23 = l1*m2;
+    const double z_24 = m1*l1 + z_23;
+    const double z_25 = z_20*z_16 + z_20*z_17;
+    D[2] = ((sin_theta1*(z_19 + m1*g) - z_21) - theta2_dot*z_22) + (2.0*theta1_ddot*z_24 + theta2_ddot*z_25);
+    const double z_26 = (z_23*z_5 - z_23*z_8)*z_9;
+    const double z_27 = (z_23*z_11 + z_23*z_12) - (z_23*z_13 + z_23*z_14);
+    const double z_28 = z_23*z_16 + z_23*z_17;
+    D[3] = -((z_26 + theta2_dot*z_27) - theta2_ddot*z_28);
+    D[4] = sin_theta1*z_24;
+    D[7] = ((l2*sin_theta2*g + z_10) - theta1_dot*z_15) + (theta2_ddot*(l2*l2) + theta1_ddot*z_18);
+    D[8] = (z_21 - theta1_dot*z_22) + theta1_ddot*z_25;
+    D[9] = ((sin_theta2*z_19 + z_26) - theta1_dot*z_27) + (2.0*theta2_ddot*z_20 + theta1_ddot*z_28);
+    D[10] = sin_theta2*z_20;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -452,7 +575,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -585,6 +709,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -594,7 +722,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -684,6 +812,9 @@ const em_model double_pendulum_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 /* eigenmotion generate double_pendulum.py */
-/* input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06 */
+/* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
 /* body sha256:3c50b145badd7f890c9262f851f837defe76053c712cb0c30054b219b5d4f0b7 */
 /* double_pendulum: 2 coordinates, 0 constraint rows, 10 states.
  * Link double_pendulum.c with a program of your own, or import the Python module built from double_pendulum.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate double_pendulum.py
-# input sha256:e6cfab1e1cee15846756b3c2bd8b894b28db22fd5a53cdc41e8f0e725a706b06
+# input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95
 # body sha256:4752a0763ff093c19259e39e58b2b58a12726b9151983c84666453b3c8e27c47
 # cython: language_level=3
 """double_pendulum, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
-/* input sha256:f03e70c1bada2a6ab9bc3811e7865c0ae1b77524d6c1f3ea721379785f3676f2 */
-/* body sha256:2aa16afd184a4c2b1c02ac6dab7b5470954866b05f2904c5701416fa6a2cb5eb */
+/* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
+/* body sha256:1ce7b9bff8dcb8c34d343ac526f456008fd9b8b5bde295d256ca673e57232757 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -46,6 +46,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
     N_PREPARED = 24,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
@@ -216,7 +218,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -294,6 +296,126 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
     p[12] = c_9;
     const double c_10 = c[23];
     p[15] = c_10;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double lambda_0 = lambda[0];
+    D[0] = 2.0*lambda_0;
+    D[5] = 2.0*lambda_0;
+    const double x_ddot = a[0];
+    D[8] = 2.0*x_ddot;
+    const double y_ddot = a[1];
+    const double a_ = c[3];
+    const double w = c[4];
+    const double z_0 = t*w;
+    const double cos_z_0 = em_cos(z_0);
+    D[9] = 2.0*(y_ddot + a_*cos_z_0*(w*w));
+    const double x_dot = v[0];
+    D[10] = 4.0*x_dot;
+    const double y_dot = v[1];
+    const double sin_z_0 = em_sin(z_0);
+    D[11] = 4.0*(y_dot + a_*w*sin_z_0);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double x_ddot = a[0];
+    D[0] = x_ddot;
+    const double g = c[2];
+    const double y_ddot = a[1];
+    D[6] = g + y_ddot;
+    const double m = c[0];
+    D[8] = m;
+    const double w = c[4];
+    const double z_0 = t*w;
+    const double cos_z_0 = em_cos(z_0);
+    const double lambda_0 = lambda[0];
+    D[9] = (-2.0)*(cos_z_0*lambda_0);
+    const double a_ = c[3];
+    const double sin_z_0 = em_sin(z_0);
+    const double z_3 = a_*sin_z_0;
+    D[10] = 2.0*(t*lambda_0*z_3);
+    const double z_4 = a_*w;
+    const double z_5 = sin_z_0*z_4;
+    D[11] = 2.0*(z_5*lambda_0);
+    const double z_6 = w*w;
+    const double y = x[1];
+    const double z_7 = a_*cos_z_0;
+    const double z_8 = y - z_7;
+    const double z_9 = cos_z_0*z_8;
+    const double y_dot = v[1];
+    const double z_10 = y_dot + z_5;
+    const double z_11 = y_ddot + z_7*z_6;
+    D[15] = 2.0*(z_6*z_9 + 2.0*w*sin_z_0*z_10 - cos_z_0*z_11);
+    const double z_12 = 2.0*cos_z_0*z_10*z_4 - sin_z_0*(a_*z_8*z_6 - a_*z_11);
+    D[16] = 2.0*(2.0*z_4*z_9 + 2.0*z_10*z_3 + t*z_12);
+    D[17] = 2.0*(w*z_12);
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double x_ = x[0];
+    D[0] = 2.0*x_;
+    const double y = x[1];
+    const double a_ = c[3];
+    const double w = c[4];
+    const double z_0 = t*w;
+    const double cos_z_0 = em_cos(z_0);
+    const double z_2 = a_*cos_z_0;
+    const double z_3 = y - z_2;
+    D[1] = 2.0*z_3;
+    const double l = c[1];
+    D[5] = (-2.0)*l;
+    D[7] = (-2.0)*(cos_z_0*z_3);
+    const double sin_z_0 = em_sin(z_0);
+    const double z_5 = a_*sin_z_0;
+    const double z_6 = z_3*z_5;
+    D[8] = 2.0*(t*z_6);
+    const double z_7 = w*z_3;
+    D[9] = 2.0*(z_5*z_7);
+    const double x_dot = v[0];
+    D[10] = 2.0*x_dot;
+    const double y_dot = v[1];
+    const double z_8 = y_dot + w*z_5;
+    D[11] = 2.0*z_8;
+    D[12] = 2.0*x_;
+    D[13] = 2.0*z_3;
+    D[17] = (-2.0)*(cos_z_0*z_8 - sin_z_0*z_7);
+    const double z_9 = z_2*z_7 + z_8*z_5;
+    D[18] = 2.0*(z_6 + t*z_9);
+    D[19] = 2.0*(w*z_9);
 }
 
 #endif
@@ -411,7 +533,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(double t, const double *restrict x, const double *restrict c,
@@ -521,6 +644,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -530,7 +657,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -620,6 +747,11 @@ const em_model driven_pendulum_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 # eigenmotion generate driven_pendulum.py
-# input sha256:f03e70c1bada2a6ab9bc3811e7865c0ae1b77524d6c1f3ea721379785f3676f2
+# input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0
 # body sha256:9b73536c138f7703be709faf20d42dbae1c8fc42ad4d454ca38ad69bef138046
 # cython: language_level=3
 """driven_pendulum, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
-/* input sha256:03661c6d20f5a8cb88cd034f411466fa0dcf11c1fb135347a853d98d37b52765 */
-/* body sha256:5b9758b2af2022bdbff0f5607750ce3c65a68ecd19d22f7dd2ef79753103aa7c */
+/* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
+/* body sha256:3a4c7ccd2b38abded8250f4924a5d28430fe38194c62695a9adf193c8c106360 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -47,6 +47,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
+    N_GIVEN = 13,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 29,   /* x, v and these: what motion depends on */
     N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* x, y, z, sway, heave */
     N2 = 3,             /* yaw, pitch, roll */
@@ -530,7 +532,7 @@ extern void observe(EM_UNUSED double t, const double *restrict x, const double *
                       const double *restrict c, EM_UNUSED const double *restrict u, double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -832,6 +834,410 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, const double *restrict u, double *restrict D);
+extern void output_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, EM_UNUSED const double *restrict lambda,
+                              const double *restrict c, EM_UNUSED const double *restrict u,
+                              double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double yaw = x[3];
+    const double sin_yaw = em_sin(yaw);
+    const double f1 = u[0];
+    const double f3 = u[2];
+    const double z_1 = f1 + f3;
+    const double f2 = u[1];
+    const double f4 = u[3];
+    const double z_2 = f2 + f4;
+    const double z_3 = z_1 + z_2;
+    const double pitch = x[4];
+    const double sin_pitch = em_sin(pitch);
+    const double roll = x[5];
+    const double cos_roll = em_cos(roll);
+    const double z_6 = sin_pitch*cos_roll;
+    const double z_7 = z_3*z_6;
+    const double cos_yaw = em_cos(yaw);
+    const double sin_roll = em_sin(roll);
+    const double z_10 = sin_roll*z_3;
+    D[3] = sin_yaw*z_7 - cos_yaw*z_10;
+    const double cos_pitch = em_cos(pitch);
+    const double z_12 = cos_roll*z_3;
+    const double z_13 = cos_pitch*z_12;
+    D[4] = -cos_yaw*z_13;
+    const double z_14 = sin_pitch*z_10;
+    D[5] = cos_yaw*z_14 - sin_yaw*z_12;
+    const double sway = x[6];
+    const double cos_sway = em_cos(sway);
+    const double sway_dot = v[6];
+    const double z_16 = sway_dot*sway_dot;
+    const double heave = x[7];
+    const double cos_heave = em_cos(heave);
+    const double load = c[1];
+    const double L = c[6];
+    const double z_18 = load*L;
+    const double z_19 = cos_heave*z_18;
+    const double heave_ddot = a[7];
+    const double sin_heave = em_sin(heave);
+    const double z_21 = sin_heave*z_18;
+    const double heave_dot = v[7];
+    const double z_22 = heave_dot*heave_dot;
+    const double z_23 = heave_ddot*z_21 + z_22*z_19;
+    const double z_24 = z_16*z_19 + z_23;
+    const double sin_sway = em_sin(sway);
+    const double sway_ddot = a[6];
+    const double z_26 = heave_dot*sin_heave;
+    const double z_27 = sway_dot*z_26;
+    const double z_28 = sway_ddot*z_19 - 2.0*z_18*z_27;
+    D[6] = -(cos_sway*z_24 + sin_sway*z_28);
+    const double z_29 = sin_sway*z_18;
+    const double z_30 = cos_sway*z_18;
+    const double z_31 = sway_dot*heave_dot;
+    D[7] = -(cos_heave*(heave_ddot*z_29 + 2.0*z_30*z_31) + sin_heave*(sway_ddot*z_30 - z_22*z_29 - z_16*z_29));
+    const double z_32 = cos_heave*z_29;
+    D[14] = (-2.0)*(sway_dot*z_32 + z_30*z_26);
+    const double z_33 = sway_dot*sin_heave;
+    D[15] = (-2.0)*(heave_dot*z_32 + z_30*z_33);
+    D[19] = -(sin_yaw*z_10 + cos_yaw*z_7);
+    D[20] = -sin_yaw*z_13;
+    D[21] = cos_yaw*z_12 + sin_yaw*z_14;
+    D[23] = -z_23;
+    D[31] = (-2.0)*(z_18*z_26);
+    D[36] = z_7;
+    D[37] = cos_pitch*z_10;
+    D[38] = cos_sway*z_28 - sin_sway*z_24;
+    D[39] = cos_heave*(heave_ddot*z_30 - 2.0*z_29*z_31) - sin_heave*(sway_ddot*z_29 + z_22*z_30 + z_16*z_30);
+    const double z_34 = cos_heave*z_30;
+    D[46] = 2.0*(sway_dot*z_34 - z_29*z_26);
+    D[47] = (-2.0)*(z_29*z_33 - heave_dot*z_34);
+    const double pitch_ddot = a[4];
+    const double J = c[2];
+    const double J_up = c[3];
+    const double z_35 = J - J_up;
+    const double z_36 = sin_roll*z_35;
+    const double z_37 = cos_roll*z_36;
+    const double pitch_dot = v[4];
+    const double roll_dot = v[5];
+    const double z_38 = pitch_dot*roll_dot;
+    const double z_39 = sin_roll*sin_roll;
+    const double z_40 = z_35*z_39;
+    const double z_41 = cos_roll*cos_roll;
+    const double z_42 = z_35*z_41;
+    const double yaw_dot = v[3];
+    const double z_43 = yaw_dot*pitch_dot;
+    const double z_44 = z_41*(sin_pitch*J_up);
+    const double z_45 = J*sin_pitch;
+    const double z_46 = z_39*z_45;
+    const double a_ = c[4];
+    const double z_47 = a_*(f1 - f3);
+    const double drag = c[5];
+    const double z_48 = drag*(z_1 - z_2);
+    const double yaw_ddot = a[3];
+    const double z_49 = cos_pitch*J_up;
+    const double z_50 = z_41*z_49;
+    const double z_51 = J*cos_pitch;
+    const double z_52 = z_39*z_51;
+    const double z_53 = yaw_dot*roll_dot;
+    const double z_54 = cos_pitch*z_35;
+    const double z_55 = sin_roll*z_54;
+    const double z_56 = cos_roll*z_55;
+    const double z_57 = pitch_dot*pitch_dot;
+    const double roll_ddot = a[5];
+    D[52] = -(sin_pitch*(pitch_ddot*z_37 + z_38*z_42 + 2.0*z_43*z_45 + sin_roll*z_47 + 2.0*yaw_ddot*z_50 +
+        2.0*yaw_ddot*z_52 + 4.0*z_53*z_56 - J*z_38 - z_38*z_40 - 2.0*z_43*z_44 - 2.0*z_43*z_46 - cos_roll*z_48) -
+        cos_pitch*(a_*(f2 - f4) + 2.0*z_51*z_43 + 2.0*yaw_ddot*z_45 - z_57*z_37 - J*roll_ddot - 2.0*z_43*z_50 -
+        2.0*z_43*z_52));
+    const double z_58 = cos_roll*z_54;
+    const double z_59 = z_57*z_36;
+    const double z_60 = z_49*z_6;
+    const double z_61 = cos_pitch*cos_pitch;
+    const double z_62 = cos_roll*z_61;
+    const double z_63 = J_up*z_62;
+    const double z_64 = z_61*z_36;
+    const double z_65 = sin_pitch*z_51;
+    const double z_66 = sin_roll*z_65;
+    const double z_67 = z_35*z_62;
+    D[53] = -(sin_roll*(pitch_ddot*z_55 + 2.0*z_38*z_58 + 2.0*yaw_ddot*z_63 + 2.0*z_53*z_64 - sin_pitch*z_59 -
+        4.0*z_43*z_60 - cos_pitch*z_48) - cos_roll*(pitch_ddot*z_58 + cos_pitch*z_47 +
+        2.0*J*sin_roll*yaw_ddot*z_61 + 2.0*z_53*z_67 - 2.0*z_38*z_55 - z_35*z_57*z_6 - 4.0*z_43*z_66));
+    const double z_68 = z_65*z_39;
+    const double z_69 = roll_dot*sin_roll;
+    const double z_70 = sin_pitch*z_50;
+    D[59] = 2.0*(pitch_dot*z_65 - (pitch_dot*z_68 - J*z_62*z_69) - (pitch_dot*z_70 + z_69*z_63));
+    const double z_71 = roll_dot*z_51;
+    const double z_72 = z_41*z_54;
+    const double z_73 = z_39*z_54;
+    const double z_74 = roll_dot*z_72 - roll_dot*z_73;
+    D[60] = -(2.0*pitch_dot*z_36*z_6 + z_71 + 2.0*yaw_dot*z_70 + 2.0*yaw_dot*z_68 - 2.0*yaw_dot*z_65 - z_74);
+    const double z_75 = pitch_dot*z_51;
+    const double z_76 = yaw_dot*z_36*z_62;
+    D[61] = -(z_75 + pitch_dot*z_73 - pitch_dot*z_72 - 2.0*z_76);
+    const double z_77 = yaw_dot*yaw_dot;
+    D[68] = -(sin_pitch*(J*z_53 + yaw_ddot*z_37 + z_53*z_42 + z_77*z_44 + z_77*z_46 - z_77*z_45 - z_53*z_40) -
+        cos_pitch*(z_77*z_50 + z_77*z_52 - z_77*z_51));
+    const double z_78 = cos_roll*z_35;
+    D[69] = -(sin_roll*(yaw_ddot*z_55 + 2.0*z_53*z_58 + 2.0*z_77*z_60 + z_47 + 2.0*J*cos_roll*pitch_ddot -
+        2.0*z_36*z_38) - cos_roll*(yaw_ddot*z_58 + 2.0*z_77*z_66 + z_48 + 2.0*sin_roll*J_up*pitch_ddot -
+        2.0*z_38*z_78 - 2.0*z_53*z_55));
+    D[75] = z_71 + z_74 - 2.0*yaw_dot*(z_65 - z_68 - z_70);
+    D[76] = (-2.0)*(roll_dot*z_37);
+    const double z_79 = pitch_dot*z_37 - 0.5*yaw_dot*z_51;
+    D[77] = -(yaw_dot*z_73 + 2.0*z_79 - yaw_dot*z_72);
+    D[84] = -(yaw_ddot*z_51 - sin_pitch*(J*z_43 + 2.0*z_77*z_56 + z_43*z_42 - z_43*z_40));
+    D[85] = sin_roll*(2.0*z_43*z_58 + z_77*z_64 - z_59) + cos_roll*(2.0*z_43*z_55 + z_57*z_78 - z_77*z_67);
+    const double z_80 = z_72 - z_73;
+    D[91] = -(z_75 + 2.0*z_76 + pitch_dot*z_80);
+    D[92] = 2.0*z_79 - yaw_dot*z_80;
+    const double g = c[7];
+    const double z_ddot = a[2];
+    const double x_ddot = a[0];
+    D[102] = cos_sway*(g*z_19 + z_ddot*z_19) - x_ddot*z_32;
+    const double z_81 = load*(L*L);
+    const double z_82 = cos_heave*z_81;
+    const double z_83 = x_ddot*z_30;
+    D[103] = -(2.0*cos_heave*cos_heave*z_81*z_31 + sin_heave*(2.0*sway_ddot*z_82 + z_ddot*z_29 + z_83 + g*z_29 -
+        2.0*z_81*z_27));
+    D[110] = (-2.0)*(z_26*z_82);
+    const double z_84 = z_82*z_33;
+    D[111] = (-2.0)*z_84;
+    D[118] = -(sin_heave*z_83 + sin_sway*(z_ddot*z_21 + g*z_21));
+    const double y_ddot = a[1];
+    D[119] = cos_heave*(g*z_30 + z_16*z_82 + z_ddot*z_30 - x_ddot*z_29) - sin_heave*(y_ddot*z_18 +
+        sin_heave*z_16*z_81);
+    D[126] = 2.0*z_84;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double roll = x[5];
+    const double sin_roll = em_sin(roll);
+    const double yaw = x[3];
+    const double sin_yaw = em_sin(yaw);
+    const double cos_yaw = em_cos(yaw);
+    const double pitch = x[4];
+    const double sin_pitch = em_sin(pitch);
+    const double cos_roll = em_cos(roll);
+    const double z_5 = sin_pitch*cos_roll;
+    D[0] = -(sin_roll*sin_yaw + cos_yaw*z_5);
+    D[1] = -(sin_roll*sin_yaw + cos_yaw*z_5);
+    D[2] = -(sin_roll*sin_yaw + cos_yaw*z_5);
+    D[3] = -(sin_roll*sin_yaw + cos_yaw*z_5);
+    const double x_ddot = a[0];
+    D[4] = x_ddot;
+    const double sway_dot = v[6];
+    const double heave_dot = v[7];
+    const double z_6 = sway_dot*heave_dot;
+    const double sway = x[6];
+    const double cos_sway = em_cos(sway);
+    const double L = c[6];
+    const double heave = x[7];
+    const double sin_heave = em_sin(heave);
+    const double z_9 = L*sin_heave;
+    const double z_10 = cos_sway*z_9;
+    const double z_11 = sway_dot*sway_dot;
+    const double sin_sway = em_sin(sway);
+    const double cos_heave = em_cos(heave);
+    const double z_14 = L*cos_heave;
+    const double z_15 = sin_sway*z_14;
+    const double z_16 = heave_dot*heave_dot;
+    const double sway_ddot = a[6];
+    const double z_17 = cos_sway*z_14;
+    const double heave_ddot = a[7];
+    const double z_18 = sin_sway*z_9;
+    D[5] = -(2.0*z_6*z_10 + z_11*z_15 + z_16*z_15 + heave_ddot*z_18 - x_ddot - sway_ddot*z_17);
+    const double load = c[1];
+    const double z_19 = load*sin_heave;
+    const double z_20 = sin_sway*z_19;
+    const double z_21 = load*cos_heave;
+    const double z_22 = cos_sway*z_21;
+    const double z_23 = sin_sway*z_21;
+    const double z_24 = cos_sway*z_19;
+    D[10] = -(heave_ddot*z_20 + z_16*z_23 + z_11*z_23 + 2.0*z_6*z_24 - sway_ddot*z_22);
+    D[13] = sin_roll*cos_yaw - sin_yaw*z_5;
+    D[14] = sin_roll*cos_yaw - sin_yaw*z_5;
+    D[15] = sin_roll*cos_yaw - sin_yaw*z_5;
+    D[16] = sin_roll*cos_yaw - sin_yaw*z_5;
+    const double y_ddot = a[1];
+    D[17] = y_ddot;
+    D[18] = -(z_16*z_9 - y_ddot - heave_ddot*z_14);
+    D[23] = heave_ddot*z_21 - z_16*z_19;
+    const double cos_pitch = em_cos(pitch);
+    const double z_26 = cos_pitch*cos_roll;
+    D[26] = -z_26;
+    D[27] = -z_26;
+    D[28] = -z_26;
+    D[29] = -z_26;
+    const double g = c[7];
+    const double z_ddot = a[2];
+    const double z_27 = g + z_ddot;
+    D[30] = z_27;
+    D[31] = z_16*z_17 + z_11*z_17 + heave_ddot*z_10 + sway_ddot*z_15 + z_27 - 2.0*z_6*z_18;
+    D[36] = heave_ddot*z_24 + sway_ddot*z_23 + z_16*z_22 + z_11*z_22 - 2.0*z_6*z_20;
+    const double m = c[0];
+    D[37] = load + m;
+    const double a_ = c[4];
+    const double z_28 = cos_pitch*sin_roll;
+    const double z_29 = a_*z_28;
+    const double drag = c[5];
+    const double z_30 = drag*z_26;
+    D[39] = z_29 - z_30;
+    const double z_31 = sin_pitch*a_;
+    D[40] = z_31 + z_30;
+    D[41] = -(z_29 + z_30);
+    D[42] = -(z_31 - z_30);
+    const double pitch_dot = v[4];
+    const double roll_dot = v[5];
+    const double z_32 = pitch_dot*roll_dot;
+    const double z_33 = cos_pitch*z_32;
+    const double yaw_dot = v[3];
+    const double z_34 = yaw_dot*cos_pitch;
+    const double z_35 = pitch_dot*z_34;
+    const double z_36 = sin_pitch*z_35;
+    const double roll_ddot = a[5];
+    const double z_37 = sin_roll*sin_roll;
+    const double yaw_ddot = a[3];
+    const double z_38 = cos_pitch*cos_pitch;
+    const double z_39 = yaw_ddot*z_38;
+    const double z_40 = sin_roll*cos_roll;
+    const double z_41 = z_38*z_40;
+    const double z_42 = pitch_dot*pitch_dot*z_40;
+    const double z_43 = cos_roll*cos_roll;
+    const double pitch_ddot = a[4];
+    const double z_44 = cos_pitch*z_40;
+    const double z_45 = yaw_dot*roll_dot*z_41 - 0.5*(sin_pitch*z_42 + z_33*z_37 - z_33*z_43 - pitch_ddot*z_44);
+    D[45] = -(z_33 + sin_pitch*roll_ddot + 2.0*z_36*z_37 - 2.0*z_36 - z_37*z_39 - yaw_ddot*(sin_pitch*sin_pitch) -
+        2.0*z_45);
+    D[46] = -(2.0*z_36*z_43 + 2.0*z_45 - z_43*z_39);
+    const double f2 = u[1];
+    const double f4 = u[3];
+    const double z_46 = f2 - f4;
+    const double f1 = u[0];
+    const double f3 = u[2];
+    const double z_47 = f1 - f3;
+    D[47] = sin_pitch*z_46 + z_47*z_28;
+    const double z_48 = f1 + f3 - f2 - f4;
+    D[48] = -z_48*z_26;
+    const double z_49 = sin_roll*drag;
+    const double z_50 = cos_roll*a_;
+    D[52] = z_49 + z_50;
+    D[53] = -z_49;
+    D[54] = z_49 - z_50;
+    D[55] = -z_49;
+    const double z_51 = roll_dot*z_34;
+    const double z_52 = yaw_dot*yaw_dot;
+    const double z_53 = z_52*(sin_pitch*cos_pitch);
+    const double z_54 = z_51*z_43 + yaw_ddot*z_44 - z_51*z_37 - 2.0*z_40*z_32;
+    D[58] = z_51 + z_53*z_37 + pitch_ddot*z_43 + z_54 - z_53;
+    D[59] = z_53*z_43 + pitch_ddot*z_37 - z_54;
+    D[60] = cos_roll*z_47;
+    D[61] = sin_roll*z_48;
+    D[66] = -a_;
+    D[68] = a_;
+    const double z_55 = z_52*z_41 + z_35*z_43 - z_42 - z_35*z_37;
+    D[71] = -(z_35 + sin_pitch*yaw_ddot + z_55 - roll_ddot);
+    D[72] = z_55;
+    D[73] = -z_46;
+    const double z_56 = L*L;
+    const double z_57 = sway_ddot*(cos_heave*cos_heave);
+    const double z_58 = z_56*(cos_heave*sin_heave);
+    D[83] = z_56*z_57 + z_ddot*z_15 + x_ddot*z_17 + g*z_15 - 2.0*z_6*z_58;
+    const double z_59 = load*L;
+    const double z_60 = z_21*z_9;
+    D[88] = 2.0*z_59*z_57 + z_ddot*z_23 + x_ddot*z_22 + g*z_23 - 4.0*z_6*z_60;
+    D[89] = L*z_23;
+    D[96] = heave_ddot*z_56 + z_ddot*z_10 + y_ddot*z_14 + g*z_10 + z_11*z_58 - x_ddot*z_18;
+    D[101] = 2.0*heave_ddot*z_59 + z_ddot*z_24 + y_ddot*z_21 + g*z_24 + 2.0*z_11*z_60 - x_ddot*z_20;
+    D[102] = load*z_10;
+}
+
+/* D (n_outputs, n + m + n_arguments), of the outputs by a, lambda and the arguments */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void output_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, EM_UNUSED const double *restrict lambda,
+                              const double *restrict c, EM_UNUSED const double *restrict u,
+                              double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_OUTPUTS * (N + N_ROWS + N_ARGUMENTS));
+    const double load = c[1];
+    const double heave = x[7];
+    const double cos_heave = em_cos(heave);
+    const double sway = x[6];
+    const double sin_sway = em_sin(sway);
+    const double z_2 = cos_heave*sin_sway;
+    D[0] = -load*z_2;
+    const double sin_heave = em_sin(heave);
+    const double z_4 = load*sin_heave;
+    D[1] = -z_4;
+    const double cos_sway = em_cos(sway);
+    const double z_6 = cos_heave*cos_sway;
+    D[2] = load*z_6;
+    const double sway_ddot = a[6];
+    const double z_7 = cos_heave*cos_heave;
+    const double L = c[6];
+    const double z_8 = load*L;
+    const double z_9 = z_7*z_8;
+    const double z_10 = cos_sway*z_9;
+    const double sway_dot = v[6];
+    const double heave_dot = v[7];
+    const double z_11 = sway_dot*heave_dot;
+    const double z_12 = L*sin_heave;
+    const double z_13 = cos_sway*z_12;
+    const double z_14 = sway_dot*sway_dot;
+    const double z_15 = L*z_2;
+    const double z_16 = heave_dot*heave_dot;
+    const double x_ddot = a[0];
+    const double z_17 = L*z_6;
+    const double heave_ddot = a[7];
+    const double z_18 = sin_sway*z_12;
+    const double z_19 = 2.0*z_11*z_13 + z_14*z_15 + z_16*z_15 + heave_ddot*z_18 - x_ddot - sway_ddot*z_17;
+    const double z_20 = load*z_19;
+    const double z_21 = sin_heave*z_8;
+    const double z_22 = heave_ddot*z_21;
+    const double z_23 = z_21*z_11;
+    const double z_24 = sin_sway*z_9;
+    const double g = c[7];
+    const double z_ddot = a[2];
+    const double z_25 = g + z_16*z_17 + z_14*z_17 + z_ddot + heave_ddot*z_13 + sway_ddot*z_15 - 2.0*z_11*z_18;
+    const double z_26 = load*z_25;
+    D[14] = cos_sway*(sway_ddot*z_10 + cos_heave*z_20 + z_22*z_2 + z_16*z_24 + z_14*z_24 - 2.0*z_6*z_23) -
+        sin_sway*(cos_heave*z_26 + z_22*z_6 + z_14*z_10 + z_16*z_10 + 2.0*z_2*z_23 - sway_ddot*z_24);
+    const double z_27 = cos_heave*z_8;
+    const double y_ddot = a[1];
+    const double z_28 = z_16*z_12 - y_ddot - L*cos_heave*heave_ddot;
+    D[15] = cos_heave*(z_16*z_21 + heave_ddot*z_27 + load*z_28) + sin_heave*(z_22 - z_16*z_27 - z_14*z_27 -
+        cos_sway*z_26 - sin_sway*z_20);
+    D[22] = 2.0*(sway_dot*z_9);
+    D[23] = 2.0*(heave_dot*z_8);
+    const double z_29 = z_19*z_2;
+    const double z_30 = z_25*z_6;
+    D[29] = sin_heave*z_28 + z_29 + z_30;
+    const double z_31 = 1.0/L;
+    D[34] = -((z_28*z_21 + z_29*z_8 + z_30*z_8)/(L*L) - z_31*z_6*z_26 - z_31*z_2*z_20 - z_28*z_4*z_31 -
+        load*z_14*z_7 - load*z_16);
+    D[35] = load*z_6;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -976,7 +1382,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -1198,6 +1605,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -1207,7 +1618,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -1301,6 +1712,10 @@ const em_model drone_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .output_partials = output_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
-/* body sha256:64c4d6d6836640358ec208121b0fd5961bf750d2e88c3a87204bff04a8d03c95 */
+/* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
+/* body sha256:a3dbfa5928f2528ae36ff9527cf05bde26bfac6c6537f41ae1ca4079020c138f */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -50,6 +50,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 9,
+    N_GIVEN = 10,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
     N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* theta1, theta2, theta3 */
     N2 = 1,             /* theta4 */
@@ -412,7 +414,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -573,6 +575,256 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double K3 = c[8];
+    const double K2 = c[7];
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double z_2 = z_0*sin_theta1;
+    const double l2 = c[4];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    const double z_4 = l2*sin_theta2;
+    const double z_5 = 4.0*1.0 - z_4 - z_2;
+    const double cos_theta1 = em_cos(theta1);
+    const double z_7 = K2*(z_0*z_0);
+    const double cos_theta2 = em_cos(theta2);
+    const double z_9 = l2*cos_theta2;
+    const double z_10 = z_0*cos_theta1 + z_9;
+    const double z_11 = cos_theta1*K2;
+    const double z_12 = z_0*z_11;
+    const double theta3_dot = v[2];
+    const double theta2_dot = v[1];
+    const double m2 = c[1];
+    const double z_13 = m2*l2;
+    const double z_14 = (cos_theta2*sin_theta1 - cos_theta1*sin_theta2)*z_13;
+    const double z_15 = theta2_dot*z_14;
+    const double z_16 = theta3_dot*z_15;
+    const double z_17 = (cos_theta1*cos_theta2 + sin_theta1*sin_theta2)*z_13;
+    const double z_18 = theta2_dot*z_17;
+    const double theta1_dot = v[0];
+    const double z_19 = theta1_dot*z_0;
+    const double z_20 = z_16 + z_18*z_19;
+    const double z_21 = theta1_dot - theta2_dot;
+    const double z_22 = z_16 + z_0*z_21*z_18;
+    const double lambda_0 = lambda[0];
+    const double theta2_ddot = a[1];
+    const double z_23 = z_0*z_14;
+    const double z_24 = theta2_ddot*z_23;
+    D[0] = (((K3 + (K2*z_2*z_5 + cos_theta1*cos_theta1*z_7) - (z_10*z_12 - sin_theta1*sin_theta1*z_7)) + z_20) -
+        z_22) - z_2*lambda_0 - z_24;
+    const double z_25 = K2*z_4;
+    const double z_26 = z_20 - (z_9*z_12 + z_2*z_25);
+    D[1] = z_24 + (z_22 - z_26);
+    const double z_27 = cos_theta1*lambda_0;
+    const double z_28 = theta1_dot*z_15;
+    const double z_29 = z_2*z_11;
+    const double z_30 = z_28 - ((z_5*z_11 - z_29) + (sin_theta1*K2*z_10 + z_29));
+    const double z_31 = z_21*z_15;
+    const double m1 = c[0];
+    const double z_32 = m1 + m2;
+    const double z_33 = theta1_dot*theta3_dot;
+    const double z_34 = theta2_ddot*z_17;
+    const double theta1_ddot = a[0];
+    const double z_35 = z_0*z_32;
+    D[2] = z_27 + (z_30 - (z_31 - 2.0*z_32*z_33)) + (z_34 + 2.0*theta1_ddot*z_35);
+    D[3] = -K3;
+    const double z_36 = z_0*z_15;
+    D[4] = z_36 + (2.0*theta3_dot*z_35 - z_36);
+    const double z_37 = theta3_dot*z_17;
+    const double z_38 = z_14*z_19;
+    const double z_39 = z_21*z_23;
+    D[5] = -((z_37 - z_38) - (z_37 - (z_39 - z_36)));
+    const double z_40 = z_18 - (2.0*z_32*z_19 + z_18);
+    D[6] = -z_40;
+    const double z_41 = z_21*z_17;
+    const double z_42 = z_21*z_14;
+    const double z_43 = (z_14*z_33 + z_41*z_19) + theta3_dot*z_42;
+    const double theta3_ddot = a[2];
+    const double z_44 = theta1_ddot*z_23 - theta3_ddot*z_17;
+    D[8] = -((z_26 + z_43) + z_44);
+    const double z_45 = K2*(l2*l2);
+    const double z_46 = z_9*K2;
+    D[9] = z_44 + (z_43 + (z_20 + ((z_5*z_25 + cos_theta2*cos_theta2*z_45) + (sin_theta2*sin_theta2*z_45 -
+        z_10*z_46)))) - z_4*lambda_0;
+    const double z_47 = z_28 - (sin_theta1*z_46 - z_4*z_11);
+    D[10] = theta1_ddot*z_17 - (theta1_dot*z_42 + z_47);
+    D[12] = -(z_36 - (z_37 + (z_37 - (z_39 + z_38))));
+    const double z_48 = theta1_dot*z_17;
+    D[14] = z_18 + (z_41 + z_48);
+    D[16] = z_34 + z_27 - (z_31 - z_30);
+    D[17] = -(z_34 - (z_31 - z_47));
+    const double z_49 = theta1_dot*theta1_dot;
+    const double K1 = c[6];
+    D[18] = -(z_32*z_49 - (K1 + K2));
+    D[20] = z_40;
+    D[21] = -(z_48 - (z_41 - z_18));
+    D[24] = -K3;
+    D[27] = K3;
+    D[32] = -((theta1_dot*(theta3_dot*sin_theta1 + cos_theta1*z_19) + sin_theta1*z_33) + (z_2*theta1_ddot -
+        cos_theta1*theta3_ddot));
+    D[33] = -(z_9*(theta2_dot*theta2_dot) + z_4*theta2_ddot);
+    D[34] = cos_theta1*theta1_ddot - sin_theta1*z_49;
+    const double z_50 = theta3_dot*cos_theta1;
+    const double z_51 = theta1_dot*z_2;
+    D[36] = z_50 - (z_51 - (z_50 - z_51));
+    D[37] = (-2.0)*(theta2_dot*z_4);
+    D[38] = 2.0*(theta1_dot*cos_theta1);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta3_dot = v[2];
+    const double theta1_dot = v[0];
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double z_1 = theta1_dot*z_0;
+    const double z_2 = theta3_dot*z_1;
+    const double theta1_ddot = a[0];
+    const double z_3 = theta1_ddot*(z_0*z_0);
+    D[0] = 2.0*z_2 + z_3;
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_8 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    const double theta2_dot = v[1];
+    const double l2 = c[4];
+    const double z_9 = theta2_dot*l2;
+    const double z_10 = z_8*z_9;
+    const double z_11 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const double z_12 = z_11*z_9;
+    const double z_13 = theta3_dot*z_12;
+    const double z_14 = z_1*z_10 - z_13;
+    const double z_15 = theta1_dot - theta2_dot;
+    const double z_16 = l2*z_11;
+    const double theta2_ddot = a[1];
+    const double z_17 = z_0*theta2_ddot;
+    D[1] = (z_14 + (2.0*z_2 - (z_0*z_15*z_10 - z_13))) + (z_3 + z_16*z_17);
+    const double lambda_0 = lambda[0];
+    const double m2 = c[1];
+    const double z_18 = m2*z_8;
+    const double z_19 = theta1_dot*z_18*z_9;
+    const double z_20 = l2*sin_theta2;
+    const double z_21 = z_0*sin_theta1;
+    const double z_22 = 4.0*1.0 - z_20 - z_21;
+    const double K2 = c[7];
+    const double z_23 = cos_theta1*K2;
+    const double z_24 = z_21*z_23;
+    const double z_25 = z_0*cos_theta1;
+    const double z_26 = l2*cos_theta2;
+    const double z_27 = z_25 + z_26;
+    const double z_28 = sin_theta1*K2;
+    const double z_29 = z_15*z_18;
+    const double m1 = c[0];
+    const double z_30 = m1 + m2;
+    const double z_31 = theta1_dot*theta3_dot;
+    const double z_32 = m2*z_11;
+    const double z_33 = l2*theta2_ddot;
+    const double z_34 = z_0*theta1_ddot;
+    D[3] = cos_theta1*lambda_0 + ((z_19 - ((z_22*z_23 - z_24) + (z_27*z_28 + z_24))) - (z_9*z_29 - 2.0*z_30*z_31))
+        + (z_32*z_33 + 2.0*z_30*z_34);
+    const double z_35 = cos_theta2*K2;
+    const double z_36 = theta2_dot*z_32;
+    const double z_37 = theta3_dot*z_36;
+    const double z_38 = theta2_dot*z_18*z_1 - z_37;
+    D[4] = z_32*z_17 + (((z_0*sin_theta2*z_23 - z_21*z_35) + z_38) - (theta2_dot*z_0*z_29 - z_37));
+    D[7] = -(z_25*z_22 + z_27*z_21);
+    const double theta4 = x[3];
+    const double z_39 = 1.5707963267948966*1.0 + theta1 - theta4;
+    D[8] = z_39;
+    const double z_40 = theta3_dot*z_15;
+    const double z_41 = l2*z_8;
+    const double theta3_ddot = a[2];
+    D[11] = -((z_14 - (z_16*z_40 - (z_15*z_1*z_41 - z_16*z_31))) - (theta3_ddot*z_41 + z_16*z_34 +
+        theta2_ddot*(l2*l2)));
+    D[13] = l2*theta1_ddot*z_32 - (theta1_dot*l2*z_29 + (z_19 - (z_26*z_28 - z_20*z_23)));
+    const double z_42 = K2*sin_theta2;
+    const double z_43 = z_26*z_42;
+    D[14] = cos_theta2*lambda_0 + (2.0*m2*z_33 + theta3_ddot*z_18 + z_32*z_34) - ((z_38 + ((z_22*z_35 - z_43) +
+        (z_27*z_42 + z_43))) - (z_32*z_40 - (z_1*z_29 - z_32*z_31)));
+    D[17] = -(z_27*z_20 + z_26*z_22);
+    const double z_44 = theta1_dot*theta1_dot;
+    const double z_45 = z_0*z_44;
+    D[20] = -(z_45 - theta3_ddot);
+    D[21] = (z_15*z_12 - (z_45 + theta1_dot*z_12)) + (theta3_ddot + theta2_ddot*z_41);
+    D[23] = K2 - z_30*z_44;
+    D[24] = theta2_ddot*z_18 + (z_15*z_36 - (theta1_dot*z_36 - (sin_theta2*z_28 + cos_theta2*z_23)));
+    D[26] = theta3;
+    D[27] = -(sin_theta1*z_22 - cos_theta1*z_27);
+    const double theta4_ddot = a[3];
+    const double l3 = c[5];
+    D[32] = theta4_ddot*(l3*l3);
+    const double m3 = c[2];
+    D[35] = 2.0*(m3*l3*theta4_ddot);
+    D[38] = -z_39;
+    D[43] = cos_theta1*theta1_ddot - sin_theta1*z_44;
+    D[44] = -(sin_theta2*(theta2_dot*theta2_dot) - cos_theta2*theta2_ddot);
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double theta3_dot = v[2];
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double theta1_dot = v[0];
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_1 = theta3 + l1;
+    const double sin_theta1 = em_sin(theta1);
+    D[0] = theta3_dot*cos_theta1 - theta1_dot*z_1*sin_theta1;
+    const double theta2_dot = v[1];
+    const double l2 = c[4];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    D[1] = -theta2_dot*l2*sin_theta2;
+    D[2] = theta1_dot*cos_theta1;
+    D[4] = z_1*cos_theta1;
+    const double cos_theta2 = em_cos(theta2);
+    D[5] = l2*cos_theta2;
+    D[6] = sin_theta1;
+    D[11] = theta1_dot*cos_theta1;
+    D[12] = theta2_dot*cos_theta2;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -690,7 +942,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -863,6 +1116,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -872,7 +1129,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -970,6 +1227,11 @@ const em_model dual_link_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 /* eigenmotion generate dual_link.py */
-/* input sha256:52bc551d5b2773d73d71f334f6d9132d9fb29767b93531fe091340a7ab1e18af */
+/* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
 /* body sha256:d266cd900acba69ba16ca8b0be640259eecf81889940ef5f92faf68dc2f762f9 */
 /* dual_link: 4 coordinates, 1 constraint rows, 20 states.
  * Link dual_link.c with a program of your own, or import the Python module built from dual_link.pyx. */

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
-/* input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a */
-/* body sha256:6b2641d436408a24b720d7d59a834d1cac3809780512edb4cb266512f6907e3b */
+/* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
+/* body sha256:ad39ff008fdabfaf24a74d7e98969ba2cd1d827d325ded57e353fce999970320 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -47,6 +47,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
+    N_GIVEN = 5,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
     N_PREPARED = 12,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
     N2 = 1,             /* r */
@@ -200,7 +202,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -273,6 +275,78 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     p[2] = p[3] = p[4] = p[5] = 0.0;
     const double c_3 = c[11];
     p[10] = c_3;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double g = c[2];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double m = c[0];
+    const double r = x[1];
+    const double z_1 = m*r;
+    D[0] = g*cos_theta*z_1;
+    const double theta_ddot = a[0];
+    const double theta_dot = v[0];
+    const double r_dot = v[1];
+    const double sin_theta = em_sin(theta);
+    const double z_3 = m*g*sin_theta;
+    D[1] = 2.0*theta_ddot*z_1 + 2.0*theta_dot*r_dot*m + z_3;
+    D[2] = 2.0*(r_dot*z_1);
+    const double z_4 = theta_dot*z_1;
+    D[3] = 2.0*z_4;
+    D[4] = z_3;
+    const double k = c[1];
+    D[5] = k - m*(theta_dot*theta_dot);
+    D[6] = (-2.0)*z_4;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_dot = v[0];
+    const double r_dot = v[1];
+    const double r = x[1];
+    const double theta_ddot = a[0];
+    const double g = c[2];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = r*sin_theta;
+    D[0] = 2.0*theta_dot*r_dot*r + theta_ddot*(r*r) + g*z_1;
+    const double m = c[0];
+    D[2] = m*z_1;
+    const double r_ddot = a[1];
+    const double cos_theta = em_cos(theta);
+    D[5] = -(r*(theta_dot*theta_dot) + g*cos_theta - r_ddot);
+    const double L = c[3];
+    D[6] = r - L;
+    D[7] = -m*cos_theta;
+    const double k = c[1];
+    D[8] = -k;
 }
 
 #endif
@@ -356,7 +430,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
@@ -431,6 +506,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -440,7 +519,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -530,6 +609,9 @@ const em_model elastic_pendulum_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 # eigenmotion generate elastic_pendulum.py
-# input sha256:c8ba913f87c3abd26af6346ccb6abc3e3ca589aa6ebfa43fc872ee63f073c69a
+# input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2
 # body sha256:26054fef6e909f486d914bf9047a2240e743e0dfd511565c6d96bf41382c1bb5
 # cython: language_level=3
 """elastic_pendulum, compiled: `system` is its System (eigenfactor)."""

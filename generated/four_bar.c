@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
-/* input sha256:21af7780f4e288bbc9d4774db39293c3d125a8c5f0bf9923da98791e96556c1e */
-/* body sha256:e75f5bff24a3307683e88f9f77e7004511d02ede4ae2193983c09c88f15a10aa */
+/* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
+/* body sha256:0faf4e37cef2149dcffdaa2002e17a3077f0d2dd84b22e45b96332afc8127bc5 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -49,6 +49,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
+    N_GIVEN = 7,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 13,   /* x, v and these: what motion depends on */
     N_PREPARED = 29,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* q1, q2 */
     N2 = 1,             /* q3 */
@@ -395,7 +397,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -526,6 +528,244 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     p[17] = c_*sin_q3;
     const double c_18 = c[28];
     p[20] = c_18;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double b = c[1];
+    const double z_2 = b*b;
+    const double density = c[4];
+    const double a_ = c[0];
+    const double z_3 = density*a_;
+    const double z_4 = z_2*z_3;
+    const double z_5 = cos_q1*z_4;
+    const double z_6 = cos_q2*z_5;
+    const double sin_q2 = em_sin(q2);
+    const double sin_q1 = em_sin(q1);
+    const double z_9 = sin_q1*z_4;
+    const double z_10 = sin_q2*z_9;
+    const double z_11 = q1_dot*q2_dot*(z_6 + z_10);
+    const double g = c[5];
+    const double z_12 = density*g;
+    const double z_13 = (q1_dot*z_6 - q2_dot*z_10) + (q1_dot*z_10 - q2_dot*z_6);
+    const double z_14 = q2_dot*z_13;
+    const double z_15 = cos_q2*z_9;
+    const double z_16 = sin_q2*z_5;
+    const double z_17 = z_15 - z_16;
+    const double q2_ddot = a[1];
+    const double z_18 = z_17*q2_ddot;
+    const double lambda_0 = lambda[0];
+    const double z_19 = a_*cos_q1;
+    const double lambda_1 = lambda[1];
+    const double z_20 = a_*sin_q1;
+    D[0] = 0.5*(((z_11 - sin_q1*(a_*a_*z_12 + 2.0*b*g*z_3)) - z_14) - z_18 - 2.0*(lambda_0*z_19 + lambda_1*z_20));
+    D[1] = 0.5*(z_18 - (z_11 - z_14));
+    const double z_21 = q1_dot*z_17;
+    const double z_22 = (q1_dot*z_15 + q2_dot*z_16) - (q1_dot*z_16 + q2_dot*z_15);
+    const double z_23 = q2_dot*z_17;
+    D[4] = 0.5*(z_21 - (z_22 - z_23));
+    const double z_24 = q1_dot*z_13;
+    const double q1_ddot = a[0];
+    const double z_25 = z_17*q1_ddot;
+    D[6] = (-0.5)*((z_11 + z_24) + z_25);
+    const double z_26 = b*cos_q2;
+    const double z_27 = b*sin_q2;
+    D[7] = 0.5*(z_25 + (z_24 + (z_11 - sin_q2*z_2*z_12)) - 2.0*(lambda_0*z_26 + lambda_1*z_27));
+    D[9] = (-0.5)*(z_23 + (z_22 + z_21));
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    const double c_ = c[2];
+    const double cos_q3 = em_cos(q3);
+    const double z_30 = c_*cos_q3;
+    const double z_31 = c_*sin_q3;
+    D[14] = (-0.5)*(sin_q3*(c_*c_)*z_12 - 2.0*(lambda_0*z_30 + lambda_1*z_31));
+    const double z_32 = q1_dot*q1_dot;
+    D[18] = z_32*z_20 - q1_ddot*z_19;
+    const double z_33 = q2_dot*q2_dot;
+    D[19] = z_33*z_27 - q2_ddot*z_26;
+    const double q3_dot = v[2];
+    const double z_34 = q3_dot*q3_dot;
+    const double q3_ddot = a[2];
+    D[20] = -(z_34*z_31 - q3_ddot*z_30);
+    D[21] = (-2.0)*(q1_dot*z_19);
+    D[22] = (-2.0)*(q2_dot*z_26);
+    D[23] = 2.0*(q3_dot*z_30);
+    D[24] = -(z_32*z_19 + q1_ddot*z_20);
+    D[25] = -(z_33*z_26 + q2_ddot*z_27);
+    D[26] = z_34*z_30 + q3_ddot*z_31;
+    D[27] = (-2.0)*(q1_dot*z_20);
+    D[28] = (-2.0)*(q2_dot*z_27);
+    D[29] = 2.0*(q3_dot*z_31);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double b = c[1];
+    const double density = c[4];
+    const double g = c[5];
+    const double z_1 = density*g;
+    const double z_2 = b*z_1;
+    const double a_ = c[0];
+    const double z_3 = density*a_;
+    const double z_4 = g*z_3;
+    const double z_5 = b*b;
+    const double z_6 = density*z_5;
+    const double q2 = x[1];
+    const double sin_q2 = em_sin(q2);
+    const double z_8 = cos_q1*sin_q2;
+    const double cos_q2 = em_cos(q2);
+    const double sin_q1 = em_sin(q1);
+    const double z_11 = cos_q2*sin_q1;
+    const double q1_dot = v[0];
+    const double q2_dot = v[1];
+    const double z_12 = q1_dot*q2_dot;
+    const double z_13 = (z_6*z_8 - z_6*z_11)*z_12;
+    const double z_14 = q2_dot*z_8;
+    const double z_15 = q1_dot*z_11;
+    const double z_16 = q2_dot*z_11;
+    const double z_17 = q1_dot*z_8;
+    const double z_18 = (z_6*z_14 + z_6*z_15) - (z_6*z_16 + z_6*z_17);
+    const double q1_ddot = a[0];
+    const double z_19 = b*z_3;
+    const double z_20 = a_*a_;
+    const double z_21 = density*z_20;
+    const double z_22 = 2.0*z_19 + z_21;
+    const double q2_ddot = a[1];
+    const double z_23 = sin_q1*sin_q2;
+    const double z_24 = cos_q1*cos_q2;
+    const double z_25 = z_6*z_23 + z_6*z_24;
+    const double lambda_0 = lambda[0];
+    const double lambda_1 = lambda[1];
+    D[0] = 0.5*(((2.0*cos_q1*(z_2 + z_4) - z_13) - q2_dot*z_18) + (2.0*q1_ddot*z_22 + q2_ddot*z_25) -
+        2.0*(sin_q1*lambda_0 - cos_q1*lambda_1));
+    const double z_26 = (z_19*z_8 - z_19*z_11)*z_12;
+    const double z_27 = (z_19*z_14 + z_19*z_15) - (z_19*z_16 + z_19*z_17);
+    const double z_28 = z_19*z_23 + z_19*z_24;
+    D[1] = ((cos_q1*z_4 - z_26) - q2_dot*z_27) + (q1_ddot*z_21 + q2_ddot*z_28);
+    const double z_29 = a_*z_5;
+    const double z_30 = (z_8*z_29 - z_11*z_29)*z_12;
+    const double z_31 = (z_29*z_14 + z_29*z_15) - (z_29*z_16 + z_29*z_17);
+    const double z_32 = z_29*z_23 + z_29*z_24;
+    D[4] = (1.0/6.0)*(3.0*((cos_q1*(2.0*a_*b*g + g*z_20) - z_30) - q2_dot*z_31) + (2.0*q1_ddot*(a_*z_20 +
+        3.0*b*z_20) + 3.0*q2_ddot*z_32));
+    D[5] = 0.5*(cos_q1*z_22);
+    D[7] = 0.5*((z_13 - q1_dot*z_18) + q1_ddot*z_25);
+    D[8] = ((cos_q2*z_2 + z_26) - q1_dot*z_27) + (q2_ddot*z_6 + q1_ddot*z_28) - (sin_q2*lambda_0 -
+        cos_q2*lambda_1);
+    D[11] = (1.0/6.0)*(3.0*((cos_q2*g*z_5 + z_30) - q1_dot*z_31) + (2.0*b*q2_ddot*z_5 + 3.0*q1_ddot*z_32));
+    D[12] = 0.5*(cos_q2*z_6);
+    const double q3_ddot = a[2];
+    const double c_ = c[2];
+    const double z_33 = c_*c_;
+    const double z_34 = density*z_33;
+    const double q3 = x[2];
+    const double cos_q3 = em_cos(q3);
+    const double sin_q3 = em_sin(q3);
+    D[16] = q3_ddot*z_34 + c_*cos_q3*z_1 + (sin_q3*lambda_0 - cos_q3*lambda_1);
+    D[18] = (1.0/6.0)*(2.0*c_*q3_ddot*z_33 + 3.0*cos_q3*g*z_33);
+    D[19] = 0.5*(cos_q3*z_34);
+    const double z_37 = q1_dot*q1_dot;
+    D[21] = -(cos_q1*z_37 + sin_q1*q1_ddot);
+    const double z_38 = q2_dot*q2_dot;
+    D[22] = -(cos_q2*z_38 + sin_q2*q2_ddot);
+    const double q3_dot = v[2];
+    const double z_39 = q3_dot*q3_dot;
+    D[23] = cos_q3*z_39 + sin_q3*q3_ddot;
+    D[28] = -(sin_q1*z_37 - cos_q1*q1_ddot);
+    D[29] = -(sin_q2*z_38 - cos_q2*q2_ddot);
+    D[30] = sin_q3*z_39 - cos_q3*q3_ddot;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double a_ = c[0];
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    D[0] = -a_*sin_q1;
+    const double b = c[1];
+    const double q2 = x[1];
+    const double sin_q2 = em_sin(q2);
+    D[1] = -b*sin_q2;
+    const double c_ = c[2];
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    D[2] = c_*sin_q3;
+    const double cos_q1 = em_cos(q1);
+    D[6] = cos_q1;
+    const double cos_q2 = em_cos(q2);
+    D[7] = cos_q2;
+    const double cos_q3 = em_cos(q3);
+    D[8] = -cos_q3;
+    D[9] = -1.0;
+    D[13] = a_*cos_q1;
+    D[14] = b*cos_q2;
+    D[15] = -c_*cos_q3;
+    D[19] = sin_q1;
+    D[20] = sin_q2;
+    D[21] = -sin_q3;
+    const double q1_dot = v[0];
+    const double z_6 = q1_dot*a_;
+    D[26] = -cos_q1*z_6;
+    const double q2_dot = v[1];
+    const double z_7 = q2_dot*b;
+    D[27] = -cos_q2*z_7;
+    const double q3_dot = v[2];
+    const double z_8 = q3_dot*c_;
+    D[28] = cos_q3*z_8;
+    D[29] = -a_*sin_q1;
+    D[30] = -b*sin_q2;
+    D[31] = c_*sin_q3;
+    D[32] = -q1_dot*sin_q1;
+    D[33] = -q2_dot*sin_q2;
+    D[34] = q3_dot*sin_q3;
+    D[39] = -sin_q1*z_6;
+    D[40] = -sin_q2*z_7;
+    D[41] = sin_q3*z_8;
+    D[42] = a_*cos_q1;
+    D[43] = b*cos_q2;
+    D[44] = -c_*cos_q3;
+    D[45] = q1_dot*cos_q1;
+    D[46] = q2_dot*cos_q2;
+    D[47] = -q3_dot*cos_q3;
 }
 
 #endif
@@ -687,7 +927,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -865,6 +1106,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -874,7 +1119,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -968,6 +1213,11 @@ const em_model four_bar_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
-/* input sha256:d44b8a1b43ef5c6b759d4c18e4766756f5a9376280ce8c564f8348a6e35e6df3 */
-/* body sha256:d21d97100a4f2cea3bc0de0e61136211c1bcb484c6152c4387482ec7ef91eeef */
+/* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
+/* body sha256:a79d9776a1d4ddacb033b287955d13153b17b848bb5e0e353bb12a4a3775bfb8 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -50,6 +50,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
+    N_GIVEN = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
     N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* q1, p1 */
     N2 = 2,             /* q2, p2 */
@@ -532,7 +534,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -698,6 +700,346 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     p[25] = l*(sin_p2 + sin_q2);
     const double c_11 = c[18];
     p[28] = p[31] = p[34] = c_11;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double q1_dot = v[0];
+    const double p1_dot = v[3];
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double p1 = x[3];
+    const double cos_p1 = em_cos(p1);
+    const double m = c[0];
+    const double l = c[1];
+    const double z_2 = m*(l*l);
+    const double z_3 = cos_p1*z_2;
+    const double z_4 = cos_q1*z_3;
+    const double sin_q1 = em_sin(q1);
+    const double sin_p1 = em_sin(p1);
+    const double z_7 = sin_p1*z_2;
+    const double z_8 = sin_q1*z_7;
+    const double z_9 = q1_dot*p1_dot*(z_4 + z_8);
+    const double g = c[2];
+    const double z_10 = m*g;
+    const double z_11 = l*sin_q1;
+    const double z_12 = (p1_dot*z_8 - q1_dot*z_4) + (p1_dot*z_4 - q1_dot*z_8);
+    const double z_13 = p1_dot*z_12;
+    const double z_14 = sin_q1*z_3;
+    const double z_15 = cos_q1*z_7;
+    const double z_16 = z_14 - z_15;
+    const double p1_ddot = a[3];
+    const double z_17 = z_16*p1_ddot;
+    const double lambda_0 = lambda[0];
+    const double z_18 = l*cos_q1;
+    const double lambda_1 = lambda[1];
+    D[0] = 0.5*(((z_9 - 3.0*z_10*z_11) + z_13) - z_17 - 2.0*(lambda_0*z_18 + lambda_1*z_11));
+    D[3] = 0.5*(z_17 - (z_9 + z_13));
+    const double z_19 = q1_dot*z_16;
+    const double z_20 = (p1_dot*z_15 + q1_dot*z_14) - (p1_dot*z_14 + q1_dot*z_15);
+    const double z_21 = p1_dot*z_16;
+    D[8] = 0.5*(z_19 - (z_20 - z_21));
+    const double q2_dot = v[1];
+    const double p2_dot = v[4];
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double p2 = x[4];
+    const double cos_p2 = em_cos(p2);
+    const double z_24 = cos_p2*z_2;
+    const double z_25 = cos_q2*z_24;
+    const double sin_q2 = em_sin(q2);
+    const double sin_p2 = em_sin(p2);
+    const double z_28 = sin_p2*z_2;
+    const double z_29 = sin_q2*z_28;
+    const double z_30 = q2_dot*p2_dot*(z_25 + z_29);
+    const double z_31 = l*sin_q2;
+    const double z_32 = (p2_dot*z_29 - q2_dot*z_25) + (p2_dot*z_25 - q2_dot*z_29);
+    const double z_33 = p2_dot*z_32;
+    const double z_34 = sin_q2*z_24;
+    const double z_35 = cos_q2*z_28;
+    const double z_36 = z_34 - z_35;
+    const double p2_ddot = a[4];
+    const double z_37 = z_36*p2_ddot;
+    const double z_38 = l*cos_q2;
+    const double lambda_2 = lambda[2];
+    const double lambda_3 = lambda[3];
+    D[11] = 0.5*(((z_30 - 3.0*z_31*z_10) + z_33) + 2.0*(lambda_0*z_38 + lambda_1*z_31 - lambda_2*z_38 -
+        lambda_3*z_31) - z_37);
+    D[14] = 0.5*(z_37 - (z_30 + z_33));
+    const double z_39 = q2_dot*z_36;
+    const double z_40 = (p2_dot*z_35 + q2_dot*z_34) - (p2_dot*z_34 + q2_dot*z_35);
+    const double z_41 = p2_dot*z_36;
+    D[19] = 0.5*(z_39 - (z_40 - z_41));
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    const double z_43 = l*sin_q3;
+    const double cos_q3 = em_cos(q3);
+    const double z_45 = l*cos_q3;
+    D[22] = (-0.5)*(z_10*z_43 - 2.0*(lambda_2*z_45 + lambda_3*z_43));
+    const double z_46 = q1_dot*z_12;
+    const double q1_ddot = a[0];
+    const double z_47 = z_16*q1_ddot;
+    D[30] = (-0.5)*((z_9 - z_46) + z_47);
+    const double z_48 = l*sin_p1;
+    const double z_49 = l*cos_p1;
+    D[33] = 0.5*(z_47 - (z_46 - (z_9 - z_10*z_48)) - 2.0*(lambda_0*z_49 + lambda_1*z_48));
+    D[35] = (-0.5)*(z_21 + (z_20 + z_19));
+    const double z_50 = q2_dot*z_32;
+    const double q2_ddot = a[1];
+    const double z_51 = z_36*q2_ddot;
+    D[41] = (-0.5)*((z_30 - z_50) + z_51);
+    const double z_52 = l*sin_p2;
+    const double z_53 = l*cos_p2;
+    D[44] = 0.5*(z_51 - (z_50 - (z_30 - z_10*z_52)) - 2.0*(lambda_2*z_53 + lambda_3*z_52));
+    D[46] = (-0.5)*(z_41 + (z_40 + z_39));
+    const double z_54 = q1_dot*q1_dot;
+    D[50] = z_54*z_11 - q1_ddot*z_18;
+    const double z_55 = q2_dot*q2_dot;
+    const double z_56 = z_55*z_31 - q2_ddot*z_38;
+    D[51] = -z_56;
+    const double z_57 = p1_dot*p1_dot;
+    D[53] = z_57*z_48 - p1_ddot*z_49;
+    D[55] = (-2.0)*(q1_dot*z_18);
+    const double z_58 = q2_dot*z_38;
+    D[56] = 2.0*z_58;
+    D[58] = (-2.0)*(p1_dot*z_49);
+    D[60] = -(z_54*z_18 + q1_ddot*z_11);
+    const double z_59 = z_55*z_38 + q2_ddot*z_31;
+    D[61] = z_59;
+    D[63] = -(z_57*z_49 + p1_ddot*z_48);
+    D[65] = (-2.0)*(q1_dot*z_11);
+    const double z_60 = q2_dot*z_31;
+    D[66] = 2.0*z_60;
+    D[68] = (-2.0)*(p1_dot*z_48);
+    D[71] = z_56;
+    const double q3_dot = v[2];
+    const double z_61 = q3_dot*q3_dot;
+    const double q3_ddot = a[2];
+    D[72] = -(z_61*z_43 - q3_ddot*z_45);
+    const double z_62 = p2_dot*p2_dot;
+    D[74] = z_62*z_52 - p2_ddot*z_53;
+    D[76] = (-2.0)*z_58;
+    D[77] = 2.0*(q3_dot*z_45);
+    D[79] = (-2.0)*(p2_dot*z_53);
+    D[81] = -z_59;
+    D[82] = z_61*z_45 + q3_ddot*z_43;
+    D[84] = -(z_62*z_53 + p2_ddot*z_52);
+    D[86] = (-2.0)*z_60;
+    D[87] = 2.0*(q3_dot*z_43);
+    D[89] = (-2.0)*(p2_dot*z_52);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double q1 = x[0];
+    const double cos_q1 = em_cos(q1);
+    const double l = c[1];
+    const double g = c[2];
+    const double z_1 = l*g;
+    const double z_2 = l*l;
+    const double p1 = x[3];
+    const double sin_p1 = em_sin(p1);
+    const double z_4 = cos_q1*sin_p1;
+    const double z_5 = z_2*z_4;
+    const double cos_p1 = em_cos(p1);
+    const double sin_q1 = em_sin(q1);
+    const double z_8 = cos_p1*sin_q1;
+    const double z_9 = z_2*z_8;
+    const double q1_dot = v[0];
+    const double p1_dot = v[3];
+    const double z_10 = q1_dot*p1_dot;
+    const double z_11 = (z_5 - z_9)*z_10;
+    const double z_12 = (q1_dot*z_9 + p1_dot*z_5) - (q1_dot*z_5 + p1_dot*z_9);
+    const double q1_ddot = a[0];
+    const double p1_ddot = a[3];
+    const double z_13 = sin_p1*sin_q1;
+    const double z_14 = cos_p1*cos_q1;
+    const double z_15 = z_2*z_13 + z_2*z_14;
+    D[0] = (1.0/6.0)*(3.0*((3.0*cos_q1*z_1 - z_11) - p1_dot*z_12) + (8.0*q1_ddot*z_2 + 3.0*p1_ddot*z_15));
+    const double m = c[0];
+    const double z_16 = m*g;
+    const double z_17 = m*l;
+    const double z_18 = z_17*z_4;
+    const double z_19 = z_17*z_8;
+    const double z_20 = (z_18 - z_19)*z_10;
+    const double z_21 = (q1_dot*z_19 + p1_dot*z_18) - (q1_dot*z_18 + p1_dot*z_19);
+    const double z_22 = z_17*z_13 + z_17*z_14;
+    const double lambda_0 = lambda[0];
+    const double lambda_1 = lambda[1];
+    D[1] = (1.0/6.0)*(3.0*((3.0*cos_q1*z_16 - 2.0*z_20) - 2.0*p1_dot*z_21) + 2.0*(8.0*q1_ddot*z_17 +
+        3.0*p1_ddot*z_22) - 6.0*(sin_q1*lambda_0 - cos_q1*lambda_1));
+    D[2] = 1.5*(cos_q1*z_17);
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double p2 = x[4];
+    const double sin_p2 = em_sin(p2);
+    const double z_25 = cos_q2*sin_p2;
+    const double z_26 = z_2*z_25;
+    const double cos_p2 = em_cos(p2);
+    const double sin_q2 = em_sin(q2);
+    const double z_29 = cos_p2*sin_q2;
+    const double z_30 = z_2*z_29;
+    const double q2_dot = v[1];
+    const double p2_dot = v[4];
+    const double z_31 = q2_dot*p2_dot;
+    const double z_32 = (z_26 - z_30)*z_31;
+    const double z_33 = (q2_dot*z_30 + p2_dot*z_26) - (q2_dot*z_26 + p2_dot*z_30);
+    const double q2_ddot = a[1];
+    const double p2_ddot = a[4];
+    const double z_34 = sin_p2*sin_q2;
+    const double z_35 = cos_p2*cos_q2;
+    const double z_36 = z_2*z_34 + z_2*z_35;
+    D[4] = (1.0/6.0)*(3.0*((3.0*cos_q2*z_1 - z_32) - p2_dot*z_33) + (8.0*q2_ddot*z_2 + 3.0*p2_ddot*z_36));
+    const double z_37 = z_17*z_25;
+    const double z_38 = z_17*z_29;
+    const double z_39 = (z_37 - z_38)*z_31;
+    const double z_40 = (q2_dot*z_38 + p2_dot*z_37) - (q2_dot*z_37 + p2_dot*z_38);
+    const double z_41 = z_17*z_34 + z_17*z_35;
+    const double lambda_2 = lambda[2];
+    const double lambda_3 = lambda[3];
+    D[5] = (1.0/6.0)*(3.0*((3.0*cos_q2*z_16 - 2.0*z_39) - 2.0*p2_dot*z_40) + 2.0*(8.0*q2_ddot*z_17 +
+        3.0*p2_ddot*z_41) + 6.0*(sin_q2*lambda_0 + cos_q2*lambda_3 - cos_q2*lambda_1 - sin_q2*lambda_2));
+    D[6] = 1.5*(cos_q2*z_17);
+    const double q3_ddot = a[2];
+    const double q3 = x[2];
+    const double cos_q3 = em_cos(q3);
+    D[8] = (1.0/6.0)*(2.0*q3_ddot*z_2 + 3.0*cos_q3*z_1);
+    const double sin_q3 = em_sin(q3);
+    D[9] = (1.0/6.0)*(4.0*q3_ddot*z_17 + 3.0*cos_q3*z_16 + 6.0*(sin_q3*lambda_2 - cos_q3*lambda_3));
+    D[10] = 0.5*(cos_q3*z_17);
+    D[12] = (1.0/6.0)*(3.0*((cos_p1*z_1 + z_11) - q1_dot*z_12) + (2.0*p1_ddot*z_2 + 3.0*q1_ddot*z_15));
+    D[13] = (1.0/6.0)*(3.0*((cos_p1*z_16 + 2.0*z_20) - 2.0*q1_dot*z_21) + 2.0*(2.0*p1_ddot*z_17 +
+        3.0*q1_ddot*z_22) - 6.0*(sin_p1*lambda_0 - cos_p1*lambda_1));
+    D[14] = 0.5*(cos_p1*z_17);
+    D[16] = (1.0/6.0)*(3.0*((cos_p2*z_1 + z_32) - q2_dot*z_33) + (2.0*p2_ddot*z_2 + 3.0*q2_ddot*z_36));
+    D[17] = (1.0/6.0)*(3.0*((cos_p2*z_16 + 2.0*z_39) - 2.0*q2_dot*z_40) + 2.0*(2.0*p2_ddot*z_17 +
+        3.0*q2_ddot*z_41) - 6.0*(sin_p2*lambda_2 - cos_p2*lambda_3));
+    D[18] = 0.5*(cos_p2*z_17);
+    const double z_44 = q1_dot*q1_dot;
+    const double z_45 = q2_dot*q2_dot;
+    const double z_46 = cos_q2*z_45;
+    const double z_47 = p1_dot*p1_dot;
+    const double z_48 = sin_q2*q2_ddot;
+    D[21] = -((cos_q1*z_44 + cos_p1*z_47 - z_46) + (sin_q1*q1_ddot + sin_p1*p1_ddot - z_48));
+    const double z_49 = sin_q2*z_45;
+    const double z_50 = cos_q2*q2_ddot;
+    D[25] = -((sin_q1*z_44 + sin_p1*z_47 - z_49) - (cos_q1*q1_ddot + cos_p1*p1_ddot - z_50));
+    const double q3_dot = v[2];
+    const double z_51 = q3_dot*q3_dot;
+    const double z_52 = p2_dot*p2_dot;
+    D[29] = -((z_46 + cos_p2*z_52 - cos_q3*z_51) + (z_48 + sin_p2*p2_ddot - sin_q3*q3_ddot));
+    D[33] = -((z_49 + sin_p2*z_52 - sin_q3*z_51) - (z_50 + cos_p2*p2_ddot - cos_q3*q3_ddot));
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double l = c[1];
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    D[0] = -l*sin_q1;
+    const double q2 = x[1];
+    const double sin_q2 = em_sin(q2);
+    const double z_2 = l*sin_q2;
+    D[1] = z_2;
+    const double p1 = x[3];
+    const double sin_p1 = em_sin(p1);
+    D[3] = -l*sin_p1;
+    const double cos_p1 = em_cos(p1);
+    const double cos_q1 = em_cos(q1);
+    const double cos_q2 = em_cos(q2);
+    D[11] = -(1.0 + cos_q2 - cos_p1 - cos_q1);
+    D[14] = l*cos_q1;
+    const double z_7 = l*cos_q2;
+    D[15] = -z_7;
+    D[17] = l*cos_p1;
+    D[25] = sin_p1 + sin_q1 - sin_q2;
+    D[29] = -z_2;
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    D[30] = l*sin_q3;
+    const double p2 = x[4];
+    const double sin_p2 = em_sin(p2);
+    D[32] = -l*sin_p2;
+    const double cos_p2 = em_cos(p2);
+    const double cos_q3 = em_cos(q3);
+    D[39] = -(1.0 + cos_q3 - cos_p2 - cos_q2);
+    D[43] = z_7;
+    D[44] = -l*cos_q3;
+    D[46] = l*cos_p2;
+    D[53] = sin_p2 + sin_q2 - sin_q3;
+    const double q1_dot = v[0];
+    const double z_12 = q1_dot*l;
+    D[56] = -cos_q1*z_12;
+    const double q2_dot = v[1];
+    const double z_13 = q2_dot*l;
+    const double z_14 = cos_q2*z_13;
+    D[57] = z_14;
+    const double p1_dot = v[3];
+    const double z_15 = p1_dot*l;
+    D[59] = -cos_p1*z_15;
+    D[61] = -l*sin_q1;
+    D[62] = z_2;
+    D[64] = -l*sin_p1;
+    const double z_16 = q2_dot*sin_q2;
+    D[67] = -(p1_dot*sin_p1 + q1_dot*sin_q1 - z_16);
+    D[70] = -sin_q1*z_12;
+    const double z_17 = sin_q2*z_13;
+    D[71] = z_17;
+    D[73] = -sin_p1*z_15;
+    D[75] = l*cos_q1;
+    D[76] = -z_7;
+    D[78] = l*cos_p1;
+    const double z_18 = q2_dot*cos_q2;
+    D[81] = p1_dot*cos_p1 + q1_dot*cos_q1 - z_18;
+    D[85] = -z_14;
+    const double q3_dot = v[2];
+    const double z_19 = q3_dot*l;
+    D[86] = cos_q3*z_19;
+    const double p2_dot = v[4];
+    const double z_20 = p2_dot*l;
+    D[88] = -cos_p2*z_20;
+    D[90] = -z_2;
+    D[91] = l*sin_q3;
+    D[93] = -l*sin_p2;
+    D[95] = -(p2_dot*sin_p2 + z_16 - q3_dot*sin_q3);
+    D[99] = -z_17;
+    D[100] = sin_q3*z_19;
+    D[102] = -sin_p2*z_20;
+    D[104] = z_7;
+    D[105] = -l*cos_q3;
+    D[107] = l*cos_p2;
+    D[109] = p2_dot*cos_p2 + z_18 - q3_dot*cos_q3;
 }
 
 #endif
@@ -885,7 +1227,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -1122,6 +1465,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -1131,7 +1478,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -1230,6 +1577,11 @@ const em_model four_bars_2_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

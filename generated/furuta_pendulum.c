@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
-/* input sha256:ff5abd21ff67e2684d0ea3f81c7d81dc3a232a28c8958cb5c9396bdc1881d943 */
-/* body sha256:b3bc6d5b7a936ed1c9bfdd4b9ad14566fbc533b8b40139cb23625bcfd900bb48 */
+/* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
+/* body sha256:782f1e53ebda16e94df9d16c50923cd74cf10c2ec66ae25724267f40d4e8865d */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -45,6 +45,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
+    N_GIVEN = 10,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
     N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* theta, phi */
 };
@@ -251,7 +253,7 @@ extern void observe(EM_UNUSED double t, const double *restrict x, EM_UNUSED cons
                       const double *restrict c, EM_UNUSED const double *restrict u, double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -350,6 +352,124 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void output_partials(EM_UNUSED double t, const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                              EM_UNUSED const double *restrict lambda, const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double phi_ddot = a[1];
+    const double r = c[3];
+    const double m = c[2];
+    const double l = c[4];
+    const double z_1 = m*l;
+    const double z_2 = r*z_1;
+    const double J = c[1];
+    const double z_3 = J + m*(l*l);
+    const double z_4 = sin_phi*z_3;
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double z_5 = theta_dot*phi_dot;
+    const double cos_phi = em_cos(phi);
+    const double z_7 = z_3*cos_phi;
+    const double theta_ddot = a[0];
+    D[1] = -(sin_phi*(phi_ddot*z_2 + 2.0*z_4*z_5) + cos_phi*(phi_dot*phi_dot*z_2 - 2.0*z_5*z_7 -
+        2.0*theta_ddot*z_4));
+    const double b0 = c[6];
+    const double z_8 = cos_phi*z_4;
+    D[2] = b0 + 2.0*phi_dot*z_8;
+    const double z_9 = theta_dot*z_8;
+    D[3] = (-2.0)*(phi_dot*sin_phi*z_2 - z_9);
+    const double z_10 = theta_dot*theta_dot;
+    const double g = c[5];
+    D[5] = sin_phi*(z_10*z_4 - theta_ddot*z_2) - cos_phi*(g*z_1 + z_10*z_7);
+    D[6] = (-2.0)*z_9;
+    const double b1 = c[7];
+    D[7] = b1;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    D[0] = -1.0;
+    const double theta_ddot = a[0];
+    D[1] = theta_ddot;
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    const double z_2 = sin_phi*cos_phi;
+    const double z_3 = 2.0*theta_dot*phi_dot*z_2 + theta_ddot*(sin_phi*sin_phi);
+    D[2] = z_3;
+    const double r = c[3];
+    const double l = c[4];
+    const double z_4 = r*l;
+    const double phi_ddot = a[1];
+    const double z_5 = cos_phi*phi_ddot;
+    const double z_6 = sin_phi*(phi_dot*phi_dot);
+    const double z_7 = l*l;
+    D[3] = z_4*z_5 + z_3*z_7 + theta_ddot*(r*r) - z_4*z_6;
+    const double m = c[2];
+    const double z_8 = m*l;
+    const double z_9 = m*r;
+    D[4] = z_8*z_5 + 2.0*theta_ddot*z_9 - z_8*z_6;
+    D[5] = z_9*z_5 + 2.0*z_3*z_8 - z_9*z_6;
+    D[7] = theta_dot;
+    const double z_10 = theta_dot*theta_dot*z_2 - phi_ddot;
+    D[12] = -z_10;
+    const double z_11 = cos_phi*theta_ddot;
+    const double g = c[5];
+    const double z_12 = sin_phi*g;
+    D[13] = z_4*z_11 - l*z_12 - z_10*z_7;
+    D[14] = z_8*z_11;
+    D[15] = z_9*z_11 - m*z_12 - 2.0*z_10*z_8;
+    D[16] = -sin_phi*z_8;
+    D[18] = phi_dot;
+}
+
+/* D (n_outputs, n + m + n_arguments), of the outputs by a, lambda and the arguments */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void output_partials(EM_UNUSED double t, const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                              EM_UNUSED const double *restrict lambda, const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_OUTPUTS * (N + N_ROWS + N_ARGUMENTS));
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double l = c[4];
+    D[3] = (-2.0)*(sin_phi*l);
+    const double cos_phi = em_cos(phi);
+    D[11] = 2.0*cos_phi;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -436,7 +556,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -561,6 +682,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -570,7 +695,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -659,6 +784,10 @@ const em_model furuta_pendulum_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .output_partials = output_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

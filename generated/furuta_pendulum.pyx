@@ -1,5 +1,5 @@
 # eigenmotion generate furuta_pendulum.py
-# input sha256:ff5abd21ff67e2684d0ea3f81c7d81dc3a232a28c8958cb5c9396bdc1881d943
+# input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a
 # body sha256:3ff5ae93297dfa3fb40d466c8aa79e4a32f16c4e2fef8c81a34bad82011b6d8a
 # cython: language_level=3
 """furuta_pendulum, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
-/* input sha256:c8f552fe61a2f14cfdf6738806a86ae5ef77a9561614a03a832e25c8d9ba4840 */
-/* body sha256:498a63f14a42011d39103e74c0cc37ddd938f63425ac5061ff91f594d232bbeb */
+/* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
+/* body sha256:fa865224546891d9285a80b1f17d2cb1231bcb8232fe4018ae637d78f876fb44 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -50,6 +50,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 9,
+    N_GIVEN = 10,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
     N_PREPARED = 36,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* phi */
     N2 = 1,             /* a1 */
@@ -292,7 +294,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -467,6 +469,299 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double phi_dot = v[0];
+    const double M = c[0];
+    const double a1 = x[1];
+    const double cos_a1 = em_cos(a1);
+    const double z_1 = cos_a1*cos_a1;
+    const double a1_dot = v[1];
+    const double l = c[3];
+    const double z_2 = l*l;
+    const double z_3 = a1_dot*z_2;
+    const double z_4 = z_1*z_3;
+    const double sin_a1 = em_sin(a1);
+    const double b = c[4];
+    const double z_6 = l*sin_a1;
+    const double z_7 = M*l;
+    const double z_8 = (b + 2.0*z_6)*z_7;
+    const double phi_ddot = a[0];
+    const double z_9 = cos_a1*z_8;
+    D[1] = 4.0*(phi_dot*(2.0*M*z_4 - a1_dot*sin_a1*z_8) + phi_ddot*z_9);
+    const double a2 = x[2];
+    const double cos_a2 = em_cos(a2);
+    const double z_11 = cos_a2*cos_a2;
+    const double a2_dot = v[2];
+    const double z_12 = a2_dot*z_2;
+    const double z_13 = z_11*z_12;
+    const double sin_a2 = em_sin(a2);
+    const double z_15 = l*sin_a2;
+    const double z_16 = (b + 2.0*z_15)*z_7;
+    const double z_17 = cos_a2*z_16;
+    D[2] = 4.0*(phi_dot*(2.0*M*z_13 - a2_dot*sin_a2*z_16) + phi_ddot*z_17);
+    D[4] = 4.0*(a1_dot*z_9 + a2_dot*z_17);
+    const double z_18 = phi_dot*z_9;
+    D[5] = 4.0*z_18;
+    const double z_19 = phi_dot*z_17;
+    D[6] = 4.0*z_19;
+    const double s = x[3];
+    const double z_20 = l*cos_a1;
+    const double z_21 = s - z_20;
+    const double z_22 = sin_a1*cos_a1;
+    const double z_23 = z_6*z_21 + z_2*z_22;
+    const double z_24 = z_23*z_23;
+    const double c_ = c[6];
+    const double s_dot = v[3];
+    const double z_25 = s_dot + a1_dot*z_6;
+    const double z_26 = z_21*z_25 + z_3*z_22;
+    const double z_27 = z_21*z_21;
+    const double z_28 = sin_a1*sin_a1;
+    const double z_29 = z_2*z_28;
+    const double z_30 = z_27 + z_29;
+    const double z_31 = z_26/(z_30*z_30);
+    const double z_32 = c_*z_31;
+    const double z_33 = z_20*z_21;
+    const double z_34 = (z_6*z_25 + a1_dot*z_33) - (z_28*z_3 - z_4);
+    const double z_35 = 1.0/z_30;
+    const double z_36 = c_*z_35;
+    const double z_37 = z_23*z_36;
+    const double g = c[8];
+    const double z_38 = M*g;
+    const double z_39 = sqrt(z_30);
+    const double z_40 = 1.0/z_39;
+    const double k = c[5];
+    const double L = c[7];
+    const double z_41 = L - z_39;
+    const double z_42 = k*z_41;
+    const double z_43 = z_40*z_42;
+    const double z_44 = z_21*z_23;
+    const double z_45 = 1.0/(z_30*z_39);
+    const double z_46 = z_45*z_42;
+    const double z_47 = k*z_35;
+    const double z_48 = z_6*z_43 - z_44*z_46 - z_44*z_47;
+    const double z_49 = k*z_2;
+    const double z_50 = sin_a1*z_49;
+    const double z_51 = z_41*z_50;
+    const double z_52 = phi_dot*phi_dot;
+    const double z_53 = z_52*(M*z_2);
+    const double z_54 = z_45*z_51;
+    D[9] = -((2.0*z_24*z_32 - z_34*z_37 - z_26*((z_29 + z_33) - (z_29 - z_2*z_1))*z_36) - ((z_20*(2.0*z_38 -
+        z_21*z_43) - z_6*z_48) + (sin_a1*(z_40*z_51 + 2.0*z_52*z_8) - cos_a1*(4.0*cos_a1*z_53 +
+        (cos_a1*z_41*z_40*z_49 - z_23*z_54 - z_23*z_35*z_50)))));
+    const double z_55 = z_6*z_26;
+    const double z_56 = z_43 - z_27*z_46 - z_27*z_47;
+    const double z_57 = z_21*z_35;
+    D[11] = (z_36*z_55 + z_25*z_37 - 2.0*z_44*z_32) - (z_6*z_56 - cos_a1*(z_21*z_54 + z_50*z_57));
+    D[12] = (-4.0)*z_18;
+    D[13] = z_24*z_36;
+    D[15] = z_36*z_44;
+    const double z_58 = l*cos_a2;
+    const double z_59 = s - z_58;
+    const double z_60 = sin_a2*cos_a2;
+    const double z_61 = z_15*z_59 + z_2*z_60;
+    const double z_62 = z_61*z_61;
+    const double z_63 = s_dot + a2_dot*z_15;
+    const double z_64 = z_59*z_63 + z_12*z_60;
+    const double z_65 = z_59*z_59;
+    const double z_66 = sin_a2*sin_a2;
+    const double z_67 = z_2*z_66;
+    const double z_68 = z_65 + z_67;
+    const double z_69 = z_64/(z_68*z_68);
+    const double z_70 = c_*z_69;
+    const double z_71 = z_58*z_59;
+    const double z_72 = (z_15*z_63 + a2_dot*z_71) - (z_66*z_12 - z_13);
+    const double z_73 = 1.0/z_68;
+    const double z_74 = c_*z_73;
+    const double z_75 = z_61*z_74;
+    const double z_76 = sqrt(z_68);
+    const double z_77 = 1.0/z_76;
+    const double z_78 = L - z_76;
+    const double z_79 = k*z_78;
+    const double z_80 = z_77*z_79;
+    const double z_81 = z_59*z_61;
+    const double z_82 = 1.0/(z_68*z_76);
+    const double z_83 = z_82*z_79;
+    const double z_84 = k*z_73;
+    const double z_85 = z_15*z_80 - z_81*z_83 - z_81*z_84;
+    const double z_86 = sin_a2*z_49;
+    const double z_87 = z_78*z_86;
+    const double z_88 = z_82*z_87;
+    D[18] = -((2.0*z_62*z_70 - z_72*z_75 - z_64*((z_67 + z_71) - (z_67 - z_2*z_11))*z_74) - ((z_58*(2.0*z_38 -
+        z_59*z_80) - z_15*z_85) + (sin_a2*(z_77*z_87 + 2.0*z_52*z_16) - cos_a2*(4.0*cos_a2*z_53 +
+        (cos_a2*z_78*z_77*z_49 - z_61*z_88 - z_61*z_73*z_86)))));
+    const double z_89 = z_15*z_64;
+    const double z_90 = z_80 - z_65*z_83 - z_65*z_84;
+    const double z_91 = z_59*z_73;
+    D[19] = (z_74*z_89 + z_63*z_75 - 2.0*z_81*z_70) - (z_15*z_90 - cos_a2*(z_59*z_88 + z_86*z_91));
+    D[20] = (-4.0)*z_19;
+    D[22] = z_62*z_74;
+    D[23] = z_74*z_81;
+    D[25] = -(z_48 + c_*(2.0*z_44*z_31 - z_35*z_55 - z_34*z_57));
+    D[26] = -(z_85 + c_*(2.0*z_81*z_69 - z_73*z_89 - z_72*z_91));
+    D[27] = c_*((z_26*z_35 + z_25*z_57 - 2.0*z_27*z_31) + (z_64*z_73 + z_63*z_91 - 2.0*z_65*z_69)) - (z_56 +
+        z_90);
+    D[29] = z_36*z_44;
+    D[30] = z_74*z_81;
+    D[31] = c_*(z_65*z_73 + z_27*z_35);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double phi_dot = v[0];
+    const double a2_dot = v[2];
+    const double a2 = x[2];
+    const double cos_a2 = em_cos(a2);
+    const double z_1 = a2_dot*cos_a2;
+    const double l = c[3];
+    const double b = c[4];
+    const double sin_a2 = em_sin(a2);
+    const double z_3 = l*sin_a2;
+    const double z_4 = b + 2.0*z_3;
+    const double z_5 = l*z_4;
+    const double a1_dot = v[1];
+    const double a1 = x[1];
+    const double cos_a1 = em_cos(a1);
+    const double z_7 = a1_dot*cos_a1;
+    const double sin_a1 = em_sin(a1);
+    const double z_9 = l*sin_a1;
+    const double z_10 = b + 2.0*z_9;
+    const double z_11 = l*z_10;
+    const double phi_ddot = a[0];
+    D[0] = 4.0*phi_dot*(z_1*z_5 + z_7*z_11) + phi_ddot*(z_10*z_10 + z_4*z_4);
+    D[2] = phi_ddot;
+    const double M = c[0];
+    const double z_12 = M*z_10;
+    const double z_13 = M*z_9;
+    const double z_14 = M*z_4;
+    const double z_15 = M*z_3;
+    D[3] = 4.0*(phi_dot*((z_12*z_7 + 2.0*z_13*z_7) + (z_14*z_1 + 2.0*z_15*z_1)) + phi_ddot*(sin_a1*z_12 +
+        sin_a2*z_14));
+    const double z_16 = M*l;
+    D[4] = 2.0*(2.0*phi_dot*(z_1*z_16 + z_7*z_16) + phi_ddot*(z_14 + z_12));
+    const double a1_ddot = a[1];
+    const double z_17 = l*l;
+    const double z_18 = phi_dot*phi_dot;
+    const double z_19 = cos_a1*z_18;
+    const double g = c[8];
+    D[10] = 2.0*(2.0*a1_ddot*z_17 - (z_11*z_19 - z_9*g));
+    const double c_ = c[6];
+    const double s = x[3];
+    const double z_20 = s - l*cos_a1;
+    const double z_21 = z_9*z_20;
+    const double z_22 = sin_a1*z_17;
+    const double z_23 = cos_a1*z_22;
+    const double z_24 = z_21 + z_23;
+    const double z_25 = c_*z_24;
+    const double z_26 = sin_a1*sin_a1;
+    const double z_27 = z_20*z_20 + z_17*z_26;
+    const double s_dot = v[3];
+    const double z_28 = s_dot + a1_dot*z_9;
+    const double z_29 = z_20*z_28 + z_7*z_22;
+    const double z_30 = cos_a1*z_20 - l*z_26;
+    const double z_31 = z_29*z_30/(z_27*z_27);
+    const double z_32 = sin_a1*z_20;
+    const double z_33 = 2.0*z_9*z_7 - (cos_a1*z_28 - a1_dot*z_32);
+    const double z_34 = 1.0/z_27;
+    const double z_35 = z_9*cos_a1;
+    const double z_36 = z_29*z_34;
+    const double z_37 = M*g;
+    const double k = c[5];
+    const double z_38 = sqrt(z_27);
+    const double z_39 = 1.0/z_38;
+    const double z_40 = k*z_39;
+    const double L = c[7];
+    const double z_41 = L - z_38;
+    const double z_42 = z_20*z_41;
+    const double z_43 = z_41*z_40;
+    const double z_44 = k*z_30;
+    const double z_45 = z_44/(z_27*z_38);
+    const double z_46 = z_20*z_34;
+    const double z_47 = cos_a1*z_43 - z_42*z_45 - z_44*z_46;
+    D[13] = 8.0*a1_ddot*z_16 + ((2.0*z_25*z_31 + z_33*z_34*z_25 + c_*(2.0*z_35 + (z_32 - z_35))*z_36) +
+        ((sin_a1*(2.0*z_37 - z_40*z_42) + z_9*z_47) - cos_a1*((2.0*z_9*z_43 + z_41*z_22*z_45 + z_34*z_22*z_44) +
+        2.0*(z_12*z_18 + 2.0*z_13*z_18))));
+    D[14] = (-2.0)*(z_16*z_19);
+    const double z_48 = z_39*z_42;
+    D[15] = -(z_9*z_48 + z_23*z_41*z_39);
+    D[16] = z_24*z_36;
+    D[17] = -(z_21*z_40 + z_23*z_40);
+    D[18] = 2.0*z_13;
+    const double a2_ddot = a[2];
+    const double z_49 = cos_a2*z_18;
+    D[20] = 2.0*(2.0*a2_ddot*z_17 - (z_5*z_49 - z_3*g));
+    const double z_50 = s - l*cos_a2;
+    const double z_51 = z_3*z_50;
+    const double z_52 = sin_a2*z_17;
+    const double z_53 = cos_a2*z_52;
+    const double z_54 = z_51 + z_53;
+    const double z_55 = c_*z_54;
+    const double z_56 = sin_a2*sin_a2;
+    const double z_57 = z_50*z_50 + z_17*z_56;
+    const double z_58 = s_dot + a2_dot*z_3;
+    const double z_59 = z_50*z_58 + z_1*z_52;
+    const double z_60 = cos_a2*z_50 - l*z_56;
+    const double z_61 = z_59*z_60/(z_57*z_57);
+    const double z_62 = sin_a2*z_50;
+    const double z_63 = 2.0*z_3*z_1 - (cos_a2*z_58 - a2_dot*z_62);
+    const double z_64 = 1.0/z_57;
+    const double z_65 = z_3*cos_a2;
+    const double z_66 = z_59*z_64;
+    const double z_67 = sqrt(z_57);
+    const double z_68 = 1.0/z_67;
+    const double z_69 = k*z_68;
+    const double z_70 = L - z_67;
+    const double z_71 = z_50*z_70;
+    const double z_72 = z_70*z_69;
+    const double z_73 = k*z_60;
+    const double z_74 = z_73/(z_57*z_67);
+    const double z_75 = z_50*z_64;
+    const double z_76 = cos_a2*z_72 - z_71*z_74 - z_73*z_75;
+    D[23] = 8.0*a2_ddot*z_16 + ((2.0*z_55*z_61 + z_63*z_64*z_55 + c_*(2.0*z_65 + (z_62 - z_65))*z_66) +
+        ((sin_a2*(2.0*z_37 - z_69*z_71) + z_3*z_76) - cos_a2*((2.0*z_3*z_72 + z_70*z_52*z_74 + z_64*z_52*z_73) +
+        2.0*(z_14*z_18 + 2.0*z_15*z_18))));
+    D[24] = (-2.0)*(z_16*z_49);
+    const double z_77 = z_68*z_71;
+    D[25] = -(z_3*z_77 + z_53*z_70*z_68);
+    D[26] = z_54*z_66;
+    D[27] = -(z_51*z_69 + z_53*z_69);
+    D[28] = 2.0*z_15;
+    const double s_ddot = a[3];
+    D[31] = -(g - s_ddot);
+    D[33] = -(c_*((cos_a1*z_36 - 2.0*z_20*z_31 - z_33*z_46) + (cos_a2*z_66 - 2.0*z_50*z_61 - z_63*z_75)) - (z_47 +
+        z_76));
+    D[35] = -(z_77 + z_48);
+    D[36] = z_20*z_36 + z_50*z_66;
+    D[37] = -(z_20*z_40 + z_50*z_69);
+    const double m = c[1];
+    D[38] = -m;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -585,7 +880,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
@@ -672,6 +968,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -681,7 +981,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -778,6 +1078,9 @@ const em_model governor_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 /* eigenmotion generate governor.py */
-/* input sha256:c8f552fe61a2f14cfdf6738806a86ae5ef77a9561614a03a832e25c8d9ba4840 */
+/* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
 /* body sha256:4ba20b37c006ae21654529da7104585c6e2016985c1529dd055aa86804dae427 */
 /* governor: 4 coordinates, 0 constraint rows, 8 states.
  * Link governor.c with a program of your own, or import the Python module built from governor.pyx. */

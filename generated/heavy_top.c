@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
-/* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
-/* body sha256:50548a3fec13dc67a640dece7c65c2bdc0642ef43b1a10cfdfca29ddae5d2f4e */
+/* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
+/* body sha256:62ef55ca6fc0dcb1848ac79e90b4bd85b879351b969351ed5eee3c7f3ea8adc1 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -49,6 +49,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 12,   /* x, v and these: what motion depends on */
     N_PREPARED = 14,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* phi, psi */
     N2 = 1,             /* theta */
@@ -286,7 +288,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -384,6 +386,98 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double phi_dot = v[0];
+    const double theta_dot = v[1];
+    const double z_0 = phi_dot*theta_dot;
+    const double J = c[3];
+    const double J3 = c[4];
+    const double z_1 = J - J3;
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double z_3 = z_1*(cos_theta*cos_theta);
+    const double sin_theta = em_sin(theta);
+    const double z_5 = z_1*(sin_theta*sin_theta);
+    const double psi_dot = v[2];
+    const double z_6 = J3*cos_theta;
+    const double z_7 = psi_dot*z_6;
+    const double phi_ddot = a[0];
+    const double z_8 = z_1*(sin_theta*cos_theta);
+    const double psi_ddot = a[2];
+    const double z_9 = sin_theta*J3;
+    D[1] = (2.0*(z_0*z_3 - z_0*z_5) - theta_dot*z_7) + (2.0*phi_ddot*z_8 - psi_ddot*z_9);
+    D[3] = 2.0*(theta_dot*z_8);
+    const double z_10 = psi_dot*z_9 - 2.0*phi_dot*z_8;
+    D[4] = -z_10;
+    D[5] = -theta_dot*z_9;
+    const double g = c[2];
+    const double l = c[1];
+    const double m = c[0];
+    const double z_11 = phi_dot*phi_dot;
+    D[7] = -(cos_theta*g*l*m - ((z_11*z_5 - z_11*z_3) + phi_dot*z_7));
+    D[9] = z_10;
+    const double z_12 = phi_dot*z_9;
+    D[11] = z_12;
+    D[13] = -(phi_ddot*z_9 + z_0*z_6);
+    D[15] = -theta_dot*z_9;
+    D[16] = -z_12;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double theta_dot = v[1];
+    const double phi_dot = v[0];
+    const double sin_theta = em_sin(theta);
+    const double z_2 = phi_dot*sin_theta;
+    const double z_3 = theta_dot*z_2;
+    const double z_4 = cos_theta*z_3;
+    const double phi_ddot = a[0];
+    D[3] = 2.0*z_4 + phi_ddot*(sin_theta*sin_theta);
+    const double psi_dot = v[2];
+    const double psi_ddot = a[2];
+    D[4] = -(2.0*z_4 + theta_dot*psi_dot*sin_theta - cos_theta*psi_ddot - phi_ddot*(cos_theta*cos_theta));
+    const double l = c[1];
+    const double g = c[2];
+    const double z_5 = sin_theta*g;
+    D[6] = -l*z_5;
+    const double m = c[0];
+    D[7] = -m*z_5;
+    D[8] = -sin_theta*l*m;
+    const double z_6 = sin_theta*cos_theta*(phi_dot*phi_dot);
+    const double theta_ddot = a[1];
+    D[9] = -(z_6 - theta_ddot);
+    D[10] = z_6 + psi_dot*z_2;
+    D[16] = -(z_3 - psi_ddot - cos_theta*phi_ddot);
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -473,7 +567,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -600,6 +695,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -609,7 +708,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -700,6 +799,9 @@ const em_model heavy_top_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 /* eigenmotion generate heavy_top.py */
-/* input sha256:ab2a0bf2e44a22e4703a4822a73ab170ccc0694b36b9c922ea402e2b39d6abea */
+/* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
 /* body sha256:085998b087cf39eabd2367f631307cdca924f879c424e30d07f57096368fbdf2 */
 /* heavy_top: 3 coordinates, 0 constraint rows, 12 states.
  * Link heavy_top.c with a program of your own, or import the Python module built from heavy_top.pyx. */

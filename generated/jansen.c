@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
-/* input sha256:c331ded183cc15417d7f266724f72148632b6a4aba573830eecc09be25f4eeeb */
-/* body sha256:82be7297c042c98cbd8a72fcb05fd5d3528c846c8da171b8a02a4cbd18a4933c */
+/* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
+/* body sha256:6f54f1e0c32845eb8c4741e18056f48dfd00a5a3a7cce3bb9a720b60594b624d */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -46,6 +46,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 17,
+    N_GIVEN = 18,       /* inputs, parameters and the time */
+    N_ARGUMENTS = 32,   /* x, v and these: what motion depends on */
     N_PREPARED = 115,   /* the parameters, factors of constant blocks, shared constants */
     N1 = 7,             /* theta, aj, ab, ak, ac, af, ag */
 };
@@ -802,7 +804,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -1213,6 +1215,1445 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     p[37] = p[41] = p[47] = g*sin_ag + z_9;
     const double c_97 = c[114];
     p[52] = p[55] = c_97;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta_dot = v[0];
+    const double ab_dot = v[2];
+    const double m = c[12];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double z_1 = m*cos_theta;
+    const double ab = x[2];
+    const double cos_ab = em_cos(ab);
+    const double density = c[13];
+    const double j = c[9];
+    const double b = c[1];
+    const double z_3 = j*b;
+    const double z_4 = density*z_3;
+    const double z_5 = cos_ab*z_4;
+    const double sin_theta = em_sin(theta);
+    const double z_7 = m*sin_theta;
+    const double sin_ab = em_sin(ab);
+    const double z_9 = sin_ab*z_4;
+    const double z_10 = theta_dot*ab_dot*(z_1*z_5 + z_7*z_9);
+    const double ac_dot = v[4];
+    const double k = c[10];
+    const double z_11 = density*k;
+    const double c_ = c[2];
+    const double ac = x[4];
+    const double cos_ac = em_cos(ac);
+    const double z_13 = c_*cos_ac;
+    const double z_14 = z_11*z_13;
+    const double sin_ac = em_sin(ac);
+    const double z_16 = c_*sin_ac;
+    const double z_17 = z_11*z_16;
+    const double z_18 = theta_dot*ac_dot*(z_1*z_14 + z_7*z_17);
+    const double gravity = c[16];
+    const double z_19 = z_11*gravity;
+    const double z_20 = density*gravity;
+    const double z_21 = j*z_20;
+    const double z_22 = ab_dot*z_9;
+    const double z_23 = theta_dot*z_1;
+    const double z_24 = theta_dot*z_7;
+    const double z_25 = ab_dot*cos_ab;
+    const double z_26 = z_4*z_25;
+    const double z_27 = (z_7*z_22 - z_23*z_5) - (z_24*z_9 - z_1*z_26);
+    const double z_28 = ab_dot*z_27;
+    const double z_29 = ac_dot*z_17;
+    const double z_30 = ac_dot*z_13;
+    const double z_31 = z_11*z_30;
+    const double z_32 = (z_7*z_29 - z_23*z_14) - (z_24*z_17 - z_1*z_31);
+    const double z_33 = ac_dot*z_32;
+    const double z_34 = theta_dot*theta_dot;
+    const double z_35 = z_34*z_1;
+    const double aj_dot = v[1];
+    const double z_36 = aj_dot*aj_dot;
+    const double aj = x[1];
+    const double cos_aj = em_cos(aj);
+    const double z_38 = j*cos_aj;
+    const double z_39 = z_36*z_38;
+    const double z_40 = ab_dot*ab_dot;
+    const double z_41 = b*cos_ab;
+    const double z_42 = z_40*z_41;
+    const double z_43 = b*b;
+    const double z_44 = density*j;
+    const double e = c[4];
+    const double z_45 = density*e;
+    const double d = c[3];
+    const double z_46 = d*d;
+    const double z_47 = z_43 + z_46 - e*e;
+    const double f = c[5];
+    const double z_48 = density*f;
+    const double z_49 = z_45 + density*d + z_48;
+    const double z_50 = z_47/b;
+    const double z_51 = 4.0*1.0 - z_47*z_47/(z_43*z_46);
+    const double z_52 = 1.0/(4.0*density*b*z_43 + 4.0*(z_44 + z_45)*z_43 + z_45*z_47 + (b*z_45 + z_49*z_50)*z_50 +
+        z_49*z_51*z_46);
+    const double z_53 = m*m;
+    const double J = c[14];
+    const double z_54 = z_53/(3.0*J + (z_44 + z_11)*z_53);
+    const double z_55 = 1.0/(6.281075576154938*z_43*z_52 + 1.0439356584272999*z_54);
+    const double z_56 = (z_35 + z_39 - z_42)*z_55;
+    const double z_57 = z_53*z_55;
+    const double z_58 = z_34*(sin_theta*sin_theta);
+    const double ak_dot = v[3];
+    const double z_59 = ak_dot*ak_dot;
+    const double ak = x[3];
+    const double cos_ak = em_cos(ak);
+    const double z_61 = k*cos_ak;
+    const double z_62 = z_59*z_61;
+    const double z_63 = ac_dot*ac_dot;
+    const double z_64 = z_63*z_13;
+    const double z_65 = z_35 + z_62 - z_64;
+    const double z_66 = c_*c_;
+    const double z_67 = density*c_;
+    const double g = c[6];
+    const double z_68 = density*g;
+    const double i = c[8];
+    const double z_69 = density*i;
+    const double h = c[7];
+    const double z_70 = h*z_67;
+    const double z_71 = density*h;
+    const double z_72 = z_69 + z_71;
+    const double z_73 = c_*z_72 + 0.5*i*z_67;
+    const double z_74 = z_48 + z_68 + z_71;
+    const double z_75 = c_*z_74 + 0.5*g*z_67;
+    const double z_76 = z_66/(2.0*z_66*z_67 + 2.0*(z_11 + z_68 + z_69)*z_66 + c_*(2.0*z_70 + 2.0*z_73 + 2.0*z_75)
+        + z_68*z_66 + z_69*z_66);
+    const double z_77 = 1.0/(1.0439356584272999*z_54 + 1.9779122466912002*z_76);
+    const double z_78 = z_65*z_77;
+    const double z_79 = z_53*z_77;
+    const double theta_ddot = a[0];
+    const double z_80 = (z_57 + z_79)*(cos_theta*sin_theta);
+    const double aj_ddot = a[1];
+    const double sin_aj = em_sin(aj);
+    const double z_82 = sin_aj*z_55;
+    const double z_83 = j*z_82;
+    const double z_84 = z_7*z_5;
+    const double z_85 = m*z_4 - 2.0*m*b*z_55;
+    const double z_86 = z_84 - cos_theta*sin_ab*z_85;
+    const double ab_ddot = a[2];
+    const double ak_ddot = a[3];
+    const double sin_ak = em_sin(ak);
+    const double z_88 = k*z_77;
+    const double z_89 = sin_ak*z_88;
+    const double z_90 = ak_ddot*z_89;
+    const double z_91 = z_7*z_14;
+    const double z_92 = m*c_;
+    const double z_93 = z_11*z_92 - 2.0*z_77*z_92;
+    const double z_94 = z_91 - cos_theta*sin_ac*z_93;
+    const double ac_ddot = a[4];
+    const double lambda_0 = lambda[0];
+    const double lambda_1 = lambda[1];
+    const double lambda_2 = lambda[2];
+    const double lambda_3 = lambda[3];
+    D[0] = (1.0/6.0)*(((((z_10 + z_18) - 3.0*(z_19 + z_21)*z_7) + (z_28 + z_33)) + 2.0*((z_1*z_56 - z_57*z_58) +
+        (z_1*z_78 - z_79*z_58))) + (4.0*theta_ddot*z_80 + 2.0*aj_ddot*z_1*z_83 + 2.0*z_1*z_90 - z_86*ab_ddot -
+        z_94*ac_ddot) - 6.0*(lambda_0*z_1 + lambda_1*z_7 + lambda_2*z_1 + lambda_3*z_7));
+    const double z_95 = z_55*z_7;
+    const double z_96 = z_38*z_95;
+    D[1] = ((-1.0/3.0))*(z_36*z_7*z_83 - aj_ddot*z_96);
+    const double z_97 = sin_ab*z_55;
+    const double z_98 = b*z_97;
+    const double z_99 = z_1*z_9;
+    const double z_100 = z_99 - cos_ab*sin_theta*z_85;
+    D[2] = ((-1.0/6.0))*(((z_10 + z_28) - 2.0*z_40*z_7*z_98) + z_100*ab_ddot);
+    const double z_101 = z_59*z_89;
+    const double z_102 = cos_ak*z_88;
+    const double z_103 = z_7*z_102;
+    D[3] = ((-1.0/3.0))*(z_7*z_101 - ak_ddot*z_103);
+    const double z_104 = z_63*z_16;
+    const double z_105 = z_77*z_7;
+    const double z_106 = z_1*z_17;
+    const double z_107 = z_106 - sin_theta*cos_ac*z_93;
+    D[4] = ((-1.0/6.0))*(((z_18 + z_33) - 2.0*z_104*z_105) + z_107*ac_ddot);
+    D[7] = (2.0/3.0)*(theta_dot*z_80);
+    D[8] = (2.0/3.0)*(aj_dot*z_96);
+    const double z_108 = b*z_25;
+    const double z_109 = z_84 - z_99;
+    const double z_110 = theta_dot*z_109;
+    const double z_111 = (z_1*z_22 + z_24*z_5) - (z_7*z_26 + z_23*z_9);
+    const double z_112 = ab_dot*z_109;
+    D[9] = ((-1.0/6.0))*(4.0*z_108*z_95 - (z_110 - (z_111 - z_112)));
+    D[10] = (2.0/3.0)*(ak_dot*z_103);
+    const double z_113 = z_91 - z_106;
+    const double z_114 = theta_dot*z_113;
+    const double z_115 = (z_24*z_14 + z_1*z_29) - (z_23*z_17 + z_7*z_31);
+    const double z_116 = ac_dot*z_113;
+    D[11] = ((-1.0/6.0))*(4.0*z_30*z_105 - (z_114 - (z_115 - z_116)));
+    const double z_117 = theta_ddot*z_1;
+    const double z_118 = z_34*z_7;
+    D[14] = (1.0/3.0)*(z_117*z_83 - z_118*z_83);
+    const double z_119 = j*j;
+    const double z_120 = z_82*(cos_aj*z_119);
+    const double z_121 = z_97*(cos_aj*z_3);
+    const double z_122 = j*sin_aj;
+    D[15] = (1.0/3.0)*((z_38*z_56 - z_55*z_36*z_119*(sin_aj*sin_aj)) + (theta_ddot*z_96 + 2.0*aj_ddot*z_120 -
+        ab_ddot*z_121) - 3.0*(lambda_0*z_38 + lambda_1*z_122));
+    const double z_123 = z_3*z_82;
+    const double z_124 = cos_ab*z_123;
+    const double z_125 = sin_ab*z_123;
+    D[16] = ((-1.0/3.0))*(ab_ddot*z_124 - z_40*z_125);
+    D[21] = (2.0/3.0)*(z_23*z_83);
+    D[22] = (2.0/3.0)*(aj_dot*z_120);
+    D[23] = ((-2.0/3.0))*(z_25*z_123);
+    const double z_126 = theta_dot*z_27;
+    D[28] = ((-1.0/6.0))*(((z_10 - z_126) - 2.0*z_118*z_98) + z_86*theta_ddot);
+    D[29] = (1.0/3.0)*(z_36*z_125 - aj_ddot*z_121);
+    const double z_127 = d*sqrt(0.25*z_51);
+    const double z_128 = cos_ab*z_50 - 2.0*sin_ab*z_127;
+    const double z_129 = z_48*z_128;
+    const double z_130 = cos_ab*z_127;
+    const double z_131 = sin_ab*z_50 + 2.0*z_130;
+    const double z_132 = z_48*z_131;
+    const double z_133 = ab_dot*ac_dot*(z_13*z_129 + z_16*z_132);
+    const double ag_dot = v[6];
+    const double ag = x[6];
+    const double cos_ag = em_cos(ag);
+    const double z_135 = g*cos_ag;
+    const double sin_ag = em_sin(ag);
+    const double z_137 = g*sin_ag;
+    const double z_138 = ab_dot*ag_dot*(z_135*z_129 + z_137*z_132);
+    const double z_139 = e*z_20;
+    const double z_140 = z_48*gravity;
+    const double z_141 = z_140 + d*z_20;
+    const double z_142 = ac_dot*z_16;
+    const double z_143 = ab_dot*sin_ab;
+    const double z_144 = z_50*z_25 - 2.0*z_127*z_143;
+    const double z_145 = z_48*z_144;
+    const double z_146 = z_50*z_143 + 2.0*z_127*z_25;
+    const double z_147 = z_48*z_146;
+    const double z_148 = (z_142*z_132 - z_13*z_145) + (z_30*z_129 - z_16*z_147);
+    const double z_149 = ac_dot*z_148;
+    const double z_150 = ag_dot*z_137;
+    const double z_151 = ag_dot*z_135;
+    const double z_152 = (z_135*z_145 - z_150*z_132) + (z_137*z_147 - z_151*z_129);
+    const double z_153 = ag_dot*z_152;
+    const double z_154 = ab_dot*z_144;
+    const double af_dot = v[5];
+    const double z_155 = af_dot*af_dot;
+    const double af = x[5];
+    const double cos_af = em_cos(af);
+    const double z_157 = f*cos_af;
+    const double z_158 = z_155*z_157;
+    const double z_159 = ag_dot*ag_dot;
+    const double z_160 = z_159*z_135;
+    const double z_161 = 2.0*z_64 + 2.0*z_160 - z_154 - 2.0*z_158;
+    const double z_162 = 0.9799867889375745*z_50 + 0.39812507335168834*z_127;
+    const double z_163 = 0.7809576093147158*z_50 - 1.2491680630778932*z_127;
+    const double z_164 = g*g;
+    const double z_165 = i*i;
+    const double z_166 = z_164 + z_165 - h*h;
+    const double z_167 = z_166/g;
+    const double z_168 = 4.0*1.0 - z_166*z_166/(z_164*z_165);
+    const double z_169 = 1.0/(1.9779122466912002*z_76 + z_52*(z_162*z_162) + z_52*(z_163*z_163) +
+        0.7654631453230909*z_164/(g*(4.0*g*z_74 + z_71*z_167) + (z_68*h + z_72*z_167)*z_167 + z_72*z_168*z_165));
+    const double z_170 = z_161*z_169;
+    const double z_171 = ab_dot*z_146;
+    const double z_172 = z_131*z_169;
+    const double z_173 = z_43*z_97;
+    const double z_174 = z_13*z_132;
+    const double z_175 = c_*z_169;
+    const double z_176 = c_*z_48 - 2.0*z_175;
+    const double z_177 = z_174 - sin_ac*z_128*z_176;
+    const double af_ddot = a[5];
+    const double sin_af = em_sin(af);
+    const double z_179 = f*z_169;
+    const double z_180 = sin_af*z_179;
+    const double z_181 = af_ddot*z_180;
+    const double z_182 = z_135*z_132;
+    const double z_183 = z_48*g - 2.0*g*z_169;
+    const double z_184 = z_182 - z_128*sin_ag*z_183;
+    const double ag_ddot = a[6];
+    const double z_185 = b*sin_ab;
+    const double lambda_4 = lambda[4];
+    const double lambda_5 = lambda[5];
+    D[30] = (1.0/12.0)*(((((2.0*z_10 + z_133 + z_138) - 3.0*(sin_ab*((2.0*b + z_50)*z_139 + 2.0*b*(z_21 + b*z_20)
+        + z_50*z_141) + 2.0*z_130*(z_139 + z_141))) - (2.0*z_126 + z_153 - z_149)) - (4.0*(z_41*z_56 +
+        z_43*z_55*z_40*(sin_ab*sin_ab)) + (z_128*z_170 + z_171*z_172))) + 6.0*(2.0*lambda_0*z_41 +
+        2.0*lambda_1*z_185 - z_128*lambda_4 - z_131*lambda_5) - (2.0*z_100*theta_ddot + 4.0*aj_ddot*z_124 +
+        z_177*ac_ddot + z_184*ag_ddot - 2.0*(z_128*z_172 + 4.0*cos_ab*z_173)*ab_ddot - 2.0*z_128*z_181));
+    const double z_186 = z_16*z_129;
+    const double z_187 = z_186 - cos_ac*z_131*z_176;
+    D[32] = ((-1.0/12.0))*(((z_133 + z_149) - 2.0*z_104*z_172) + z_187*ac_ddot);
+    const double z_188 = z_155*z_180;
+    const double z_189 = cos_af*z_179;
+    const double z_190 = af_ddot*z_189;
+    D[33] = ((-1.0/6.0))*(z_131*z_188 - z_131*z_190);
+    const double z_191 = z_159*z_137;
+    const double z_192 = z_137*z_129;
+    const double z_193 = z_192 - z_131*cos_ag*z_183;
+    D[34] = ((-1.0/12.0))*(((z_138 - z_153) - 2.0*z_191*z_172) + z_193*ag_ddot);
+    D[35] = ((-1.0/6.0))*(4.0*z_23*z_98 + (z_112 + (z_111 + z_110)));
+    D[36] = ((-2.0/3.0))*(aj_dot*z_121);
+    const double z_194 = z_144 + ab_dot*z_128;
+    D[37] = (1.0/12.0)*(8.0*z_25*z_173 + z_194*z_172);
+    const double z_195 = z_174 - z_186;
+    const double z_196 = ab_dot*z_195;
+    const double z_197 = (z_142*z_129 + z_13*z_147) - (z_30*z_132 + z_16*z_145);
+    const double z_198 = ac_dot*z_195;
+    D[39] = ((-1.0/12.0))*(4.0*z_30*z_172 - (z_196 - (z_197 - z_198)));
+    const double z_199 = af_dot*z_189;
+    D[40] = (1.0/3.0)*(z_131*z_199);
+    const double z_200 = z_182 - z_192;
+    const double z_201 = ab_dot*z_200;
+    const double z_202 = (z_135*z_147 + z_150*z_129) - (z_137*z_145 + z_151*z_132);
+    const double z_203 = ag_dot*z_200;
+    D[41] = ((-1.0/12.0))*(4.0*z_151*z_172 - (z_201 - (z_202 - z_203)));
+    D[42] = (1.0/3.0)*(z_117*z_89 - z_118*z_89);
+    const double z_204 = z_77*(k*k);
+    const double z_205 = z_204*(sin_ak*cos_ak);
+    const double z_206 = ac_ddot*z_16;
+    const double z_207 = k*sin_ak;
+    D[45] = (1.0/3.0)*((z_65*z_102 - z_59*(sin_ak*sin_ak)*z_204) + (theta_ddot*z_103 + 2.0*ak_ddot*z_205 -
+        z_206*z_102) - 3.0*(lambda_2*z_61 + lambda_3*z_207));
+    const double z_208 = ac_ddot*z_13;
+    D[46] = ((-1.0/3.0))*(z_208*z_89 - z_104*z_89);
+    D[49] = (2.0/3.0)*(z_23*z_89);
+    D[52] = (2.0/3.0)*(ak_dot*z_205);
+    D[53] = ((-2.0/3.0))*(z_30*z_89);
+    const double z_209 = theta_dot*z_32;
+    const double z_210 = z_77*z_16;
+    D[56] = ((-1.0/6.0))*(((z_18 - z_209) - 2.0*z_118*z_210) + z_94*theta_ddot);
+    const double z_211 = ab_dot*z_148;
+    const double z_212 = z_169*z_16;
+    D[58] = ((-1.0/12.0))*(((z_133 - z_211) - 2.0*z_171*z_212) + z_177*ab_ddot);
+    const double z_213 = z_16*z_102;
+    D[59] = (1.0/3.0)*(z_16*z_101 - ak_ddot*z_213);
+    const double z_214 = z_70 + 2.0*z_73;
+    const double z_215 = 2.0*g*(z_70 + 2.0*z_75) + z_214*z_167;
+    const double z_216 = cos_ac*cos_ag;
+    const double z_217 = sin_ac*sin_ag;
+    const double z_218 = i*sqrt(0.25*z_168);
+    const double z_219 = z_214*z_218;
+    const double z_220 = cos_ac*sin_ag;
+    const double z_221 = sin_ac*cos_ag;
+    const double z_222 = ac_dot*ag_dot*(z_215*z_216 + z_215*z_217 + 2.0*z_219*z_221 - 2.0*z_219*z_220);
+    const double z_223 = g*z_20;
+    const double z_224 = i*z_20;
+    const double z_225 = h*z_20;
+    const double z_226 = z_224 + z_225;
+    const double z_227 = ac_dot*z_215;
+    const double z_228 = ag_dot*z_215;
+    const double z_229 = ac_dot*z_219;
+    const double z_230 = ag_dot*z_219;
+    const double z_231 = (z_216*z_227 - z_217*z_228) + 2.0*(z_221*z_229 + z_220*z_230) + (z_217*z_227 -
+        z_216*z_228) - 2.0*(z_220*z_229 + z_221*z_230);
+    const double z_232 = ag_dot*z_231;
+    const double z_233 = z_66*z_77;
+    const double z_234 = z_63*(sin_ac*sin_ac);
+    const double z_235 = z_66*z_169;
+    const double z_236 = (z_233 + z_235)*(cos_ac*sin_ac);
+    const double z_237 = z_215 + 4.0*g*z_175;
+    const double z_238 = z_219*z_217 + z_219*z_216;
+    const double z_239 = z_215*z_221 - 2.0*z_238;
+    const double z_240 = z_239 - z_237*z_220;
+    D[60] = (1.0/12.0)*(((((2.0*z_18 + z_133 + z_222) - 6.0*(z_19 + 2.0*z_223 + c_*z_20 + 2.0*z_226 + z_140)*z_16)
+        - (2.0*z_209 + z_211 + z_232)) - 2.0*(2.0*(z_13*z_78 + z_233*z_234) - (z_13*z_170 - 2.0*z_235*z_234))) +
+        12.0*(lambda_2*z_13 + lambda_3*z_16 + lambda_4*z_13 + lambda_5*z_16) - (2.0*z_107*theta_ddot +
+        z_187*ab_ddot + 4.0*z_13*z_90 + 4.0*z_13*z_181 + z_240*ag_ddot - 8.0*ac_ddot*z_236));
+    D[61] = (1.0/3.0)*(z_16*z_188 - z_16*z_190);
+    const double z_241 = z_169*z_137;
+    const double z_242 = z_215*z_220;
+    const double z_243 = z_242 + 2.0*z_238 - z_237*z_221;
+    D[62] = ((-1.0/12.0))*(((z_222 - z_232) + 4.0*z_159*z_16*z_241) + z_243*ag_ddot);
+    D[63] = ((-1.0/6.0))*(4.0*z_23*z_210 + (z_116 + (z_115 + z_114)));
+    D[65] = ((-1.0/12.0))*((z_198 + (z_197 + z_196)) + 2.0*z_194*z_212);
+    D[66] = ((-2.0/3.0))*(ak_dot*z_213);
+    D[67] = (2.0/3.0)*(ac_dot*z_236);
+    D[68] = ((-2.0/3.0))*(z_16*z_199);
+    const double z_244 = z_239 - z_242;
+    const double z_245 = ac_dot*z_244;
+    const double z_246 = (z_221*z_227 + z_220*z_228) - 2.0*(z_217*z_229 - z_216*z_230) - 2.0*(z_216*z_229 -
+        z_217*z_230) - (z_220*z_227 + z_221*z_228);
+    const double z_247 = ag_dot*z_244;
+    D[69] = (1.0/12.0)*(8.0*z_151*z_212 + (z_245 - (z_246 - z_247)));
+    const double z_248 = z_128*ab_ddot;
+    D[72] = ((-1.0/6.0))*(z_171*z_180 - z_248*z_180);
+    D[74] = ((-1.0/3.0))*(z_208*z_180 - z_104*z_180);
+    const double z_249 = z_169*(f*f);
+    const double z_250 = z_131*ab_ddot;
+    const double z_251 = z_249*(sin_af*cos_af);
+    const double z_252 = ag_ddot*z_137;
+    const double z_253 = f*sin_af;
+    D[75] = ((-1.0/6.0))*((z_161*z_189 + 2.0*z_155*(sin_af*sin_af)*z_249) + 6.0*(lambda_4*z_157 + lambda_5*z_253)
+        - (z_250*z_189 + 4.0*af_ddot*z_251 - 2.0*z_206*z_189 - 2.0*z_252*z_189));
+    const double z_254 = ag_ddot*z_135;
+    D[76] = ((-1.0/3.0))*(z_254*z_180 - z_191*z_180);
+    D[79] = (1.0/6.0)*(z_194*z_180);
+    D[81] = ((-2.0/3.0))*(z_30*z_180);
+    D[82] = (2.0/3.0)*(af_dot*z_251);
+    D[83] = ((-2.0/3.0))*(z_151*z_180);
+    const double z_255 = ab_dot*z_152;
+    D[86] = ((-1.0/12.0))*(((z_138 + z_255) - 2.0*z_171*z_241) + z_184*ab_ddot);
+    const double z_256 = ac_dot*z_231;
+    D[88] = ((-1.0/12.0))*(((z_222 + z_256) + 4.0*z_104*z_241) + z_240*ac_ddot);
+    D[89] = (1.0/3.0)*(z_137*z_188 - z_137*z_190);
+    const double z_257 = z_164*z_169;
+    const double z_258 = z_257*(cos_ag*sin_ag);
+    D[90] = (1.0/12.0)*(((((z_138 + z_222) - 3.0*(sin_ag*(z_167*z_224 + (2.0*g + z_167)*z_225 + 2.0*g*(z_223 +
+        z_140)) + 2.0*cos_ag*z_226*z_218)) + (z_255 + z_256)) + 2.0*(z_135*z_170 -
+        2.0*z_159*(sin_ag*sin_ag)*z_257)) + 12.0*(lambda_4*z_135 + lambda_5*z_137) - (z_193*ab_ddot +
+        z_243*ac_ddot + 4.0*z_135*z_181 - 8.0*ag_ddot*z_258));
+    D[93] = ((-1.0/12.0))*((z_203 + (z_202 + z_201)) + 2.0*z_194*z_241);
+    D[95] = (1.0/12.0)*(8.0*z_30*z_241 - (z_247 + (z_246 + z_245)));
+    D[96] = ((-2.0/3.0))*(z_137*z_199);
+    D[97] = (2.0/3.0)*(ag_dot*z_258);
+    D[98] = z_118 - z_117;
+    D[99] = z_36*z_122 - aj_ddot*z_38;
+    D[100] = -(z_40*z_185 - ab_ddot*z_41);
+    D[105] = (-2.0)*z_23;
+    D[106] = (-2.0)*(aj_dot*z_38);
+    D[107] = 2.0*z_108;
+    D[112] = -(z_35 + theta_ddot*z_7);
+    D[113] = -(z_39 + aj_ddot*z_122);
+    D[114] = z_42 + ab_ddot*z_185;
+    D[119] = (-2.0)*z_24;
+    D[120] = (-2.0)*(aj_dot*z_122);
+    D[121] = 2.0*(ab_dot*z_185);
+    D[126] = z_118 - z_117;
+    D[129] = z_59*z_207 - ak_ddot*z_61;
+    D[130] = -(z_104 - z_208);
+    D[133] = (-2.0)*z_23;
+    D[136] = (-2.0)*(ak_dot*z_61);
+    D[137] = 2.0*z_30;
+    D[140] = -(z_35 + theta_ddot*z_7);
+    D[143] = -(z_62 + ak_ddot*z_207);
+    D[144] = z_64 + z_206;
+    D[147] = (-2.0)*z_24;
+    D[150] = (-2.0)*(ak_dot*z_207);
+    D[151] = 2.0*z_142;
+    D[156] = 0.5*(z_171 - z_248);
+    D[158] = -(z_104 - z_208);
+    D[159] = z_155*z_253 - af_ddot*z_157;
+    D[160] = -(z_191 - z_254);
+    D[163] = (-0.5)*z_194;
+    D[165] = 2.0*z_30;
+    D[166] = (-2.0)*(af_dot*z_157);
+    D[167] = 2.0*z_151;
+    D[170] = (-0.5)*(z_154 + z_250);
+    D[172] = z_64 + z_206;
+    D[173] = -(z_158 + af_ddot*z_253);
+    D[174] = z_160 + z_252;
+    D[177] = (-0.5)*(z_146 + ab_dot*z_131);
+    D[179] = 2.0*z_142;
+    D[180] = (-2.0)*(af_dot*z_253);
+    D[181] = 2.0*z_150;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double ab = x[2];
+    const double sin_ab = em_sin(ab);
+    const double ab_dot = v[2];
+    const double z_1 = ab_dot*ab_dot;
+    const double z_2 = sin_ab*z_1;
+    const double j = c[9];
+    const double density = c[13];
+    const double m = c[12];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double z_4 = m*cos_theta;
+    const double z_5 = density*z_4;
+    const double z_6 = j*z_5;
+    const double cos_ab = em_cos(ab);
+    const double ab_ddot = a[2];
+    const double z_8 = cos_ab*ab_ddot;
+    const double b = c[1];
+    const double z_9 = b*b;
+    const double z_10 = density*b;
+    const double z_11 = density*j;
+    const double e = c[4];
+    const double z_12 = density*e;
+    const double z_13 = z_11 + z_12;
+    const double z_14 = z_9;
+    const double d = c[3];
+    const double z_15 = d*d;
+    const double z_16 = z_14 + z_15 - e*e;
+    const double f = c[5];
+    const double z_17 = density*f;
+    const double z_18 = density*d + z_17;
+    const double z_19 = z_12 + z_18;
+    const double z_20 = 1.0/b;
+    const double z_21 = z_16*z_20;
+    const double z_22 = e*z_10 + z_19*z_21;
+    const double z_23 = 1.0/z_9;
+    const double z_24 = z_16*z_16;
+    const double z_25 = z_23*z_24;
+    const double z_26 = 1.0/z_15;
+    const double z_27 = 4.0*1.0 - z_25*z_26;
+    const double z_28 = z_27*z_15;
+    const double z_29 = 4.0*z_9*z_10 + 4.0*z_13*z_9 + z_12*z_16 + z_22*z_21 + z_19*z_28;
+    const double z_30 = 1.0/z_29;
+    const double z_31 = m*m;
+    const double J = c[14];
+    const double k = c[10];
+    const double z_32 = density*k;
+    const double z_33 = z_11 + z_32;
+    const double z_34 = 3.0*J + z_33*z_31;
+    const double z_35 = 1.0/z_34;
+    const double z_36 = z_31*z_35;
+    const double z_37 = 6.281075576154938*z_9*z_30 + 1.0439356584272999*z_36;
+    const double z_38 = 1.0/z_37;
+    const double z_39 = m*z_38;
+    const double z_40 = m*z_11;
+    const double z_41 = 2.0*z_39 - z_40;
+    const double sin_theta = em_sin(theta);
+    const double z_43 = cos_ab*z_1;
+    const double z_44 = sin_theta*z_43;
+    const double z_45 = sin_ab*ab_ddot;
+    const double z_46 = sin_theta*z_45;
+    const double z_47 = 1.0/(z_37*z_37);
+    const double aj = x[1];
+    const double sin_aj = em_sin(aj);
+    const double z_49 = j*sin_aj;
+    const double z_50 = z_47*z_49;
+    const double aj_ddot = a[1];
+    const double z_51 = m*sin_theta;
+    const double z_52 = aj_ddot*z_51;
+    const double theta_dot = v[0];
+    const double z_53 = theta_dot*theta_dot;
+    const double z_54 = z_53*z_4;
+    const double cos_aj = em_cos(aj);
+    const double aj_dot = v[1];
+    const double z_56 = aj_dot*aj_dot;
+    const double z_57 = cos_aj*z_56;
+    const double z_58 = z_54 + j*z_57 - b*z_43;
+    const double z_59 = z_58*z_47;
+    const double z_60 = b*z_45;
+    const double theta_ddot = a[0];
+    const double z_61 = theta_ddot*(sin_theta*sin_theta);
+    const double z_62 = z_31*z_61;
+    const double z_63 = z_50*z_52 + z_51*z_59 + z_47*z_62 - z_47*z_51*z_60;
+    const double z_64 = b*z_30;
+    const double z_65 = 1.0/(z_29*z_29);
+    const double z_66 = z_19*z_65;
+    const double z_67 = z_24*z_66;
+    const double z_68 = z_22*z_65;
+    const double z_69 = e*z_16;
+    const double z_70 = b*z_13;
+    const double z_71 = z_9*z_65;
+    const double z_72 = z_16*z_66 - b*z_68 - z_12*z_71;
+    const double z_73 = z_65*(z_9*z_9);
+    const double z_74 = 4.187383717436625*z_64 + 2.0936918587183126*z_16*z_68 + 4.187383717436625*b*z_72 -
+        2.0936918587183126*z_20*z_67 - 2.0936918587183126*z_69*z_65*z_10 - 16.7495348697465*z_70*z_71 -
+        25.124302304619754*density*z_73;
+    D[1] = ((-1.0/6.0))*(z_2*z_6 + z_41*z_44 + z_41*z_46 + 6.0*z_63*z_74 - z_8*z_6);
+    const double ac = x[4];
+    const double sin_ac = em_sin(ac);
+    const double ac_dot = v[4];
+    const double z_76 = ac_dot*ac_dot;
+    const double z_77 = sin_ac*z_76;
+    const double z_78 = k*z_5;
+    const double cos_ac = em_cos(ac);
+    const double ac_ddot = a[4];
+    const double z_80 = cos_ac*ac_ddot;
+    const double z_81 = cos_ac*z_76;
+    const double c_ = c[2];
+    const double z_82 = c_*c_;
+    const double z_83 = density*c_;
+    const double g = c[6];
+    const double z_84 = density*g;
+    const double i = c[8];
+    const double z_85 = density*i;
+    const double z_86 = z_32 + z_84 + z_85;
+    const double h = c[7];
+    const double z_87 = density*h;
+    const double z_88 = z_85 + z_87;
+    const double z_89 = c_*z_88;
+    const double z_90 = z_17 + z_84 + z_87;
+    const double z_91 = c_*z_90;
+    const double z_92 = h*z_83;
+    const double z_93 = g*z_83;
+    const double z_94 = i*z_83;
+    const double z_95 = z_93 + z_94;
+    const double z_96 = 2.0*z_89 + 2.0*z_91 + 2.0*z_92 + z_95;
+    const double z_97 = 2.0*z_82*z_83 + 2.0*z_86*z_82 + c_*z_96 + z_84*z_82 + z_85*z_82;
+    const double z_98 = 1.0/z_97;
+    const double z_99 = z_82*z_98;
+    const double z_100 = 1.0439356584272999*z_36 + 1.9779122466912002*z_99;
+    const double z_101 = 1.0/z_100;
+    const double z_102 = m*z_101;
+    const double z_103 = m*z_32;
+    const double z_104 = 2.0*z_102 - z_103;
+    const double z_105 = sin_ac*ac_ddot;
+    const double z_106 = sin_theta*z_105;
+    const double z_107 = 1.0/(z_100*z_100);
+    const double ak = x[3];
+    const double sin_ak = em_sin(ak);
+    const double z_109 = k*sin_ak;
+    const double z_110 = z_107*z_109;
+    const double ak_ddot = a[3];
+    const double z_111 = ak_ddot*z_51;
+    const double cos_ak = em_cos(ak);
+    const double ak_dot = v[3];
+    const double z_113 = ak_dot*ak_dot;
+    const double z_114 = cos_ak*z_113;
+    const double z_115 = c_*z_81;
+    const double z_116 = z_54 + k*z_114 - z_115;
+    const double z_117 = z_116*z_107;
+    const double z_118 = c_*sin_ac;
+    const double z_119 = ac_ddot*z_118;
+    const double z_120 = z_110*z_111 + z_51*z_117 + z_107*z_62 - z_107*z_51*z_119;
+    const double z_121 = 1.0/(z_97*z_97);
+    const double z_122 = z_82*z_121;
+    const double z_123 = c_*z_122;
+    const double z_124 = z_83*z_122;
+    const double z_125 = i*z_124 + g*z_124;
+    const double z_126 = c_*z_98;
+    const double z_127 = z_121*(z_82*z_82);
+    const double z_128 = density*z_127;
+    const double z_129 = (z_126 - 3.0*z_128) - 0.5*(z_96*z_122 + 4.0*z_86*z_123);
+    const double z_130 = (z_88*z_123 + 1.5*z_125) - (z_129 - (h*z_124 + z_90*z_123));
+    const double z_131 = -1.3186081644608*z_130;
+    D[2] = ((-1.0/6.0))*(z_77*z_78 + sin_theta*z_81*z_104 + z_104*z_106 + 6.0*z_120*z_131 - z_80*z_78);
+    const double z_132 = d*z_27;
+    const double z_133 = z_19*z_132;
+    const double z_134 = z_28*z_71 + z_24*z_65;
+    const double z_135 = 4.187383717436625*z_133*z_71 + 4.187383717436625*z_67/d +
+        2.0936918587183126*density*z_134 - 4.187383717436625*d*z_72;
+    D[3] = z_63*z_135;
+    const double z_136 = density*z_16;
+    const double z_137 = 2.0936918587183126*z_134 + 8.37476743487325*z_73;
+    const double z_138 = 4.187383717436625*z_136*z_71 + 4.187383717436625*e*z_72 + density*z_137;
+    D[4] = z_63*z_138;
+    const double z_139 = z_120*z_127;
+    const double z_140 = 1.3186081644608*z_139 + 2.0936918587183126*z_63*z_134;
+    D[5] = density*z_140;
+    D[6] = 3.9558244933824005*(z_120*z_128);
+    D[7] = 3.9558244933824005*(z_120*z_128);
+    D[8] = 3.9558244933824005*(z_120*z_128);
+    const double z_141 = sin_aj*z_38;
+    const double z_142 = z_43*z_51;
+    const double z_143 = z_4*z_10;
+    const double gravity = c[16];
+    const double z_144 = density*gravity;
+    const double z_145 = z_4*z_144;
+    const double z_146 = z_57*z_38;
+    const double z_147 = z_45*z_51;
+    const double z_148 = z_120 + z_63;
+    const double z_149 = 1.0/(z_34*z_34);
+    const double z_150 = z_31*z_149;
+    const double z_151 = theta_ddot + 1.0439356584272999*z_148*z_150;
+    const double z_152 = (1.0/3.0)*z_151;
+    const double z_153 = z_152*z_31;
+    const double z_154 = 8.37476743487325*z_63*z_73 + z_153;
+    D[9] = (1.0/6.0)*(2.0*z_141*z_52 + z_10*z_142 + 3.0*z_145 + 2.0*z_51*z_146 + z_10*z_147 + z_8*z_143 +
+        6.0*density*z_154 - z_2*z_143);
+    const double z_155 = sin_ak*z_101;
+    const double z_156 = cos_ac*z_83;
+    const double z_157 = z_76*z_156;
+    const double z_158 = sin_ac*z_83;
+    const double z_159 = z_76*z_158;
+    const double z_160 = z_114*z_101;
+    const double z_161 = z_105*z_83;
+    const double z_162 = ac_ddot*z_156;
+    const double z_163 = 1.3186081644608*z_139 + z_153;
+    D[10] = (1.0/6.0)*(2.0*z_155*z_111 + z_51*z_157 + 3.0*z_145 + 2.0*z_51*z_160 + z_51*z_161 + z_4*z_162 +
+        6.0*density*z_163 - z_4*z_159);
+    const double lambda_0 = lambda[0];
+    const double lambda_1 = lambda[1];
+    const double lambda_2 = lambda[2];
+    const double lambda_3 = lambda[3];
+    const double z_164 = z_101*z_109;
+    const double z_165 = ak_ddot*z_164;
+    const double z_166 = z_38*z_49;
+    const double z_167 = aj_ddot*z_166;
+    const double z_168 = z_116*z_101;
+    const double z_169 = z_58*z_38;
+    const double z_170 = k*z_156;
+    const double z_171 = j*z_10;
+    const double z_172 = cos_theta*z_171;
+    const double z_173 = k*z_144;
+    const double z_174 = j*z_144;
+    const double z_175 = cos_theta*z_53;
+    const double z_176 = z_39 + z_102;
+    const double z_177 = m*z_35;
+    const double z_178 = m*z_33;
+    const double z_179 = c_*z_101;
+    const double z_180 = k*z_83;
+    const double z_181 = 2.0*z_179 - z_180;
+    const double z_182 = b*z_38;
+    const double z_183 = 2.0*z_182 - z_171;
+    D[12] = -(sin_theta*lambda_0 + sin_theta*lambda_2 + (1.0/6.0)*k*cos_theta*z_159 + (1.0/6.0)*z_2*z_172 +
+        0.6959571056181999*z_148*z_177 + (1.0/6.0)*z_181*z_106 + (1.0/6.0)*z_183*z_46 - cos_theta*lambda_1 -
+        cos_theta*lambda_3 - (1.0/3.0)*sin_theta*z_165 - (1.0/3.0)*sin_theta*z_167 - (1.0/3.0)*sin_theta*z_168 -
+        (1.0/3.0)*sin_theta*z_169 - (1.0/6.0)*sin_theta*z_76*z_170 - (1.0/6.0)*z_171*z_44 - 0.5*cos_theta*(z_173 +
+        z_174) - (1.0/3.0)*sin_theta*z_175*z_176 - (1.0/6.0)*cos_theta*ac_ddot*z_170 - (1.0/6.0)*z_8*z_172 -
+        2.0*z_152*z_178 - (2.0/3.0)*z_176*z_61);
+    const double z_184 = k*z_51;
+    const double z_185 = j*b;
+    const double z_186 = k*z_118;
+    const double z_187 = z_4*z_185;
+    const double z_188 = k*z_4;
+    const double z_189 = c_*z_80;
+    const double z_190 = m*gravity;
+    const double z_191 = c_*z_127;
+    const double z_192 = i*z_127 + g*z_127;
+    const double z_193 = h*z_127 + z_192;
+    const double z_194 = z_191 + 3.0*z_193;
+    const double z_195 = (d*z_134 + 2.0*z_69*z_71) + 0.4776252034586246*(e*z_137 + 8.37476743487325*b*z_73);
+    D[13] = (1.0/6.0)*(z_115*z_184 + z_185*z_142 + 6.0*f*z_140 + z_119*z_184 + z_188*z_189 + z_185*z_147 +
+        z_8*z_187 + 6.0*k*z_163 + 6.0*j*z_154 + 3.0*cos_theta*(j*z_190 + k*z_190) +
+        6.0*z_120*(1.3186081644608*z_194) + 6.0*z_63*(2.0936918587183126*z_195) - z_76*z_4*z_186 - z_2*z_187);
+    D[14] = z_151;
+    D[15] = -1.0;
+    D[16] = 0.5*(cos_theta*(z_40 + z_103));
+    const double z_196 = aj_ddot*(sin_aj*sin_aj);
+    const double z_197 = theta_ddot*z_51;
+    const double z_198 = z_50*z_60 - z_47*(j*j)*z_196 - z_197*z_50 - z_58*z_50;
+    D[19] = ((-1.0/3.0))*(z_45*z_166 + z_43*z_166 - 3.0*z_74*z_198);
+    D[21] = -z_135*z_198;
+    D[22] = -z_138*z_198;
+    const double z_199 = density*z_198;
+    D[23] = (-2.0936918587183126)*(z_134*z_199);
+    const double z_200 = z_149*(z_31*z_31);
+    const double z_201 = 8.37476743487325*z_73 + 0.34797855280909995*z_200;
+    D[27] = ((-1.0/3.0))*(3.0*sin_aj*lambda_0 + z_141*z_60 + 3.0*z_201*z_199 - 3.0*cos_aj*lambda_1 -
+        2.0*j*z_38*z_196 - z_197*z_141 - z_58*z_141 - z_57*z_166);
+    D[28] = (-0.34797855280909995)*(z_200*z_199);
+    const double z_202 = sin_theta*theta_ddot;
+    const double z_203 = z_177 - z_150*z_178;
+    D[30] = (1.0/3.0)*z_202*z_166 + (1.0/3.0)*z_175*z_166 + 0.6959571056181999*z_198*z_203;
+    D[31] = -z_198*(2.0936918587183126*f*z_134 + 0.34797855280909995*k*z_200 + j*z_201 +
+        2.0936918587183126*z_195);
+    D[32] = (-1.0439356584272999)*(z_198*z_150);
+    const double z_204 = z_53*z_51;
+    const double z_205 = cos_ab*z_204;
+    const double z_206 = b*sin_ab;
+    const double z_207 = z_16*z_23;
+    const double ag_dot = v[6];
+    const double ag = x[6];
+    const double cos_ag = em_cos(ag);
+    const double z_209 = g*cos_ag;
+    const double z_210 = z_17*z_209;
+    const double z_211 = ag_dot*z_210;
+    const double z_212 = f*z_156;
+    const double z_213 = ac_dot*z_212;
+    const double z_214 = z_211 + z_213;
+    const double z_215 = ab_dot*sin_ab;
+    const double z_216 = z_214*z_215;
+    const double sin_ag = em_sin(ag);
+    const double z_218 = g*sin_ag;
+    const double z_219 = ag_dot*z_218;
+    const double z_220 = ac_dot*z_158;
+    const double z_221 = sqrt(0.25*z_27);
+    const double z_222 = d*z_221;
+    const double z_223 = 0.9799867889375745*z_21 + 0.39812507335168834*z_222;
+    const double z_224 = z_223*z_223;
+    const double z_225 = 0.7809576093147158*z_21 - 1.2491680630778932*z_222;
+    const double z_226 = z_225*z_225;
+    const double z_227 = g*g;
+    const double z_228 = g*z_90;
+    const double z_229 = i*i;
+    const double z_230 = z_227 + z_229 - h*h;
+    const double z_231 = 1.0/g;
+    const double z_232 = z_230*z_231;
+    const double z_233 = 4.0*z_228 + z_87*z_232;
+    const double z_234 = g*z_87 + z_88*z_232;
+    const double z_235 = 1.0/z_227;
+    const double z_236 = z_230*z_230;
+    const double z_237 = z_235*z_236;
+    const double z_238 = 1.0/z_229;
+    const double z_239 = 4.0*1.0 - z_237*z_238;
+    const double z_240 = z_88*z_239;
+    const double z_241 = g*z_233 + z_234*z_232 + z_229*z_240;
+    const double z_242 = 1.0/z_241;
+    const double z_243 = 1.9779122466912002*z_99 + z_30*z_224 + z_30*z_226 + 0.7654631453230909*z_227*z_242;
+    const double z_244 = 1.0/z_243;
+    const double z_245 = sin_ab*z_21 + 2.0*cos_ab*z_222;
+    const double z_246 = ab_dot*z_245;
+    const double z_247 = z_17*z_219 + f*z_220 + z_244*z_246;
+    const double z_248 = ab_dot*cos_ab;
+    const double z_249 = z_247*z_248;
+    const double z_250 = ab_ddot*(sin_ab*sin_ab);
+    const double z_251 = aj_ddot*z_206;
+    const double z_252 = z_50*z_251 + z_206*z_59 + z_47*z_197*z_206 - z_9*z_47*z_250;
+    const double z_253 = z_21*z_248 - 2.0*z_222*z_215;
+    const double z_254 = ab_dot*z_253;
+    const double af = x[5];
+    const double cos_af = em_cos(af);
+    const double af_dot = v[5];
+    const double z_256 = af_dot*af_dot;
+    const double z_257 = cos_af*z_256;
+    const double z_258 = ag_dot*ag_dot;
+    const double z_259 = z_258*z_209;
+    const double z_260 = 2.0*z_115 + 2.0*z_259 - z_254 - 2.0*f*z_257;
+    const double z_261 = z_260*z_244;
+    const double lambda_4 = lambda[4];
+    const double af_ddot = a[5];
+    const double sin_af = em_sin(af);
+    const double z_263 = f*sin_af;
+    const double z_264 = z_244*z_263;
+    const double z_265 = af_ddot*z_264;
+    const double ag_ddot = a[6];
+    const double z_266 = z_17*g;
+    const double z_267 = g*z_244;
+    const double z_268 = sin_ag*(z_266 - 2.0*z_267);
+    const double z_269 = f*z_83;
+    const double z_270 = c_*z_244;
+    const double z_271 = z_269 - 2.0*z_270;
+    const double z_272 = z_245*ab_ddot;
+    const double z_273 = ab_dot*z_211 + ab_dot*z_213 + 2.0*z_265 + z_258*z_210 + z_76*z_212 + ag_ddot*z_268 +
+        z_271*z_105 + 2.0*z_244*z_272 - z_261 - 6.0*lambda_4;
+    const double z_274 = sin_ab*z_273;
+    const double z_275 = cos_ab*z_144;
+    const double z_276 = 1.0/(z_243*z_243);
+    const double z_277 = z_276*z_263;
+    const double z_278 = af_ddot*z_277;
+    const double z_279 = z_245*z_276;
+    const double z_280 = ag_ddot*z_218;
+    const double z_281 = 2.0*z_245*z_278 + ab_ddot*z_276*(z_245*z_245) - z_260*z_279 - 2.0*z_280*z_279 -
+        2.0*z_119*z_279;
+    const double z_282 = z_225*z_30;
+    const double z_283 = z_223*z_30;
+    const double z_284 = z_282 + 1.2548527311200737*z_283;
+    const double z_285 = e*z_275 - 4.0*z_281*(0.13015960155245263*z_284);
+    const double z_286 = ab_dot*z_17;
+    const double z_287 = ab_dot*f;
+    const double lambda_5 = lambda[5];
+    const double z_288 = z_258*z_218;
+    const double z_289 = z_286*z_219 + z_287*z_220 + z_17*z_288 + f*z_159 - 6.0*lambda_5 - ag_ddot*z_210 -
+        ac_ddot*z_212;
+    const double z_290 = cos_ab*z_289;
+    const double z_291 = z_222/z_27;
+    const double z_292 = e*z_144;
+    const double z_293 = z_17*gravity;
+    const double z_294 = z_293 + d*z_144;
+    const double z_295 = sin_ab*(z_292 + z_294);
+    const double z_296 = z_214*z_248;
+    const double z_297 = z_247*z_215;
+    const double z_298 = cos_ab*z_273;
+    const double z_299 = z_282 - 0.31871217742368974*z_283;
+    const double z_300 = z_281*(0.20819467717964885*z_299);
+    const double z_301 = sin_ab*z_289;
+    const double z_302 = z_65*z_226 + z_65*z_224;
+    const double z_303 = ab_ddot - 12.0*(2.0936918587183126*z_252*z_71 - (1.0/12.0)*z_281*z_302);
+    const double z_304 = (3.0*z_291*z_295 + z_291*z_296 + z_291*z_297 - z_291*z_298 - 6.0*z_291*z_300 -
+        z_291*z_301) - z_19*z_303*z_15;
+    const double z_305 = b*z_9;
+    const double z_306 = z_24/(z_305);
+    const double z_307 = z_26*z_306;
+    const double z_308 = z_26*z_207;
+    const double z_309 = 3.0*cos_ab*z_294*z_20 + z_20*z_249 + z_20*z_274 + 3.0*z_285*z_20 + 2.0*z_304*z_308 +
+        z_303*(z_12 + z_22*z_20 + z_19*z_207) - z_20*z_216 - z_20*z_290;
+    const double z_310 = cos_ab*theta_ddot;
+    const double z_311 = b*z_144;
+    const double z_312 = sin_ab*z_202;
+    const double z_313 = density*z_9;
+    const double z_314 = z_12*z_21;
+    D[37] = sin_ab*lambda_0 + (1.0/6.0)*sin_ab*z_53*z_6 + (1.0/3.0)*z_43*z_38*z_206 + (1.0/12.0)*z_207*z_216 +
+        (2.0/3.0)*z_182*z_250 + 4.187383717436625*z_64*z_252 + (1.0/12.0)*z_207*z_290 + (1.0/6.0)*b*z_309 +
+        (1.0/6.0)*z_6*z_310 + 0.25*cos_ab*(2.0*z_311 + 2.0*z_292 + 2.0*(z_174 + z_311) - z_294*z_207) -
+        cos_ab*lambda_1 - (1.0/3.0)*sin_ab*z_167 - (1.0/3.0)*sin_ab*z_169 - (1.0/6.0)*z_11*z_205 -
+        (1.0/12.0)*z_207*z_249 - (1.0/12.0)*z_207*z_274 - 0.25*z_285*z_207 - (1.0/6.0)*z_304*z_307 -
+        (1.0/6.0)*z_41*z_312 - (1.0/12.0)*z_303*(z_22*z_207 + z_19*z_306 - 8.0*z_70 - 12.0*z_313 - z_314);
+    const double z_315 = ac_dot*sin_ac;
+    const double z_316 = z_17*z_253;
+    const double z_317 = z_21*z_215 + 2.0*z_222*z_248;
+    const double z_318 = ac_dot*z_317;
+    const double z_319 = sin_ab*z_222;
+    const double z_320 = cos_ab*z_21 - 2.0*z_319;
+    const double z_321 = z_17*z_320;
+    const double z_322 = z_320*z_286;
+    const double z_323 = ac_dot*z_245;
+    const double z_324 = cos_ac*z_286;
+    const double z_325 = z_17 - 2.0*z_244;
+    const double z_326 = z_245*z_325;
+    D[38] = (1.0/12.0)*(z_315*z_316 + z_323*z_324 + z_80*z_321 + z_81*z_326 + z_105*z_326 - cos_ac*z_17*z_318 -
+        z_77*z_321 - z_315*z_322 - 12.0*z_281*(-0.3296520411152*z_130));
+    const double z_327 = z_320*z_144;
+    const double z_328 = z_25/(d*z_15);
+    const double z_329 = z_28 + z_25;
+    D[39] = ((-1.0/12.0))*(6.0*z_221*z_295 + 2.0*z_221*z_296 + 2.0*z_221*z_297 + 2.0*z_304*z_328 - 3.0*z_327 -
+        2.0*z_221*z_298 - 12.0*z_221*z_300 - 2.0*z_221*z_301 - 2.0*d*z_309 - z_303*(2.0*z_133 + density*z_329));
+    const double z_330 = 2.0*b + z_21;
+    const double z_331 = 4.0*z_14 + z_329;
+    D[40] = (1.0/12.0)*(3.0*z_330*z_275 + z_303*(2.0*z_136 + density*z_331) - 6.0*z_319*z_144 - 2.0*e*z_309);
+    const double z_332 = sin_af*z_244;
+    const double z_333 = af_ddot*z_332;
+    const double z_334 = density*z_209;
+    const double z_335 = density*z_219;
+    const double z_336 = density*z_218;
+    const double z_337 = ag_dot*z_317;
+    const double z_338 = ab_dot*z_320;
+    const double z_339 = 1.0/(z_241*z_241);
+    const double z_340 = z_227*z_227*z_339;
+    const double z_341 = z_127 + 0.7740112298749502*z_340;
+    const double z_342 = 0.3296520411152*z_341;
+    const double z_343 = 12.0*z_281*z_342 + z_303*z_329;
+    D[41] = (1.0/12.0)*(2.0*z_245*z_333 + z_245*z_258*z_334 + z_253*z_335 + z_253*z_220 + z_245*z_157 +
+        ag_dot*z_334*z_246 + ac_dot*z_156*z_246 + 3.0*z_327 + 2.0*z_245*z_257*z_244 + density*z_245*z_280 +
+        z_320*ag_ddot*z_334 + z_245*z_161 + z_320*z_162 + density*z_343 - z_320*z_258*z_336 - z_334*z_337 -
+        z_156*z_318 - z_320*z_159 - z_338*z_335 - z_220*z_338);
+    const double z_344 = ag_dot*sin_ag;
+    const double z_345 = sin_ag*z_258;
+    const double z_346 = ag_dot*z_245;
+    const double z_347 = cos_ag*z_286;
+    const double z_348 = cos_ag*ag_ddot;
+    const double z_349 = cos_ag*z_258;
+    const double z_350 = sin_ag*ag_ddot;
+    const double z_351 = 0.3296520411152*z_127 + z_342;
+    const double z_352 = z_88*z_236;
+    const double z_353 = z_339*z_352;
+    const double z_354 = z_231*z_353;
+    const double z_355 = z_230*z_339;
+    const double z_356 = z_88*z_355;
+    const double z_357 = z_227*z_339;
+    const double z_358 = g*z_234*z_339 + z_87*z_357;
+    const double z_359 = z_358 - z_356;
+    const double z_360 = g*z_242;
+    const double z_361 = (z_360 + 0.5*z_234*z_355) - 0.5*(z_233*z_357 + 4.0*z_228*z_357);
+    const double z_362 = (z_128 + 0.19350280746873755*z_354) + 0.3870056149374751*(g*z_359 - z_361);
+    D[42] = (1.0/12.0)*(z_344*z_316 + z_346*z_347 + z_348*z_321 + z_349*z_326 + z_350*z_326 +
+        12.0*z_281*(density*z_351 + 0.3296520411152*z_362) - z_345*z_321 - z_17*cos_ag*z_337 - z_344*z_322);
+    const double z_363 = z_239*z_229;
+    const double z_364 = z_363*z_357 + z_236*z_339;
+    const double z_365 = z_127 + 0.19350280746873755*z_364;
+    const double z_366 = 0.3296520411152*z_365;
+    const double z_367 = z_342 + z_366;
+    const double z_368 = density*z_230;
+    const double z_369 = h*z_359 - 2.5839418380572092*(z_128 + 0.3870056149374751*z_357*z_368);
+    D[43] = z_281*(density*z_367 - 0.1275771908871818*z_369);
+    const double z_370 = 0.3296520411152*z_127 + z_366;
+    const double z_371 = i*z_240;
+    const double z_372 = (z_128 + 0.3870056149374751*z_357*z_371) + 0.3870056149374751*(z_353/i + i*z_359);
+    D[44] = z_281*(density*z_370 + 0.3296520411152*z_372);
+    const double z_373 = sin_ab*z_54;
+    const double z_374 = sin_ab*z_197;
+    const double z_375 = z_200*z_252;
+    const double z_376 = (1.0/3.0)*z_303*z_9 - 0.34797855280909995*z_375;
+    D[45] = ((-1.0/6.0))*(2.0*z_141*z_251 + z_10*z_205 + 2.0*z_206*z_146 - z_10*z_373 - 3.0*b*z_275 - z_10*z_374 -
+        z_310*z_143 - 6.0*density*z_376);
+    const double z_377 = 0.3296520411152*z_127*z_281 - 0.34797855280909995*z_375;
+    D[46] = density*z_377;
+    const double z_378 = sin_theta*z_53;
+    D[48] = -((1.0/6.0)*cos_ab*z_378*z_171 + (1.0/6.0)*sin_ab*z_175*z_183 + (1.0/6.0)*z_183*z_312 -
+        (1.0/6.0)*z_310*z_172 - 0.6959571056181999*z_203*z_252);
+    const double z_379 = f*z_245;
+    const double z_380 = f*z_253;
+    const double z_381 = ac_dot*z_118;
+    const double z_382 = f*z_320;
+    const double z_383 = c_*cos_ac;
+    const double z_384 = z_320*z_287;
+    const double z_385 = e*gravity;
+    const double z_386 = f*gravity;
+    const double z_387 = h*z_230;
+    const double z_388 = z_357*z_387;
+    const double z_389 = z_193 + (z_191 + 0.3870056149374751*z_388);
+    D[49] = (1.0/12.0)*(z_259*z_379 + z_219*z_380 + z_381*z_380 + z_115*z_379 + 2.0*z_185*z_373 +
+        z_209*z_287*z_346 + z_287*z_383*z_323 + z_280*z_379 + ag_ddot*z_209*z_382 + z_119*z_379 + z_382*z_189 +
+        f*z_343 + 2.0*z_185*z_374 + 2.0*z_310*z_187 + 12.0*k*z_377 + 12.0*j*z_376 + 3.0*z_320*(d*gravity + z_386)
+        + 3.0*cos_ab*(z_330*z_385 + 2.0*gravity*z_9 + 2.0*gravity*z_185) + 12.0*z_281*(h*z_367 + i*z_370 + g*z_351
+        + 0.3296520411152*z_389) + z_303*(4.0*z_305 + 2.0*z_69 + d*z_329 + e*z_331) - z_382*z_288 - f*z_209*z_337
+        - f*z_383*z_318 - z_76*z_118*z_382 - 2.0*z_185*z_205 - z_219*z_384 - z_381*z_384 - 6.0*z_319*z_385);
+    D[50] = (-1.0439356584272999)*(z_252*z_150);
+    D[52] = (-0.25)*(2.0*z_12*z_319 - z_320*z_18 - cos_ab*(2.0*z_313 + 2.0*z_171 + z_12*z_330));
+    const double z_390 = ak_ddot*(sin_ak*sin_ak);
+    const double z_391 = z_119*z_110 - z_107*(k*k)*z_390 - z_197*z_110 - z_116*z_110;
+    D[56] = ((-1.0/3.0))*(z_105*z_164 + z_81*z_164 - 3.0*z_131*z_391);
+    const double z_392 = z_128*z_391;
+    D[59] = (-1.3186081644608)*z_392;
+    D[60] = (-3.9558244933824005)*z_392;
+    D[61] = (-3.9558244933824005)*z_392;
+    D[62] = (-3.9558244933824005)*z_392;
+    const double z_393 = density*z_391;
+    D[63] = (-0.34797855280909995)*(z_200*z_393);
+    const double z_394 = 1.3186081644608*z_127 + 0.34797855280909995*z_200;
+    D[64] = ((-1.0/3.0))*(3.0*sin_ak*lambda_2 + z_119*z_155 + 3.0*z_394*z_393 - 3.0*cos_ak*lambda_3 -
+        2.0*k*z_101*z_390 - z_197*z_155 - z_116*z_155 - z_114*z_164);
+    D[66] = (1.0/3.0)*z_202*z_164 + (1.0/3.0)*z_175*z_164 + 0.6959571056181999*z_203*z_391;
+    D[67] = -z_391*(1.3186081644608*f*z_127 + k*z_394 + 0.34797855280909995*j*z_200 + 1.3186081644608*z_194);
+    D[68] = (-1.0439356584272999)*(z_391*z_150);
+    const double z_395 = z_2*z_207;
+    const double z_396 = z_43*z_207;
+    const double z_397 = sin_ac*z_271;
+    const double z_398 = z_45*z_207;
+    const double z_399 = z_8*z_207;
+    const double z_400 = z_43*z_291;
+    const double z_401 = z_2*z_291;
+    const double z_402 = z_8*z_291;
+    const double z_403 = z_276*z_118;
+    const double z_404 = ac_ddot*(sin_ac*sin_ac);
+    const double z_405 = z_82*z_404;
+    const double z_406 = 2.0*z_118*z_278 + z_272*z_403 - z_260*z_403 - 2.0*z_280*z_403 - 2.0*z_276*z_405;
+    const double z_407 = 0.4163893543592977*z_299;
+    const double z_408 = z_407*z_291;
+    const double z_409 = z_45*z_291;
+    const double z_410 = z_19*z_302;
+    const double z_411 = z_15*z_410;
+    const double z_412 = (z_400*z_212 + z_401*z_397 + 6.0*z_406*z_408 + z_409*z_212 - z_402*z_397) +
+        2.0*z_406*z_411;
+    const double z_413 = z_2*z_20;
+    const double z_414 = z_43*z_20;
+    const double z_415 = z_45*z_20;
+    const double z_416 = z_8*z_20;
+    const double z_417 = 0.26031920310490525*z_284;
+    const double z_418 = z_22*z_302;
+    const double z_419 = 6.0*z_417*z_20 - z_20*z_418 - z_207*z_410 - z_12*z_302;
+    const double z_420 = z_413*z_212 - z_414*z_397 - z_415*z_397 - z_416*z_212 - 2.0*z_412*z_308 -
+        2.0*z_406*z_419;
+    const double z_421 = z_302*z_9;
+    const double z_422 = density*z_421;
+    const double z_423 = 6.0*z_417*z_207 + z_302*z_314 + 8.0*z_70*z_302 + 12.0*z_422 - z_207*z_418 - z_306*z_410;
+    D[73] = (1.0/12.0)*(z_395*z_212 - z_396*z_397 - z_398*z_397 - z_399*z_212 - 2.0*z_412*z_307 - 2.0*b*z_420 -
+        2.0*z_406*z_423);
+    const double z_424 = z_253*z_286;
+    const double z_425 = z_270 + z_179;
+    const double z_426 = ak_ddot*z_118;
+    const double z_427 = z_110*z_426 + z_118*z_117 + z_107*z_118*z_197 - z_107*z_405;
+    const double z_428 = 0.3296520411152*z_406 + 0.6593040822304*z_427;
+    const double z_429 = sqrt(0.25*z_239);
+    const double z_430 = i*z_429;
+    const double z_431 = sin_ag*z_430;
+    const double z_432 = sin_ac*z_258;
+    const double z_433 = cos_ac*z_349;
+    const double z_434 = sin_ac*z_348;
+    const double z_435 = cos_ac*ag_ddot;
+    const double z_436 = sin_ac*z_349 + sin_ac*z_350 + cos_ac*z_348 - cos_ac*z_345;
+    const double z_437 = 2.0*z_431*z_432 + 2.0*z_430*z_433 + 2.0*z_431*z_435 - 2.0*z_430*z_434 - z_232*z_436;
+    const double z_438 = g*z_436;
+    const double z_439 = ac_ddot - 6.0*z_428*z_122;
+    const double z_440 = c_*z_439;
+    const double z_441 = z_437 - 2.0*z_438 - 4.0*z_440;
+    const double z_442 = ab_ddot*z_321;
+    const double z_443 = gravity*z_83;
+    const double z_444 = i*z_144;
+    const double z_445 = g*z_144;
+    const double z_446 = h*z_144;
+    const double z_447 = z_445 + z_446;
+    const double z_448 = z_325*z_272;
+    const double z_449 = sin_ac*z_202;
+    const double z_450 = density*z_82;
+    const double z_451 = z_437 - 2.0*z_440;
+    const double z_452 = z_438 + z_440;
+    D[74] = (1.0/12.0)*(12.0*sin_ac*lambda_2 + 12.0*sin_ac*lambda_4 + 2.0*sin_ac*z_261 + sin_ac*z_424 +
+        2.0*sin_ac*z_53*z_78 + 4.0*sin_ac*z_81*z_425 + 4.0*sin_ac*z_244*z_280 + 24.0*z_126*z_428 + cos_ac*z_442 +
+        2.0*cos_ac*theta_ddot*z_78 + 6.0*cos_ac*(z_443 + (z_173 + z_443 + 2.0*z_444 + z_293 + 2.0*z_447)) +
+        8.0*z_425*z_404 + sin_ac*z_448 + 2.0*z_439*(z_96 + 6.0*z_450 + 4.0*c_*z_86 + 2.0*z_95) + 2.0*z_452*(z_84 +
+        2.0*z_90) - 12.0*cos_ac*lambda_3 - 12.0*cos_ac*lambda_5 - 4.0*sin_ac*z_265 - 4.0*sin_ac*z_165 -
+        4.0*sin_ac*z_168 - z_317*z_324 - 2.0*z_32*cos_ac*z_204 - z_87*z_441 - 2.0*z_104*z_449 - z_451*(z_85 +
+        2.0*z_88));
+    const double z_453 = z_43*z_221;
+    const double z_454 = z_2*z_221;
+    const double z_455 = z_8*z_221;
+    const double z_456 = z_45*z_221;
+    const double z_457 = z_28*z_302 + z_302*z_25;
+    const double z_458 = 6.0*z_407*z_221 + 2.0*z_410*z_132 + density*z_457;
+    D[75] = ((-1.0/6.0))*(z_453*z_212 + z_454*z_397 + z_456*z_212 + z_412*z_328 + d*z_420 + z_406*z_458 -
+        z_455*z_397);
+    const double z_459 = z_457 + 4.0*z_421;
+    const double z_460 = 2.0*z_136*z_302 + density*z_459;
+    D[76] = (1.0/6.0)*(e*z_420 - z_406*z_460);
+    const double z_461 = ab_dot*z_317;
+    const double z_462 = gravity*z_156;
+    const double z_463 = z_244*z_118;
+    const double z_464 = z_320*ab_ddot;
+    const double z_465 = 0.5103087635487272*z_340*z_406 - (1.0/3.0)*c_*z_452;
+    const double z_466 = 6.0*z_465 + z_406*z_457;
+    D[77] = ((-1.0/12.0))*(4.0*z_118*z_333 + z_156*z_461 + 4.0*z_257*z_463 + 2.0*density*z_466 - z_254*z_158 -
+        6.0*z_462 - z_158*z_272 - z_156*z_464);
+    const double z_467 = z_406*z_357;
+    const double z_468 = z_88*z_229;
+    const double z_469 = 2.0*z_89 + z_94 + z_92;
+    const double z_470 = 1.0/z_239;
+    const double z_471 = z_469*z_470;
+    const double z_472 = z_431*z_471;
+    const double z_473 = z_430*z_471;
+    const double z_474 = 0.1275771908871818*z_467*z_468 + (1.0/12.0)*(z_472*z_432 + z_433*z_473 + z_472*z_435 -
+        z_434*z_473);
+    const double z_475 = z_474*z_238;
+    const double z_476 = 1.0/(g*z_227);
+    const double z_477 = z_236*z_476;
+    const double z_478 = z_230*z_235;
+    const double z_479 = z_469*z_231;
+    const double z_480 = 2.0*z_478*z_475 + (1.0/12.0)*z_436*z_479 - 0.1275771908871818*z_406*(z_356 + z_358);
+    const double z_481 = z_439*z_82;
+    const double z_482 = 3.0*z_465 - z_481;
+    const double z_483 = 2.0*(2.0*z_91 + z_93 + z_92) - z_469*z_478;
+    const double z_484 = z_462 + (1.0/6.0)*z_450*z_439;
+    D[78] = (1.0/12.0)*(4.0*z_349*z_463 + 4.0*z_350*z_463 + 24.0*g*z_480 + 2.0*z_452*z_83 +
+        12.0*z_406*(0.1275771908871818*z_354 + 0.2551543817743636*z_361) + z_436*z_483 + 12.0*z_484 -
+        24.0*z_475*z_477 - 4.0*density*z_482);
+    const double z_485 = (1.0/6.0)*c_*z_451 + 0.1275771908871818*z_406*z_364;
+    const double z_486 = z_465 + z_485;
+    D[79] = z_462 - 0.2551543817743636*z_368*z_467 - 2.0*h*z_480 - (1.0/12.0)*z_441*z_83 - density*z_486;
+    const double z_487 = z_469*z_429;
+    const double z_488 = z_237/(i*z_229);
+    const double z_489 = 3.0*z_485 - z_481;
+    D[80] = -((1.0/6.0)*sin_ac*z_345*z_487 + (1.0/6.0)*z_487*z_433 + 0.2551543817743636*z_371*z_467 +
+        (1.0/6.0)*cos_ac*z_350*z_487 + 2.0*z_474*z_488 + (1.0/12.0)*z_451*z_83 + (1.0/3.0)*density*z_489 -
+        (1.0/6.0)*z_487*z_434 - 2.0*i*z_480 - z_484);
+    const double z_490 = z_200*z_427;
+    const double z_491 = (2.0/3.0)*z_406*z_421 + 0.34797855280909995*z_490;
+    D[81] = -density*z_491;
+    const double z_492 = (1.0/3.0)*z_481 - 0.34797855280909995*z_490;
+    D[82] = ((-1.0/6.0))*(2.0*z_155*z_426 + z_156*z_204 + 2.0*z_118*z_160 - z_54*z_158 - 3.0*z_462 - z_158*z_197 -
+        theta_ddot*z_156*z_4 - 6.0*density*z_492);
+    const double z_493 = cos_theta*theta_ddot;
+    D[84] = -((1.0/6.0)*z_378*z_170 + (1.0/6.0)*sin_ac*z_175*z_181 + (1.0/6.0)*z_181*z_449 - (1.0/6.0)*z_493*z_170
+        - 0.6959571056181999*z_203*z_427);
+    const double z_494 = z_253*z_287;
+    const double z_495 = z_317*z_287;
+    const double z_496 = c_*h;
+    const double z_497 = c_*i;
+    const double z_498 = c_*g;
+    const double z_499 = f*z_272;
+    const double z_500 = ab_ddot*z_382;
+    const double z_501 = c_*gravity;
+    const double z_502 = (d*z_457 + 2.0*z_69*z_302) + (e*z_459 + 4.0*b*z_421);
+    D[85] = (1.0/12.0)*(z_118*z_494 + 2.0*z_54*z_186 + 2.0*z_452*z_498 + z_118*z_499 + z_383*z_500 +
+        2.0*z_197*z_186 + 2.0*theta_ddot*z_383*z_188 + 12.0*k*z_492 + 6.0*cos_ac*(f*z_501 + 2.0*h*z_501 +
+        2.0*i*z_501 + gravity*z_82 + 2.0*g*z_501 + k*z_501) + 2.0*z_439*(2.0*c_*z_82 + i*z_82 + g*z_82) -
+        z_383*z_495 - 2.0*k*z_383*z_204 - z_441*z_496 - z_451*z_497 - 12.0*h*z_486 - 4.0*i*z_489 - 4.0*g*z_482 -
+        2.0*f*z_466 - 12.0*j*z_491 - 12.0*z_406*(0.2551543817743636*z_388 + (1.0/6.0)*z_502));
+    D[86] = (-1.0439356584272999)*(z_427*z_150);
+    D[88] = 0.5*(cos_ac*(z_269 + 2.0*z_92 + z_450 + z_180 + 2.0*z_95));
+    const double z_503 = af_ddot*(sin_af*sin_af);
+    const double z_504 = 2.0*z_280*z_277 + 2.0*z_119*z_277 + z_260*z_277 - 2.0*z_276*(f*f)*z_503 - z_272*z_277;
+    const double z_505 = (z_401*z_264 + 3.0*z_504*z_408 - z_402*z_264) + z_504*z_411;
+    const double z_506 = z_414*z_264 + z_415*z_264 + 2.0*z_505*z_308 + z_419*z_504;
+    D[91] = ((-1.0/6.0))*(z_396*z_264 + z_398*z_264 + 2.0*z_505*z_307 + z_423*z_504 - 2.0*b*z_506);
+    D[92] = ((-1.0/3.0))*(z_105*z_264 + z_81*z_264 - 3.0*z_504*(-0.6593040822304*z_130));
+    D[93] = ((-1.0/6.0))*(2.0*z_454*z_264 + 2.0*z_505*z_328 + z_458*z_504 - 2.0*z_455*z_264 - 2.0*d*z_506);
+    D[94] = ((-1.0/6.0))*(2.0*e*z_506 + z_460*z_504);
+    const double z_507 = 0.6593040822304*z_341;
+    const double z_508 = z_457 + 6.0*z_507;
+    D[95] = ((-1.0/6.0))*(6.0*sin_af*lambda_4 + 2.0*z_332*z_280 + 2.0*z_119*z_332 + z_260*z_332 +
+        density*z_504*z_508 - 6.0*cos_af*lambda_5 - 4.0*f*z_244*z_503 - z_272*z_332 - 2.0*z_257*z_264);
+    const double z_509 = 0.6593040822304*z_127 + z_507;
+    D[96] = ((-1.0/3.0))*(z_350*z_264 + z_349*z_264 + 3.0*z_504*(density*z_509 + 0.6593040822304*z_362));
+    const double z_510 = 0.6593040822304*z_365;
+    const double z_511 = z_507 + z_510;
+    D[97] = -z_504*(density*z_511 - 0.2551543817743636*z_369);
+    const double z_512 = 0.6593040822304*z_127 + z_510;
+    D[98] = -z_504*(density*z_512 + 0.6593040822304*z_372);
+    D[99] = ((-2.0/3.0))*(z_422*z_504);
+    D[100] = (-0.6593040822304)*(z_128*z_504);
+    const double z_513 = z_502 + 3.9558244933824005*(k*z_127 + 1.0111672058989218*j*z_421);
+    D[103] = -z_504*(h*z_511 + i*z_512 + g*z_509 + (1.0/6.0)*f*z_508 + 0.6593040822304*z_389 + (1.0/6.0)*z_513);
+    const double z_514 = z_276*z_218;
+    const double z_515 = ag_ddot*(sin_ag*sin_ag);
+    const double z_516 = 2.0*z_218*z_278 + z_272*z_514 - z_260*z_514 - 2.0*z_227*z_276*z_515 - 2.0*z_119*z_514;
+    const double z_517 = (z_400*z_210 + z_401*z_268 + 6.0*z_516*z_408 + z_409*z_210 - z_402*z_268) +
+        2.0*z_516*z_411;
+    const double z_518 = z_413*z_210 - z_414*z_268 - z_415*z_268 - z_416*z_210 - 2.0*z_517*z_308 -
+        2.0*z_419*z_516;
+    D[109] = (1.0/12.0)*(z_395*z_210 - z_396*z_268 - z_398*z_268 - z_399*z_210 - 2.0*z_517*z_307 - 2.0*b*z_518 -
+        2.0*z_423*z_516);
+    const double z_519 = z_244*z_218;
+    const double z_520 = cos_ag*z_430;
+    const double z_521 = z_81*z_520;
+    const double z_522 = z_105*z_520;
+    const double z_523 = sin_ag*z_81 + sin_ag*z_105 + cos_ag*z_80 - cos_ag*z_77;
+    const double z_524 = 2.0*z_521 + 2.0*z_77*z_431 + 2.0*z_522 + z_232*z_523 - 2.0*z_80*z_431;
+    const double z_525 = g*z_523;
+    const double z_526 = z_516*z_123;
+    const double z_527 = (1.0/12.0)*z_524 + (1.0/6.0)*z_525 - 0.6593040822304*z_526;
+    const double z_528 = z_524 - 3.9558244933824005*z_526;
+    const double z_529 = (1.0/12.0)*z_528;
+    const double z_530 = z_525 - 1.9779122466912002*z_526;
+    const double z_531 = (1.0/6.0)*z_530;
+    const double z_532 = (1.0/3.0)*z_530;
+    const double z_533 = (1.0/6.0)*z_528;
+    D[110] = (1.0/3.0)*(z_81*z_519 + z_105*z_519 + 3.0*z_87*z_527 + 3.0*z_85*z_529 + 3.0*z_84*z_531 +
+        3.0*z_90*z_532 + 3.0*z_88*z_533 + 3.0*z_516*(0.6593040822304*z_129 - 0.6593040822304*z_125));
+    D[111] = ((-1.0/6.0))*(z_453*z_210 + z_454*z_268 + z_456*z_210 + z_517*z_328 + d*z_518 + z_458*z_516 -
+        z_455*z_268);
+    D[112] = (1.0/6.0)*(e*z_518 - z_460*z_516);
+    const double z_534 = (1.0/12.0)*ag_ddot - 0.1275771908871818*z_516*z_357;
+    const double z_535 = 4.0*z_534*z_227 + c_*z_532;
+    const double z_536 = 6.0*z_535 - z_457*z_516;
+    D[113] = ((-1.0/12.0))*(4.0*z_218*z_333 + z_334*z_461 + 4.0*z_257*z_519 - z_254*z_336 - 6.0*z_209*z_144 -
+        z_272*z_336 - z_334*z_464 - 2.0*density*z_536);
+    const double z_537 = z_444 + z_446;
+    const double z_538 = 12.0*z_534*z_468 + (z_521*z_471 + z_77*z_472 + z_522*z_471 - 3.0*z_537*z_470*z_431 -
+        z_80*z_472);
+    const double z_539 = z_538*z_238;
+    const double z_540 = 2.0*z_478*z_539 - z_523*z_479 - 3.0*cos_ag*(z_444*z_231 + z_446*z_231) - 12.0*z_534*(z_87
+        + z_234*z_231 + z_88*z_478);
+    const double z_541 = z_127*z_516;
+    const double z_542 = z_535 - 0.6593040822304*z_541;
+    D[114] = (1.0/12.0)*(12.0*sin_ag*lambda_4 + 2.0*sin_ag*z_261 + sin_ag*z_424 + 4.0*z_349*z_519 +
+        8.0*z_267*z_515 + 4.0*sin_ag*z_244*z_119 + 2.0*z_539*z_477 + 12.0*z_531*z_83 + 12.0*density*z_542 +
+        cos_ag*z_442 + 3.0*cos_ag*(2.0*(z_445 + z_293) + 2.0*z_447 - z_444*z_478 - z_446*z_478) + sin_ag*z_448 +
+        12.0*z_534*(4.0*z_228 + z_233 - z_234*z_478 - z_476*z_352) + z_483*z_523 - 12.0*cos_ag*lambda_5 -
+        4.0*sin_ag*z_265 - z_317*z_347 - 2.0*g*z_540 - 12.0*z_516*(0.3296520411152*z_128 -
+        0.2551543817743636*z_360));
+    const double z_543 = 2.0*g + z_232;
+    const double z_544 = cos_ag*z_144;
+    const double z_545 = c_*z_533 + z_534*(z_363 + z_237);
+    const double z_546 = z_535 + z_545;
+    D[115] = (1.0/12.0)*(3.0*z_543*z_544 + 24.0*z_534*z_368 + 2.0*h*z_540 + 12.0*z_527*z_83 + 12.0*density*z_546 -
+        6.0*z_144*z_431);
+    const double z_547 = cos_ag*z_487;
+    const double z_548 = sin_ag*z_487;
+    const double z_549 = z_128*z_516;
+    const double z_550 = z_545 - 0.6593040822304*z_541;
+    D[116] = (1.0/6.0)*z_81*z_547 + (1.0/6.0)*z_77*z_548 + 0.25*z_232*z_544 + 2.0*z_534*z_371 +
+        (1.0/6.0)*z_105*z_547 + (1.0/6.0)*z_538*z_488 + z_529*z_83 + density*z_550 - (1.0/6.0)*z_80*z_548 -
+        (1.0/6.0)*i*z_540 - 0.3296520411152*z_549 - 0.5*sin_ag*(z_144*z_430 + z_537*z_429);
+    D[117] = ((-2.0/3.0))*(z_422*z_516);
+    D[118] = (-0.6593040822304)*z_549;
+    const double z_551 = h*gravity;
+    const double z_552 = z_229*z_429;
+    D[121] = (1.0/12.0)*(z_218*z_494 + 24.0*z_534*z_387 + 12.0*z_527*z_496 + 12.0*z_529*z_497 + 12.0*z_531*z_498 +
+        12.0*h*z_546 + 12.0*i*z_550 + 12.0*g*z_542 + z_218*z_499 + z_209*z_500 + 2.0*f*z_536 +
+        3.0*cos_ag*(z_543*z_551 + i*gravity*z_232 + 2.0*g*z_386 + 2.0*gravity*z_227) - z_209*z_495 -
+        6.0*sin_ag*(z_430*z_551 + gravity*z_552) - 12.0*z_516*(0.6593040822304*z_191 + 0.3296520411152*z_192 +
+        (1.0/6.0)*z_513));
+    D[124] = 0.25*(cos_ag*(2.0*z_266 + z_87*z_543 + z_85*z_232 + 2.0*density*z_227) - 2.0*sin_ag*(z_87*z_430 +
+        density*z_552));
+    D[127] = z_43 + z_45;
+    D[135] = -(z_57 + sin_aj*aj_ddot);
+    D[138] = -(z_175 + z_202);
+    D[145] = z_2 - z_8;
+    D[153] = -(sin_aj*z_56 - cos_aj*aj_ddot);
+    D[156] = -(z_378 - z_493);
+    D[164] = z_81 + z_105;
+    D[172] = -(z_114 + sin_ak*ak_ddot);
+    D[174] = -(z_175 + z_202);
+    D[182] = z_77 - z_80;
+    D[190] = -(sin_ak*z_113 - cos_ak*ak_ddot);
+    D[192] = -(z_378 - z_493);
+    const double z_553 = z_401 - z_402;
+    const double z_554 = z_414 + z_415 + 2.0*z_553*z_308;
+    D[199] = 0.5*(z_396 + z_398 + 2.0*z_553*z_307 - 2.0*b*z_554);
+    D[200] = z_81 + z_105;
+    D[201] = z_454 + z_553*z_328 - z_455 - d*z_554;
+    D[202] = e*z_554;
+    D[203] = -(z_257 + sin_af*af_ddot);
+    D[204] = z_349 + z_350;
+    const double z_555 = z_400 + z_409;
+    const double z_556 = z_413 - z_416 - 2.0*z_555*z_308;
+    D[217] = 0.5*(z_395 - z_399 - 2.0*z_555*z_307 - 2.0*b*z_556);
+    D[218] = z_77 - z_80;
+    D[219] = -(z_453 + z_456 + z_555*z_328 + d*z_556);
+    D[220] = e*z_556;
+    D[221] = -(sin_af*z_256 - cos_af*af_ddot);
+    D[222] = z_345 - z_348;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double m = c[12];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    D[0] = -m*sin_theta;
+    const double j = c[9];
+    const double aj = x[1];
+    const double sin_aj = em_sin(aj);
+    D[1] = -j*sin_aj;
+    const double b = c[1];
+    const double ab = x[2];
+    const double sin_ab = em_sin(ab);
+    D[2] = b*sin_ab;
+    D[14] = 1.0;
+    const double cos_ab = em_cos(ab);
+    D[15] = -cos_ab;
+    const double cos_aj = em_cos(aj);
+    D[23] = cos_aj;
+    const double cos_theta = em_cos(theta);
+    D[26] = cos_theta;
+    D[32] = m*cos_theta;
+    D[33] = j*cos_aj;
+    D[34] = -b*cos_ab;
+    D[47] = -sin_ab;
+    D[55] = sin_aj;
+    D[57] = 1.0;
+    D[58] = sin_theta;
+    D[64] = -m*sin_theta;
+    const double k = c[10];
+    const double ak = x[3];
+    const double sin_ak = em_sin(ak);
+    D[67] = -k*sin_ak;
+    const double c_ = c[2];
+    const double ac = x[4];
+    const double sin_ac = em_sin(ac);
+    D[68] = c_*sin_ac;
+    D[78] = 1.0;
+    const double cos_ac = em_cos(ac);
+    D[80] = -cos_ac;
+    const double cos_ak = em_cos(ak);
+    D[88] = cos_ak;
+    D[90] = cos_theta;
+    D[96] = m*cos_theta;
+    D[99] = k*cos_ak;
+    D[100] = -c_*cos_ac;
+    D[112] = -sin_ac;
+    D[120] = sin_ak;
+    D[121] = 1.0;
+    D[122] = sin_theta;
+    const double z_10 = b*b;
+    const double d = c[3];
+    const double z_11 = d*d;
+    const double e = c[4];
+    const double z_12 = z_10 + z_11 - e*e;
+    const double z_13 = 1.0/b;
+    const double z_14 = sin_ab*z_13;
+    const double z_15 = 1.0/z_11;
+    const double z_16 = 1.0/z_10;
+    const double z_17 = z_12*z_12;
+    const double z_18 = z_16*z_17;
+    const double z_19 = 4.0*1.0 - z_15*z_18;
+    const double z_20 = sqrt(0.25*z_19);
+    const double z_21 = d*z_20;
+    const double z_22 = z_12*z_14 + 2.0*cos_ab*z_21;
+    D[130] = (-0.5)*z_22;
+    D[132] = c_*sin_ac;
+    const double f = c[5];
+    const double af = x[5];
+    const double sin_af = em_sin(af);
+    D[133] = -f*sin_af;
+    const double g = c[6];
+    const double ag = x[6];
+    const double sin_ag = em_sin(ag);
+    D[134] = g*sin_ag;
+    const double z_25 = z_12*z_16;
+    const double z_26 = 2.0*1.0 - z_25;
+    const double z_27 = 1.0/z_19;
+    const double z_28 = z_27*z_21;
+    const double z_29 = (z_15*z_17/(b*z_10) - 2.0*z_12*z_15*z_13)*z_28;
+    const double z_30 = cos_ab*z_26 - 2.0*sin_ab*z_29;
+    D[143] = 0.5*z_30;
+    D[144] = -cos_ac;
+    const double z_31 = cos_ab*z_13;
+    const double z_32 = z_25/d;
+    const double z_33 = z_20 + (z_18/(d*z_11) - 2.0*z_32)*z_28;
+    const double z_34 = d*z_31 - sin_ab*z_33;
+    D[145] = z_34;
+    const double z_35 = e*z_32*(z_20*z_27);
+    const double z_36 = e*z_31 + 2.0*sin_ab*z_35;
+    D[146] = -z_36;
+    const double cos_af = em_cos(af);
+    D[147] = cos_af;
+    const double cos_ag = em_cos(ag);
+    D[148] = -cos_ag;
+    const double z_39 = z_12*z_31 - 2.0*sin_ab*z_21;
+    D[162] = 0.5*z_39;
+    D[164] = -c_*cos_ac;
+    D[165] = f*cos_af;
+    D[166] = -g*cos_ag;
+    const double z_40 = sin_ab*z_26 + 2.0*cos_ab*z_29;
+    D[175] = 0.5*z_40;
+    D[176] = -sin_ac;
+    const double z_41 = d*z_14 + cos_ab*z_33;
+    D[177] = z_41;
+    const double z_42 = e*z_14 - 2.0*cos_ab*z_35;
+    D[178] = -z_42;
+    D[179] = sin_af;
+    D[180] = -sin_ag;
+    const double theta_dot = v[0];
+    const double z_43 = theta_dot*m;
+    D[192] = -cos_theta*z_43;
+    const double aj_dot = v[1];
+    const double z_44 = aj_dot*j;
+    D[193] = -cos_aj*z_44;
+    const double ab_dot = v[2];
+    const double z_45 = ab_dot*b;
+    D[194] = cos_ab*z_45;
+    D[199] = -m*sin_theta;
+    D[200] = -j*sin_aj;
+    D[201] = b*sin_ab;
+    D[207] = ab_dot*sin_ab;
+    D[215] = -aj_dot*sin_aj;
+    D[218] = -theta_dot*sin_theta;
+    D[224] = -sin_theta*z_43;
+    D[225] = -sin_aj*z_44;
+    D[226] = sin_ab*z_45;
+    D[231] = m*cos_theta;
+    D[232] = j*cos_aj;
+    D[233] = -b*cos_ab;
+    D[239] = -ab_dot*cos_ab;
+    D[247] = aj_dot*cos_aj;
+    D[250] = theta_dot*cos_theta;
+    D[256] = -cos_theta*z_43;
+    const double ak_dot = v[3];
+    const double z_46 = ak_dot*k;
+    D[259] = -cos_ak*z_46;
+    const double ac_dot = v[4];
+    const double z_47 = ac_dot*c_;
+    D[260] = cos_ac*z_47;
+    D[263] = -m*sin_theta;
+    D[266] = -k*sin_ak;
+    D[267] = c_*sin_ac;
+    D[272] = ac_dot*sin_ac;
+    D[280] = -ak_dot*sin_ak;
+    D[282] = -theta_dot*sin_theta;
+    D[288] = -sin_theta*z_43;
+    D[291] = -sin_ak*z_46;
+    D[292] = sin_ac*z_47;
+    D[295] = m*cos_theta;
+    D[298] = k*cos_ak;
+    D[299] = -c_*cos_ac;
+    D[304] = -ac_dot*cos_ac;
+    D[312] = ak_dot*cos_ak;
+    D[314] = theta_dot*cos_theta;
+    D[322] = (-0.5)*(ab_dot*z_39);
+    D[324] = cos_ac*z_47;
+    const double af_dot = v[5];
+    const double z_48 = af_dot*f;
+    D[325] = -cos_af*z_48;
+    const double ag_dot = v[6];
+    const double z_49 = ag_dot*g;
+    D[326] = cos_ag*z_49;
+    D[329] = (-0.5)*z_22;
+    D[331] = c_*sin_ac;
+    D[332] = -f*sin_af;
+    D[333] = g*sin_ag;
+    D[335] = (-0.5)*(ab_dot*z_40);
+    D[336] = ac_dot*sin_ac;
+    D[337] = -ab_dot*z_41;
+    D[338] = ab_dot*z_42;
+    D[339] = -af_dot*sin_af;
+    D[340] = ag_dot*sin_ag;
+    D[354] = (-0.5)*(ab_dot*z_22);
+    D[356] = sin_ac*z_47;
+    D[357] = -sin_af*z_48;
+    D[358] = sin_ag*z_49;
+    D[361] = 0.5*z_39;
+    D[363] = -c_*cos_ac;
+    D[364] = f*cos_af;
+    D[365] = -g*cos_ag;
+    D[367] = 0.5*(ab_dot*z_30);
+    D[368] = -ac_dot*cos_ac;
+    D[369] = ab_dot*z_34;
+    D[370] = -ab_dot*z_36;
+    D[371] = af_dot*cos_af;
+    D[372] = -ag_dot*cos_ag;
 }
 
 #endif
@@ -1760,7 +3201,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -2135,6 +3577,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -2144,11 +3590,11 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "aj", "ab", "ak", "ac", "af", "ag", NULL };
 static const char *const parameter_names[] = { "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "density", "J", "torque", "gravity", NULL };
@@ -2245,9 +3691,22 @@ const em_model jansen_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

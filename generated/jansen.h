@@ -1,5 +1,5 @@
 /* eigenmotion generate jansen.py */
-/* input sha256:c331ded183cc15417d7f266724f72148632b6a4aba573830eecc09be25f4eeeb */
+/* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
 /* body sha256:064834261617c5178a9e4b8e27586ef4f7dfbdfc15a4d37f0d2d7e662d0fb318 */
 /* jansen: 7 coordinates, 6 constraint rows, 70 states.
  * Link jansen.c with a program of your own, or import the Python module built from jansen.pyx. */

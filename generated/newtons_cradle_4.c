@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:6a9268023e1ca16ccf9eab5ffe3bd2c8426fe5863641176da1000b746bd70912 */
+/* body sha256:6d60c6349f08f704134964e8af72962d656b577c9ea50fa6947958f5eb9157cb */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -50,6 +50,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
     N_PREPARED = 27,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta1 */
     N2 = 1,             /* theta2 */
@@ -239,7 +241,7 @@ extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -381,6 +383,110 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta1 = x[0];
+    const double cos_theta1 = em_cos(theta1);
+    const double g = c[2];
+    const double m = c[0];
+    const double l = c[1];
+    const double z_1 = g*(m*l);
+    D[0] = cos_theta1*z_1;
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    D[9] = cos_theta2*z_1;
+    const double theta3 = x[2];
+    const double cos_theta3 = em_cos(theta3);
+    D[18] = cos_theta3*z_1;
+    const double theta4 = x[3];
+    const double cos_theta4 = em_cos(theta4);
+    D[27] = cos_theta4*z_1;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta1_ddot = a[0];
+    const double l = c[1];
+    const double z_0 = l*l;
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double g = c[2];
+    const double z_2 = l*g;
+    D[0] = theta1_ddot*z_0 + sin_theta1*z_2;
+    const double m = c[0];
+    const double z_3 = m*l;
+    const double z_4 = m*g;
+    D[1] = 2.0*theta1_ddot*z_3 + sin_theta1*z_4;
+    D[2] = sin_theta1*z_3;
+    const double theta2_ddot = a[1];
+    const double theta2 = x[1];
+    const double sin_theta2 = em_sin(theta2);
+    D[6] = theta2_ddot*z_0 + sin_theta2*z_2;
+    D[7] = 2.0*theta2_ddot*z_3 + sin_theta2*z_4;
+    D[8] = sin_theta2*z_3;
+    const double theta3_ddot = a[2];
+    const double theta3 = x[2];
+    const double sin_theta3 = em_sin(theta3);
+    D[12] = theta3_ddot*z_0 + sin_theta3*z_2;
+    D[13] = 2.0*theta3_ddot*z_3 + sin_theta3*z_4;
+    D[14] = sin_theta3*z_3;
+    const double theta4_ddot = a[3];
+    const double theta4 = x[3];
+    const double sin_theta4 = em_sin(theta4);
+    D[18] = theta4_ddot*z_0 + sin_theta4*z_2;
+    D[19] = 2.0*theta4_ddot*z_3 + sin_theta4*z_4;
+    D[20] = sin_theta4*z_3;
+}
+
+/* D (n_events, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
+    const double l = c[1];
+    D[0] = -l;
+    D[1] = l;
+    const double theta1 = x[0];
+    const double theta2 = x[1];
+    D[9] = -(theta1 - theta2);
+    D[15] = -l;
+    D[16] = l;
+    const double theta3 = x[2];
+    D[23] = -(theta2 - theta3);
+    D[30] = -l;
+    D[31] = l;
+    const double theta4 = x[3];
+    D[37] = -(theta3 - theta4);
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -485,7 +591,8 @@ static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED
     crossing[2] = -l*(theta3 - theta4);
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -551,6 +658,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -560,7 +671,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -583,7 +694,7 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "e", "r", NULL };
@@ -675,9 +786,21 @@ const em_model newtons_cradle_4_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .event_partials = event_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

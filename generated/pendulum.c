@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
-/* body sha256:599718ba51361ef38f694f10a290a4b8d54ef7ae781b376dd6e7cd66fa10031a */
+/* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
+/* body sha256:2b0137be3f686a6db35d9f3564953fc6ad421a5e02830800a7502017f05e3721 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -43,6 +43,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
+    N_GIVEN = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 6,    /* x, v and these: what motion depends on */
     N_PREPARED = 11,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
@@ -150,7 +152,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -207,6 +209,56 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     p[2] = p[3] = p[4] = p[5] = 0.0;
     const double c_3 = c[10];
     p[10] = c_3;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double m = c[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    D[0] = m*l*g*cos_theta;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_ddot = a[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = g*sin_theta;
+    D[0] = theta_ddot*(l*l) + l*z_1;
+    const double m = c[0];
+    const double z_2 = m*l;
+    D[1] = 2.0*theta_ddot*z_2 + m*z_1;
+    D[2] = sin_theta*z_2;
 }
 
 #endif
@@ -286,7 +338,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -346,6 +399,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -355,7 +412,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -443,6 +500,9 @@ const em_model pendulum_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

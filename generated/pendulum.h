@@ -1,5 +1,5 @@
 /* eigenmotion generate pendulum.py */
-/* input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0 */
+/* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
 /* body sha256:8cda7bd32abe4ef89e2d31e7d807b019ac091e6961d25b4c4e2669873489ddfb */
 /* pendulum: 1 coordinates, 0 constraint rows, 2 states.
  * Link pendulum.c with a program of your own, or import the Python module built from pendulum.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate pendulum.py
-# input sha256:52fb53e2f4741a5fadc920567d0721d21d1fc192cb58e17ae46f40910c3d51a0
+# input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3
 # body sha256:09037d51b2b2b2550ff8094f27bf8bb2ad11c1611dea9c9fa59879e08f99317b
 # cython: language_level=3
 """pendulum, compiled: `system` is its System (eigenfactor)."""

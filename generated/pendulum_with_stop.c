@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:cf8a5550f1a94b560e7a6f5fc8f13d2422398b20ec8a31fa496f8fa6985920b8 */
+/* body sha256:49665a391d951e4e23e59b0b4515eadfc857873aff54d756b50d8a60930249c0 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -46,6 +46,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
+    N_GIVEN = 7,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
     N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
@@ -182,7 +184,7 @@ extern void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 extern void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -274,6 +276,101 @@ EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
     const double theta = x[0];
     const double stop = c[4];
     level[1] = l*(theta - stop);
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+extern void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double m = c[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    D[0] = m*l*g*cos_theta;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_ddot = a[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = g*sin_theta;
+    D[0] = theta_ddot*(l*l) + l*z_1;
+    const double wall_held = c[5];
+    const double lambda_0 = lambda[0];
+    const double m = c[0];
+    const double z_2 = m*l;
+    D[1] = wall_held*lambda_0 + 2.0*theta_ddot*z_2 + m*z_1;
+    D[2] = sin_theta*z_2;
+    D[5] = l*lambda_0;
+    D[8] = wall_held*theta_ddot;
+    D[12] = l*theta_ddot;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double l = c[1];
+    const double wall_held = c[5];
+    const double z_0 = l*wall_held;
+    D[0] = z_0;
+    const double theta = x[0];
+    const double stop = c[4];
+    const double z_1 = theta - stop;
+    D[3] = wall_held*z_1;
+    D[6] = -z_0;
+    D[7] = l*z_1;
+    D[10] = z_0;
+    const double theta_dot = v[0];
+    D[12] = theta_dot*wall_held;
+    D[16] = theta_dot*l;
+}
+
+/* D (n_events, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
+    const double l = c[1];
+    D[0] = l;
+    const double theta = x[0];
+    const double stop = c[4];
+    D[3] = theta - stop;
+    D[6] = -l;
 }
 
 #endif
@@ -375,7 +472,8 @@ static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED
     crossing[0] = l*(theta - stop);
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
@@ -466,6 +564,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -475,7 +577,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -498,7 +600,7 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "e", "stop", "wall_held", NULL };
@@ -583,9 +685,23 @@ const em_model pendulum_with_stop_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
+    .event_partials = event_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
-/* input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9 */
-/* body sha256:24c8929085417d9cda49b8f0b7f337a31ad810d87a805e5eb8c13abe1a3600a0 */
+/* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
+/* body sha256:b64eab1fcb03aa59da43dec92e39036083cf8830c1d5fa47932dc541757e4a1a */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -47,6 +47,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 2,
+    N_GIVEN = 3,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 7,    /* x, v and these: what motion depends on */
     N_PREPARED = 8,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* r */
     N2 = 1,             /* theta */
@@ -200,7 +202,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 extern void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
                    double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -264,6 +266,64 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const
     p[2] = p[3] = 0.0;
     p[4] = (1.0/20.0);
     p[7] = (1.0/40.0);
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double m = c[0];
+    const double mu = c[1];
+    const double r = x[0];
+    const double theta_dot = v[1];
+    D[0] = -(2.0*m*mu/(r*(r*r)) + m*(theta_dot*theta_dot));
+    const double z_0 = m*r;
+    const double z_1 = theta_dot*z_0;
+    D[3] = (-2.0)*z_1;
+    const double theta_ddot = a[1];
+    const double r_dot = v[0];
+    D[4] = 2.0*(theta_ddot*z_0 + r_dot*theta_dot*m);
+    D[6] = 2.0*z_1;
+    D[7] = 2.0*(r_dot*z_0);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double r = x[0];
+    const double theta_dot = v[1];
+    const double r_ddot = a[0];
+    const double mu = c[1];
+    const double z_0 = r*r;
+    const double z_1 = 1.0/z_0;
+    D[0] = -(r*(theta_dot*theta_dot) - r_ddot - mu*z_1);
+    const double m = c[0];
+    D[1] = m*z_1;
+    const double r_dot = v[0];
+    const double theta_ddot = a[1];
+    D[3] = 2.0*r_dot*theta_dot*r + theta_ddot*z_0;
 }
 
 #endif
@@ -343,7 +403,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M2[N2][N2])
@@ -418,6 +479,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -427,7 +492,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -516,6 +581,9 @@ const em_model polar_particle_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

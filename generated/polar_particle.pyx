@@ -1,5 +1,5 @@
 # eigenmotion generate polar_particle.py
-# input sha256:a5a4c120f61c6010893266c3b8388733a7ed17cc17263602f481dafbf1da45e9
+# input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d
 # body sha256:1ffd528941677918bda82f9db62249b8698defcc0d76634f3e7906e1533800b6
 # cython: language_level=3
 """polar_particle, compiled: `system` is its System (eigenfactor)."""

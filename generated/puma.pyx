@@ -1,5 +1,5 @@
 # eigenmotion generate puma.py
-# input sha256:b37fc2546bd941efcfc98be3dbd23707f390cf3daba2239041800d246cd7d8e0
+# input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa
 # body sha256:58dc20839a2b91691b8388baf2b01826469812b78ee322a696ab78869cd3dee2
 # cython: language_level=3
 """puma, compiled: `system` is its System (eigenfactor)."""

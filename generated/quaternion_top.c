@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
-/* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
-/* body sha256:8102d5cb16989d10d81052fc201c0374abea4f17b17bd8148c4c08fdc0951646 */
+/* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
+/* body sha256:89f80aac4a275343d302a00ea4fefe41e3cdaa2c312eb1f7f160e0c136458407 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -47,6 +47,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
     N_PREPARED = 25,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 4,             /* q_0, q_1, q_2, q_3 */
 };
@@ -408,7 +410,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -647,6 +649,277 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  EM_UNUSED const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double q_3_ddot = a[3];
+    const double q_3 = x[3];
+    const double J3 = c[4];
+    const double J = c[3];
+    const double z_0 = 1.0/(0.390625*1.0/(1.8587375025371702*J + 2.4974634188618468*J3) +
+        0.765625*1.0/(2.8880884188618468*J + 1.0931125025371702*J3) + 10.546220166818202*1.0/J +
+        1.0931125025371702*1.0/(2.8880884188618468*J + 0.765625*J3) + 2.4974634188618468*1.0/(1.8587375025371702*J
+        + 0.390625*J3));
+    const double z_1 = z_0;
+    const double z_2 = J3 - z_1;
+    const double z_3 = q_3*z_2;
+    const double q_3_dot = v[3];
+    const double z_4 = q_3_dot*q_3_dot;
+    const double q_0_ddot = a[0];
+    const double q_0 = x[0];
+    const double z_5 = q_0*z_0;
+    const double q_1_ddot = a[1];
+    const double q_1 = x[1];
+    const double z_6 = J - z_1;
+    const double z_7 = q_1*z_6;
+    const double q_0_dot = v[0];
+    const double z_8 = q_0_dot*q_0_dot;
+    const double q_1_dot = v[1];
+    const double z_9 = q_1_dot*q_1_dot;
+    const double q_2_dot = v[2];
+    const double z_10 = q_2_dot*q_2_dot;
+    const double lambda_0 = lambda[0];
+    const double z_11 = (z_8 + z_9 + z_10 + z_4)*z_0 + 0.5*lambda_0;
+    const double g = c[2];
+    const double l = c[1];
+    const double m = c[0];
+    const double z_12 = g*l*m;
+    const double q_2_ddot = a[2];
+    const double q_2 = x[2];
+    const double z_13 = q_2*z_6;
+    const double z_14 = (q_1_ddot*z_7 - z_11) - 0.5*((z_12 - 4.0*J*z_10) - 4.0*(J*z_9 + 0.5*q_2_ddot*z_13));
+    D[0] = 2.0*(4.0*q_0_ddot*z_5 - 2.0*q_3_ddot*z_3 - 4.0*J3*z_4 - 2.0*z_14);
+    const double z_15 = q_0*z_6;
+    const double z_16 = J - J3;
+    const double z_17 = q_3*z_16;
+    const double z_18 = J*q_1;
+    const double z_19 = q_0_dot*J;
+    const double z_20 = q_3_dot*z_16;
+    const double z_21 = q_1_dot*z_19 - q_2_dot*z_20;
+    D[1] = 4.0*(2.0*q_0_ddot*z_18 + 2.0*z_21 - q_1_ddot*z_15 - q_2_ddot*z_17);
+    const double z_22 = J*q_2;
+    const double z_23 = q_2_dot*z_19 + q_1_dot*z_20;
+    D[2] = 4.0*(q_1_ddot*z_17 + 2.0*q_0_ddot*z_22 + 2.0*z_23 - q_2_ddot*z_15);
+    const double z_24 = q_0*z_2;
+    const double z_25 = q_0_dot*J3;
+    const double z_26 = q_3_dot*z_25;
+    const double z_27 = q_1*z_16;
+    const double z_28 = q_2*z_16;
+    const double z_29 = q_2_ddot*z_27 - q_1_ddot*z_28;
+    D[3] = (-4.0)*(q_3_ddot*z_24 + z_29 - 2.0*z_26 - 2.0*J3*q_3*q_0_ddot);
+    const double z_30 = q_3_dot*J3;
+    const double z_31 = q_1_dot*J;
+    const double z_32 = q_2_dot*J;
+    const double z_33 = q_1*z_31 + q_2*z_32;
+    D[4] = 8.0*(q_3*z_30 + q_0_dot*z_5 + z_33);
+    const double z_34 = J*(q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3);
+    D[5] = 8.0*(z_34 + q_3*z_32 - q_1_dot*z_15 - q_2*z_30);
+    const double z_35 = J*(q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1);
+    D[6] = 8.0*(z_35 + q_1*z_30 - q_2_dot*z_15 - q_3*z_31);
+    const double z_36 = J3*(q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2);
+    const double z_37 = q_2*z_31 + (z_36 - q_1*z_32);
+    D[7] = 8.0*(z_37 - q_3_dot*z_24);
+    const double z_38 = J*q_0;
+    D[8] = 4.0*(2.0*q_1_ddot*z_38 + 2.0*z_21 - q_0_ddot*z_7 - q_3_ddot*z_28);
+    const double z_39 = q_2*z_2;
+    const double z_40 = q_1*z_0;
+    const double z_41 = q_3*z_6;
+    const double z_42 = (q_0_ddot*z_15 - z_11) + 0.5*((z_12 + 4.0*J*z_4) + 4.0*(J*z_8 + 0.5*q_3_ddot*z_41));
+    D[9] = (-2.0)*(2.0*q_2_ddot*z_39 + 4.0*J3*z_10 + 2.0*z_42 - 4.0*q_1_ddot*z_40);
+    const double z_43 = q_1*z_2;
+    const double z_44 = q_1_dot*J3;
+    const double z_45 = q_2_dot*z_44;
+    const double z_46 = q_0*z_16;
+    const double z_47 = q_3_ddot*z_46 - q_0_ddot*z_17;
+    D[10] = (-4.0)*(q_2_ddot*z_43 + z_47 - 2.0*z_45 - 2.0*q_2*J3*q_1_ddot);
+    const double z_48 = J*q_3;
+    const double z_49 = q_3_dot*J;
+    const double z_50 = q_0_dot*z_16;
+    const double z_51 = q_1_dot*z_49 + q_2_dot*z_50;
+    D[11] = 4.0*(2.0*q_1_ddot*z_48 + q_0_ddot*z_28 + 2.0*z_51 - q_3_ddot*z_7);
+    const double z_52 = q_2_dot*J3;
+    D[12] = (-8.0)*(z_34 + q_0_dot*z_7 + q_3*z_52 - q_2*z_49);
+    const double z_53 = q_0*z_19 + q_3*z_49;
+    D[13] = 8.0*(q_2*z_52 + q_1_dot*z_40 + z_53);
+    const double z_54 = q_3*z_19 - (z_36 + q_0*z_49);
+    D[14] = (-8.0)*(q_2_dot*z_43 - z_54);
+    D[15] = 8.0*(z_35 + q_0*z_52 - q_3_dot*z_7 - q_2*z_19);
+    D[16] = 4.0*(q_3_ddot*z_27 + 2.0*q_2_ddot*z_38 + 2.0*z_23 - q_0_ddot*z_13);
+    D[17] = 4.0*(2.0*z_45 + 2.0*q_1*J3*q_2_ddot + z_47 - q_1_ddot*z_39);
+    const double z_55 = q_2*z_0;
+    D[18] = (-2.0)*(2.0*q_1_ddot*z_43 + 4.0*J3*z_9 + 2.0*z_42 - 4.0*q_2_ddot*z_55);
+    const double z_56 = q_2_dot*z_49 - q_1_dot*z_50;
+    D[19] = 4.0*(2.0*q_2_ddot*z_48 + 2.0*z_56 - q_3_ddot*z_13 - q_0_ddot*z_27);
+    D[20] = (-8.0)*(z_35 + q_0_dot*z_13 + q_1*z_49 - q_3*z_44);
+    D[21] = 8.0*(-q_1_dot*z_39 - z_54);
+    D[22] = 8.0*(q_1*z_44 + q_2_dot*z_55 + z_53);
+    D[23] = (-8.0)*(z_34 + q_3_dot*z_13 + q_0*z_44 - q_1*z_19);
+    D[24] = 4.0*(2.0*z_26 + 2.0*J3*q_0*q_3_ddot + z_29 - q_0_ddot*z_3);
+    D[25] = 4.0*(q_2_ddot*z_46 + 2.0*q_3_ddot*z_18 + 2.0*z_51 - q_1_ddot*z_41);
+    D[26] = 4.0*(2.0*q_3_ddot*z_22 + 2.0*z_56 - q_2_ddot*z_41 - q_1_ddot*z_46);
+    const double z_57 = q_3*z_0;
+    D[27] = 2.0*(4.0*q_3_ddot*z_57 - 2.0*q_0_ddot*z_24 - 4.0*J3*z_8 - 2.0*z_14);
+    D[28] = (-8.0)*(q_0_dot*z_3 + z_37);
+    D[29] = (-8.0)*(z_35 + q_1_dot*z_41 + q_0*z_32 - q_2*z_25);
+    D[30] = 8.0*(z_34 + q_0*z_31 - q_2_dot*z_41 - q_1*z_25);
+    D[31] = 8.0*(q_0*z_25 + q_3_dot*z_57 + z_33);
+    D[32] = 2.0*q_0_ddot;
+    D[33] = 2.0*q_1_ddot;
+    D[34] = 2.0*q_2_ddot;
+    D[35] = 2.0*q_3_ddot;
+    D[36] = 4.0*q_0_dot;
+    D[37] = 4.0*q_1_dot;
+    D[38] = 4.0*q_2_dot;
+    D[39] = 4.0*q_3_dot;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double q_0 = x[0];
+    const double g = c[2];
+    const double l = c[1];
+    const double z_0 = g*l;
+    D[0] = 2.0*(q_0*z_0);
+    const double m = c[0];
+    const double z_1 = g*m;
+    D[1] = 2.0*(q_0*z_1);
+    const double z_2 = l*m;
+    D[2] = 2.0*(q_0*z_2);
+    const double q_2_dot = v[2];
+    const double q_0_dot = v[0];
+    const double q_2 = x[2];
+    const double q_1_dot = v[1];
+    const double q_3 = x[3];
+    const double q_3_dot = v[3];
+    const double q_1 = x[1];
+    const double z_3 = q_0_dot*q_2 + q_1_dot*q_3 - q_2_dot*q_0 - q_3_dot*q_1;
+    const double z_4 = q_0_dot*q_1 + q_3_dot*q_2 - q_1_dot*q_0 - q_2_dot*q_3;
+    const double q_2_ddot = a[2];
+    const double z_5 = q_2*q_0;
+    const double q_1_ddot = a[1];
+    const double z_6 = q_1*q_0;
+    const double z_7 = q_2_ddot*z_5 + q_1_ddot*z_6;
+    const double z_8 = q_1*q_3;
+    const double z_9 = q_2*q_3;
+    const double z_10 = q_2_ddot*z_8 - q_1_ddot*z_9;
+    const double q_0_ddot = a[0];
+    const double z_11 = q_2*q_2;
+    const double z_12 = q_1*q_1;
+    const double J = c[3];
+    const double J3 = c[4];
+    const double z_13 = 1.8587375025371702*J + 2.4974634188618468*J3;
+    const double z_14 = 2.8880884188618468*J + 1.0931125025371702*J3;
+    const double z_15 = 2.8880884188618468*J + 0.765625*J3;
+    const double z_16 = 1.8587375025371702*J + 0.390625*J3;
+    const double z_17 = 0.390625*1.0/z_13 + 0.765625*1.0/z_14 + 10.546220166818202*1.0/J +
+        1.0931125025371702*1.0/z_15 + 2.4974634188618468*1.0/z_16;
+    const double z_18 = 1.0/(z_17*z_17);
+    const double z_19 = (q_0_dot*q_0_dot + q_1_dot*q_1_dot + q_2_dot*q_2_dot + q_3_dot*q_3_dot)*z_18;
+    const double z_20 = q_0*q_0;
+    const double q_3_ddot = a[3];
+    const double z_21 = q_3*q_0;
+    const double z_22 = q_3_ddot*z_21;
+    const double z_23 = q_0*z_19 + q_0_ddot*z_18*z_20 + (z_22 + z_7)*z_18;
+    const double z_24 = 1.0/(z_16*z_16);
+    const double z_25 = 1.0/(z_15*z_15);
+    const double z_26 = 1.0/(z_14*z_14);
+    const double z_27 = 1.0/(z_13*z_13);
+    const double z_28 = 18.568515671412847*z_24 + 12.628022236362769*z_25 + 42.18488066727281*1.0/(J*J) +
+        8.844770782764405*z_26 + 2.9042773477143284*z_27;
+    D[3] = 8.0*q_2_dot*z_3 + 8.0*q_1_dot*z_4 + 4.0*q_0_ddot*z_11 + 4.0*q_0_ddot*z_12 + z_23*z_28 - 4.0*z_7 -
+        4.0*z_10;
+    const double z_29 = q_0_dot*q_3 + q_2_dot*q_1 - q_3_dot*q_0 - q_1_dot*q_2;
+    const double z_30 = q_3*q_3;
+    const double z_31 = 3.9022865919716354*z_24 + 3.3476570390200835*z_25 + 3.3476570390200835*z_26 +
+        3.9022865919716354*z_27;
+    D[4] = 8.0*q_3_dot*z_29 + 4.0*z_10 + 4.0*q_0_ddot*z_30 + z_23*z_31 - 4.0*z_22;
+    D[6] = (-2.0)*(q_1*z_0);
+    D[7] = (-2.0)*(q_1*z_1);
+    D[8] = (-2.0)*(q_1*z_2);
+    const double z_32 = q_3_ddot*z_8 + q_0_ddot*z_6;
+    const double z_33 = q_3_ddot*z_5 - q_0_ddot*z_9;
+    const double z_34 = q_1*q_2;
+    const double z_35 = q_2_ddot*z_34;
+    const double z_36 = q_1*z_19 + q_1_ddot*z_18*z_12 + (z_35 + z_32)*z_18;
+    D[9] = 8.0*q_3_dot*z_3 + 4.0*q_1_ddot*z_30 + 4.0*q_1_ddot*z_20 + z_28*z_36 - 8.0*q_0_dot*z_4 - 4.0*z_32 -
+        4.0*z_33;
+    D[10] = -(8.0*q_2_dot*z_29 + 4.0*z_35 - 4.0*q_1_ddot*z_11 - 4.0*z_33 - z_31*z_36);
+    D[12] = (-2.0)*(q_2*z_0);
+    D[13] = (-2.0)*(q_2*z_1);
+    D[14] = (-2.0)*(q_2*z_2);
+    const double z_37 = q_3_ddot*z_9 + q_0_ddot*z_5;
+    const double z_38 = q_3_ddot*z_6 - q_0_ddot*z_8;
+    const double z_39 = q_1_ddot*z_34;
+    const double z_40 = q_2*z_19 + q_2_ddot*z_18*z_11 + (z_39 + z_37)*z_18;
+    D[15] = -(8.0*q_0_dot*z_3 + 8.0*q_3_dot*z_4 + 4.0*z_37 - 4.0*q_2_ddot*z_30 - 4.0*q_2_ddot*z_20 - 4.0*z_38 -
+        z_28*z_40);
+    D[16] = 8.0*q_1_dot*z_29 + 4.0*q_2_ddot*z_12 + z_31*z_40 - 4.0*z_39 - 4.0*z_38;
+    D[18] = 2.0*(q_3*z_0);
+    D[19] = 2.0*(q_3*z_1);
+    D[20] = 2.0*(q_3*z_2);
+    const double z_41 = q_2_ddot*z_9 + q_1_ddot*z_8;
+    const double z_42 = q_2_ddot*z_6 - q_1_ddot*z_5;
+    const double z_43 = q_0_ddot*z_21;
+    const double z_44 = q_3*z_19 + q_3_ddot*z_18*z_30 + (z_43 + z_41)*z_18;
+    D[21] = -(8.0*q_1_dot*z_3 + 4.0*z_41 - 8.0*q_2_dot*z_4 - 4.0*z_42 - 4.0*q_3_ddot*z_11 - 4.0*q_3_ddot*z_12 -
+        z_28*z_44);
+    D[22] = -(8.0*q_0_dot*z_29 + 4.0*z_43 + 4.0*z_42 - 4.0*q_3_ddot*z_20 - z_31*z_44);
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  EM_UNUSED const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double q_0 = x[0];
+    D[0] = 2.0*q_0;
+    const double q_1 = x[1];
+    D[1] = 2.0*q_1;
+    const double q_2 = x[2];
+    D[2] = 2.0*q_2;
+    const double q_3 = x[3];
+    D[3] = 2.0*q_3;
+    const double q_0_dot = v[0];
+    D[14] = 2.0*q_0_dot;
+    const double q_1_dot = v[1];
+    D[15] = 2.0*q_1_dot;
+    const double q_2_dot = v[2];
+    D[16] = 2.0*q_2_dot;
+    const double q_3_dot = v[3];
+    D[17] = 2.0*q_3_dot;
+    D[18] = 2.0*q_0;
+    D[19] = 2.0*q_1;
+    D[20] = 2.0*q_2;
+    D[21] = 2.0*q_3;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -819,7 +1092,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -1013,6 +1287,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -1022,7 +1300,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -1113,6 +1391,11 @@ const em_model quaternion_top_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

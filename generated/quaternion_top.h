@@ -1,5 +1,5 @@
 /* eigenmotion generate quaternion_top.py */
-/* input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294 */
+/* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
 /* body sha256:a4a256fadf0c11c7dda8bb4b316d0247b664770549827f4ba2bd388f296437a1 */
 /* quaternion_top: 4 coordinates, 1 constraint rows, 28 states.
  * Link quaternion_top.c with a program of your own, or import the Python module built from quaternion_top.pyx. */

@@ -1,5 +1,5 @@
 # eigenmotion generate quaternion_top.py
-# input sha256:5a59398b44c7bd16c4b7421c42a22d327b72ae88dbede73e4abc0d229b1a0294
+# input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141
 # body sha256:a5b16b1e02bcf0f96f0db8440e0b2c1f94518942798bbb1854ad3bbde51e3e58
 # cython: language_level=3
 """quaternion_top, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
-/* input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282 */
-/* body sha256:80fb096348c160eef5109ca4587283ba205c17e64dacfbf0efee4cd75c49bd17 */
+/* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
+/* body sha256:5493c113dac86e45f222bf9d18407c97dff1ae48f4f032ade5c6c892415a7a31 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -47,6 +47,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
+    N_GIVEN = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
     N_PREPARED = 9,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* psi, theta, phi */
 };
@@ -310,7 +312,7 @@ extern void quasi(EM_UNUSED double t, const double *restrict x, const double *re
                     EM_UNUSED const double *restrict c, double *restrict y);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -516,6 +518,215 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void quasi_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             EM_UNUSED const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double psi_dot = v[0];
+    const double J3 = c[2];
+    const double theta_dot = v[1];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = sin_theta*sin_theta;
+    const double z_2 = theta_dot*z_1;
+    const double cos_theta = em_cos(theta);
+    const double z_4 = theta_dot*(cos_theta*cos_theta);
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double cos_phi = em_cos(phi);
+    const double z_7 = sin_phi*cos_phi;
+    const double z_8 = J1*z_7;
+    const double phi_dot = v[2];
+    const double z_9 = cos_theta*sin_theta;
+    const double z_10 = phi_dot*z_9;
+    const double z_11 = sin_phi*sin_phi;
+    const double z_12 = J1*z_11;
+    const double J2 = c[1];
+    const double z_13 = cos_phi*cos_phi;
+    const double z_14 = J2*z_13;
+    const double z_15 = J2*z_7;
+    const double z_16 = theta_dot*cos_theta;
+    const double z_17 = J1 - J2;
+    const double z_18 = z_17*z_13;
+    const double z_19 = phi_dot*z_18;
+    const double z_20 = theta_dot*theta_dot;
+    const double z_21 = z_17*z_7;
+    const double z_22 = z_17*z_11;
+    const double z_23 = phi_dot*z_22;
+    const double z_24 = J3*sin_theta;
+    const double z_25 = cos_theta*z_24 - z_12*z_9 - z_14*z_9;
+    const double psi_ddot = a[0];
+    const double theta_ddot = a[1];
+    const double z_26 = cos_theta*z_21;
+    const double phi_ddot = a[2];
+    D[1] = (2.0*psi_dot*((J3*z_2 - J3*z_4) + (2.0*z_8*z_10 - (z_12*z_2 - z_12*z_4)) - ((z_14*z_2 - z_14*z_4) +
+        2.0*z_15*z_10)) + (z_16*z_19 - sin_theta*z_20*z_21 - z_16*z_23) - phi_dot*J3*z_16) - (2.0*z_25*psi_ddot +
+        phi_ddot*z_24 - theta_ddot*z_26);
+    const double z_27 = phi_dot*z_1;
+    const double z_28 = sin_theta*z_16;
+    const double z_29 = phi_dot*z_21;
+    const double z_30 = theta_dot*sin_theta;
+    const double z_31 = cos_theta*z_20;
+    const double z_32 = z_1*z_21;
+    const double z_33 = sin_theta*theta_ddot;
+    D[2] = (2.0*psi_dot*(((J1*z_13*z_27 - z_12*z_27) + 2.0*z_28*z_8) - (2.0*z_28*z_15 + (z_14*z_27 -
+        J2*z_11*z_27))) - (4.0*z_29*z_30 - (z_18*z_31 - z_22*z_31))) + (2.0*psi_ddot*z_32 + (z_18*z_33 -
+        z_22*z_33));
+    D[3] = (-2.0)*(z_16*z_24 - (z_27*z_8 + z_12*z_28) - (z_14*z_28 - z_27*z_15));
+    const double z_34 = z_16*z_21;
+    const double z_35 = sin_theta*z_19 - sin_theta*z_23;
+    D[4] = -(phi_dot*z_24 + 2.0*psi_dot*z_25 - (2.0*z_34 + z_35));
+    const double z_36 = theta_dot*z_24;
+    D[5] = -(z_36 + (z_22*z_30 - z_18*z_30) - 2.0*psi_dot*z_32);
+    const double z_37 = theta_dot*sin_phi;
+    const double z_38 = psi_dot*sin_theta;
+    const double z_39 = cos_phi*z_38;
+    const double z_40 = z_37 - z_39;
+    const double z_41 = J2*z_40;
+    const double z_42 = psi_dot*cos_phi;
+    const double z_43 = theta_dot*cos_phi;
+    const double z_44 = sin_phi*z_38;
+    const double z_45 = z_43 + z_44;
+    const double z_46 = J1*z_45;
+    const double z_47 = psi_dot*sin_phi;
+    const double z_48 = psi_dot*psi_dot;
+    const double z_49 = cos_theta*z_48;
+    const double z_50 = psi_dot*cos_theta;
+    const double z_51 = phi_dot + z_50;
+    const double z_52 = theta_dot*z_21;
+    D[7] = -((((sin_theta*(z_41*z_42 - z_46*z_47) + cos_theta*(z_14*z_49 + z_12*z_49)) - (J3*z_50*z_51 -
+        J3*z_1*z_48)) + (z_52*z_38 + z_50*z_23 - z_50*z_19)) - psi_ddot*z_26);
+    const double z_53 = J2*z_45;
+    const double z_54 = J1*z_40;
+    const double z_55 = psi_dot*z_16;
+    const double z_56 = sin_theta*psi_ddot;
+    D[8] = -((cos_theta*((z_41*z_47 - z_42*z_53) + (z_46*z_42 - z_47*z_54)) + ((4.0*z_29*z_38 - (z_18*z_55 -
+        z_22*z_55)) - 2.0*(theta_dot*z_23 - theta_dot*z_19))) + (2.0*theta_ddot*z_21 - (z_18*z_56 - z_22*z_56)));
+    const double z_57 = J3*z_38;
+    D[9] = (z_34 + z_35) + (cos_theta*((cos_phi*z_41 - z_38*z_14) - (sin_phi*z_46 + z_38*z_12)) + (cos_theta*z_57
+        + z_51*z_24));
+    const double z_58 = z_50*z_21;
+    D[10] = -(z_58 + (2.0*z_29 - z_58));
+    D[11] = z_57 - (2.0*z_52 + (z_38*z_22 - z_38*z_18));
+    const double z_59 = J1*z_47;
+    const double z_60 = J2*cos_phi;
+    const double z_61 = z_48*z_9;
+    const double z_62 = J2*z_42;
+    const double z_63 = J1*sin_phi;
+    D[13] = -(psi_ddot*z_24 + (J3*z_55 - (sin_phi*(z_16*z_59 - (z_50*z_41 - z_60*z_61)) + cos_phi*(z_16*z_62 -
+        (z_50*z_46 + z_63*z_61)))));
+    D[14] = -((cos_phi*(z_41*z_38 - theta_dot*z_46) + sin_phi*(z_38*z_53 + theta_dot*z_54)) -
+        (sin_phi*(theta_dot*z_41 + z_46*z_38) - cos_phi*(theta_dot*z_53 - z_38*z_54)));
+    D[15] = -(z_36 + (sin_phi*((sin_theta*z_41 - z_1*z_62) - z_30*z_63) - cos_phi*(z_30*z_60 - (sin_theta*z_46 +
+        z_1*z_59))));
+    D[16] = -(z_57 + (sin_phi*(J2*z_44 - (z_46 + J1*z_43)) + cos_phi*(J1*z_39 + (z_41 + J2*z_37))));
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double phi_dot = v[2];
+    const double theta_dot = v[1];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = theta_dot*sin_theta;
+    const double z_2 = phi_dot*z_1;
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double z_4 = cos_phi*cos_phi;
+    const double cos_theta = em_cos(theta);
+    const double sin_phi = em_sin(phi);
+    const double z_7 = sin_phi*cos_phi;
+    const double z_8 = sin_phi*sin_phi;
+    const double z_9 = z_2*z_4 + cos_theta*(theta_dot*theta_dot)*z_7 - z_2*z_8;
+    const double psi_dot = v[0];
+    const double z_10 = sin_theta*sin_theta;
+    const double z_11 = phi_dot*z_10*z_7;
+    const double z_12 = cos_theta*z_1;
+    const double theta_ddot = a[1];
+    const double z_13 = sin_theta*z_7;
+    const double z_14 = theta_ddot*z_13;
+    const double psi_ddot = a[0];
+    const double z_15 = psi_ddot*z_10;
+    D[0] = (z_9 + 2.0*psi_dot*(z_11 + z_8*z_12)) + (z_14 + z_8*z_15);
+    D[1] = -((z_9 + 2.0*psi_dot*(z_11 - z_4*z_12)) + (z_14 - z_4*z_15));
+    const double z_16 = psi_dot*sin_theta;
+    const double z_17 = theta_dot*z_16;
+    const double phi_ddot = a[2];
+    D[2] = -((z_2 + 2.0*cos_theta*z_17) - (cos_theta*phi_ddot + psi_ddot*(cos_theta*cos_theta)));
+    const double z_18 = theta_dot*cos_phi;
+    const double z_19 = sin_phi*z_16;
+    const double z_20 = z_18 + z_19;
+    const double z_21 = psi_dot*cos_theta;
+    const double z_22 = theta_dot*z_7;
+    const double z_23 = phi_dot*z_16;
+    const double z_24 = 2.0*phi_dot*z_22 - (z_21*z_22 + z_4*z_23 - z_8*z_23);
+    const double z_25 = psi_ddot*z_13;
+    D[4] = -((sin_phi*z_20*z_21 + z_24) - (z_25 + theta_ddot*z_4));
+    const double z_26 = theta_dot*sin_phi;
+    const double z_27 = cos_phi*z_16;
+    const double z_28 = z_26 - z_27;
+    D[5] = (cos_phi*z_28*z_21 + z_24) - (z_25 - theta_ddot*z_8);
+    D[6] = (phi_dot + z_21)*z_16;
+    D[8] = z_20*z_26 - z_20*z_27;
+    D[9] = -(z_18*z_28 + z_19*z_28);
+    D[10] = -(z_17 - (phi_ddot + cos_theta*psi_ddot));
+}
+
+/* D (n, n_arguments), of P(x, t) v */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void quasi_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             EM_UNUSED const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N * N_ARGUMENTS);
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double psi_dot = v[0];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double z_2 = psi_dot*cos_theta;
+    D[1] = sin_phi*z_2;
+    const double theta_dot = v[1];
+    const double cos_phi = em_cos(phi);
+    const double sin_theta = em_sin(theta);
+    const double z_5 = psi_dot*sin_theta;
+    D[2] = -(theta_dot*sin_phi - cos_phi*z_5);
+    D[3] = sin_phi*sin_theta;
+    D[4] = cos_phi;
+    D[11] = cos_phi*z_2;
+    D[12] = -(theta_dot*cos_phi + sin_phi*z_5);
+    D[13] = sin_theta*cos_phi;
+    D[14] = -sin_phi;
+    D[21] = -z_5;
+    D[23] = cos_theta;
+    D[25] = 1.0;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -608,7 +819,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -763,6 +975,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -772,7 +988,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -862,6 +1078,9 @@ const em_model rigid_body_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -876,6 +1095,7 @@ const em_model rigid_body_model = {
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,
+    .quasi_partials = quasi_partials,
     .initial_y = initial_y,
     .event = model_events,
     .lanes = &rigid_body_lanes,

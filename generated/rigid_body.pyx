@@ -1,5 +1,5 @@
 # eigenmotion generate rigid_body.py
-# input sha256:8ad81460a2fed53ab55bb8d288120c6426eed92129c2479cdc42699b325e9282
+# input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072
 # body sha256:5f2a51a5c5845f285aebf9ea11d9072b896760d2e6fb5b9bab00ef6cda1f6441
 # cython: language_level=3
 """rigid_body, compiled: `system` is its System (eigenfactor)."""

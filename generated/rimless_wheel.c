@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:f8f63f8a8825f005a1ba9b6962aa9ab3bc55e35e4c85d9924e7b80aa5ae4d095 */
+/* body sha256:cc763851160fc349ffc8ce66978f4df588178918bfe4dbf32c6fbe1f33c99b49 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -43,6 +43,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 6,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 8,    /* x, v and these: what motion depends on */
     N_PREPARED = 22,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
@@ -158,7 +160,7 @@ extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -286,6 +288,71 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double m = c[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    D[0] = -m*l*g*cos_theta;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_ddot = a[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = g*sin_theta;
+    D[0] = theta_ddot*(l*l) - l*z_1;
+    const double m = c[0];
+    const double z_2 = m*l;
+    D[1] = 2.0*theta_ddot*z_2 - m*z_1;
+    D[2] = -sin_theta*z_2;
+}
+
+/* D (n_events, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
+    D[0] = 1.0;
+    D[5] = -1.0;
+    D[6] = -1.0;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -378,7 +445,8 @@ static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED
     crossing[0] = theta + c_3;
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -438,6 +506,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -447,7 +519,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -470,7 +542,7 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "alpha", "gamma", NULL };
@@ -559,9 +631,21 @@ const em_model rimless_wheel_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .event_partials = event_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

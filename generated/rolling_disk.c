@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
-/* body sha256:629ea2250c36e85518d40d8266bffe17d5bfa5f512da263af08607f7b7e8755b */
+/* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
+/* body sha256:4f12538f239b94e31a5a6c3554dcefce3ce0b349c9c8245e2ad85d5c90951e0c */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -46,6 +46,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
+    N_GIVEN = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
     N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 5,             /* x, y, phi, theta, psi */
 };
@@ -409,7 +411,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -573,6 +575,202 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double phi = x[2];
+    const double cos_phi = em_cos(phi);
+    const double theta_ddot = a[3];
+    const double theta = x[3];
+    const double cos_theta = em_cos(theta);
+    const double m = c[0];
+    const double r = c[1];
+    const double z_2 = m*r;
+    const double z_3 = cos_theta*z_2;
+    const double theta_dot = v[3];
+    const double z_4 = theta_dot*theta_dot;
+    const double sin_theta = em_sin(theta);
+    const double z_6 = sin_theta*z_2;
+    const double phi_dot = v[2];
+    const double z_7 = phi_dot*phi_dot;
+    const double z_8 = theta_ddot*z_3 - z_4*z_6 - z_7*z_6;
+    const double sin_phi = em_sin(phi);
+    const double phi_ddot = a[2];
+    const double z_10 = phi_dot*theta_dot;
+    const double z_11 = phi_ddot*z_6 + 2.0*z_10*z_3;
+    D[2] = -(cos_phi*z_8 - sin_phi*z_11);
+    const double z_12 = sin_phi*z_2;
+    const double z_13 = cos_phi*z_2;
+    D[3] = sin_theta*(theta_ddot*z_12 + 2.0*z_13*z_10) - cos_theta*(phi_ddot*z_13 - z_4*z_12 - z_7*z_12);
+    const double z_14 = phi_dot*sin_theta;
+    const double z_15 = cos_theta*z_13;
+    D[7] = 2.0*(z_12*z_14 - theta_dot*z_15);
+    const double z_16 = theta_dot*sin_theta;
+    D[8] = 2.0*(z_12*z_16 - phi_dot*z_15);
+    D[12] = -(cos_phi*z_11 + sin_phi*z_8);
+    D[13] = -(sin_theta*(theta_ddot*z_13 - 2.0*z_12*z_10) + cos_theta*(phi_ddot*z_12 + z_4*z_13 + z_7*z_13));
+    const double z_17 = cos_theta*z_12;
+    D[17] = (-2.0)*(z_13*z_14 + theta_dot*z_17);
+    D[18] = (-2.0)*(phi_dot*z_17 + z_13*z_16);
+    const double y_ddot = a[1];
+    const double z_18 = y_ddot*z_13;
+    const double x_ddot = a[0];
+    const double z_19 = x_ddot*z_12;
+    D[22] = -(sin_theta*z_18 - sin_theta*z_19);
+    const double psi_dot = v[4];
+    const double z_20 = m*(r*r);
+    const double z_21 = sin_theta*z_20;
+    const double z_22 = z_10*z_21;
+    const double z_23 = cos_theta*z_20;
+    const double z_24 = phi_ddot*z_23;
+    const double psi_ddot = a[4];
+    D[23] = 0.5*(sin_theta*(theta_dot*psi_dot*z_20 - 5.0*z_22 - z_24) + cos_theta*(5.0*z_23*z_10 +
+        6.0*phi_ddot*z_21 - psi_ddot*z_20 - 2.0*y_ddot*z_12 - 2.0*x_ddot*z_13));
+    D[27] = 2.5*(z_23*z_16);
+    const double z_25 = psi_dot*z_23 - 5.0*z_23*z_14;
+    D[28] = (-0.5)*z_25;
+    D[29] = (-0.5)*(theta_dot*z_23);
+    D[32] = -(x_ddot*z_15 + y_ddot*z_17);
+    const double z_26 = phi_dot*psi_dot;
+    const double g = c[2];
+    D[33] = (-0.25)*(sin_theta*(2.0*z_20*z_26 + 4.0*z_18 - 5.0*z_7*z_21 - 4.0*z_19) + cos_theta*(4.0*g*z_2 +
+        5.0*z_7*z_23));
+    D[37] = 0.5*z_25;
+    const double z_27 = phi_dot*z_23;
+    D[39] = 0.5*z_27;
+    const double lambda_1 = lambda[1];
+    const double z_28 = r*cos_phi;
+    const double lambda_0 = lambda[0];
+    const double z_29 = r*sin_phi;
+    D[42] = -(lambda_1*z_28 - lambda_0*z_29);
+    D[43] = 0.5*(z_22 - z_24);
+    D[47] = (-0.5)*(theta_dot*z_23);
+    D[48] = (-0.5)*z_27;
+    D[52] = z_28*z_26 + psi_ddot*z_29;
+    D[57] = psi_dot*z_29;
+    D[59] = phi_dot*z_29;
+    D[62] = z_29*z_26 - psi_ddot*z_28;
+    D[67] = -psi_dot*z_28;
+    D[69] = -phi_dot*z_28;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double phi_dot = v[2];
+    const double z_0 = phi_dot*phi_dot;
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double r = c[1];
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double z_3 = r*sin_theta;
+    const double z_4 = sin_phi*z_3;
+    const double cos_phi = em_cos(phi);
+    const double cos_theta = em_cos(theta);
+    const double z_7 = r*cos_theta;
+    const double theta_dot = v[3];
+    const double z_8 = phi_dot*theta_dot;
+    const double z_9 = z_7*z_8;
+    const double z_10 = theta_dot*theta_dot;
+    const double x_ddot = a[0];
+    const double theta_ddot = a[3];
+    const double z_11 = sin_phi*z_7;
+    const double phi_ddot = a[2];
+    const double z_12 = cos_phi*z_3;
+    D[0] = z_0*z_4 + z_10*z_4 + x_ddot - 2.0*cos_phi*z_9 - theta_ddot*z_11 - phi_ddot*z_12;
+    const double m = c[0];
+    const double z_13 = m*cos_theta;
+    const double z_14 = sin_phi*z_13;
+    const double z_15 = m*sin_theta;
+    const double z_16 = cos_phi*z_15;
+    const double z_17 = sin_phi*z_15;
+    const double z_18 = cos_phi*z_13;
+    D[1] = -(theta_ddot*z_14 + phi_ddot*z_16 + 2.0*z_8*z_18 - z_10*z_17 - z_0*z_17);
+    const double y_ddot = a[1];
+    const double z_19 = cos_phi*z_7;
+    D[4] = -(2.0*sin_phi*z_9 + z_10*z_12 + z_0*z_12 + phi_ddot*z_4 - y_ddot - theta_ddot*z_19);
+    D[5] = theta_ddot*z_18 - phi_ddot*z_17 - z_10*z_16 - z_0*z_16 - 2.0*z_8*z_14;
+    const double psi_ddot = a[4];
+    const double z_20 = r*r;
+    const double z_21 = psi_ddot*z_20;
+    const double z_22 = cos_theta*z_20;
+    const double psi_dot = v[4];
+    const double z_23 = theta_dot*psi_dot;
+    const double z_24 = sin_theta*z_22;
+    const double z_25 = sin_theta*sin_theta;
+    const double z_26 = phi_ddot*z_20;
+    const double z_27 = cos_theta*cos_theta;
+    D[8] = (-0.25)*(2.0*sin_theta*z_21 + 4.0*y_ddot*z_4 + 4.0*x_ddot*z_12 + 2.0*z_22*z_23 - 10.0*z_8*z_24 -
+        6.0*z_25*z_26 - z_27*z_26);
+    const double z_28 = r*z_15;
+    const double z_29 = m*z_7;
+    const double z_30 = m*r;
+    const double z_31 = phi_ddot*z_30;
+    D[9] = (-0.5)*(2.0*z_28*psi_ddot + 2.0*y_ddot*z_17 + 2.0*x_ddot*z_16 + 2.0*z_23*z_29 - 10.0*z_15*z_9 -
+        6.0*z_25*z_31 - z_27*z_31);
+    const double g = c[2];
+    const double z_32 = phi_dot*psi_dot;
+    D[12] = 0.25*(5.0*theta_ddot*z_20 + 4.0*y_ddot*z_19 + 2.0*z_22*z_32 - 4.0*x_ddot*z_11 - 4.0*g*z_3 -
+        5.0*z_0*z_24);
+    D[13] = 0.5*(5.0*theta_ddot*z_30 + 2.0*y_ddot*z_18 + 2.0*z_32*z_29 - 2.0*x_ddot*z_14 - 2.0*g*z_15 -
+        5.0*z_0*z_15*z_7);
+    D[14] = -z_28;
+    D[16] = 0.5*(z_21 - sin_theta*z_26 - z_8*z_22);
+    const double lambda_0 = lambda[0];
+    const double lambda_1 = lambda[1];
+    D[17] = -(cos_phi*lambda_0 + sin_phi*lambda_1 + z_28*phi_ddot + m*z_9 - psi_ddot*z_30);
+    D[21] = -(cos_phi*psi_ddot - sin_phi*z_32);
+    D[25] = -(sin_phi*psi_ddot + cos_phi*z_32);
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double psi_dot = v[4];
+    const double r = c[1];
+    const double z_1 = psi_dot*r;
+    D[2] = sin_phi*z_1;
+    D[5] = 1.0;
+    const double cos_phi = em_cos(phi);
+    D[9] = -r*cos_phi;
+    D[11] = -psi_dot*cos_phi;
+    D[16] = -cos_phi*z_1;
+    D[20] = 1.0;
+    D[23] = -r*sin_phi;
+    D[25] = -psi_dot*sin_phi;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -700,7 +898,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -897,6 +1096,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -906,7 +1109,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -994,6 +1197,11 @@ const em_model rolling_disk_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 /* eigenmotion generate rolling_disk.py */
-/* input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499 */
+/* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
 /* body sha256:efd1b049d4804039747077b9306fa9aafbbf9f6c108bebc871085796dcf0b24c */
 /* rolling_disk: 5 coordinates, 2 constraint rows, 40 states.
  * Link rolling_disk.c with a program of your own, or import the Python module built from rolling_disk.pyx. */

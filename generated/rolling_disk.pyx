@@ -1,5 +1,5 @@
 # eigenmotion generate rolling_disk.py
-# input sha256:6f820682dd71248bd575d4f3290b694d3dc8ce06d3020af7615979a461322499
+# input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02
 # body sha256:bffc5ee6c7bd3bba7c27ac8343456692afaa97845629efeff6577967438b082e
 # cython: language_level=3
 """rolling_disk, compiled: `system` is its System (eigenfactor)."""

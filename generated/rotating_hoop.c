@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
-/* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
-/* body sha256:f1e49b5389c0630790289c83b64ede8b728dbc00607324b87dcc8b838f64fd6f */
+/* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
+/* body sha256:81c54b39896e886f9c10b7f83f3800a8c00c9928ce001e1cddd0bdc4fb41fc9e */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -42,6 +42,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
+    N_GIVEN = 5,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 7,    /* x, v and these: what motion depends on */
     N_PREPARED = 16,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* theta */
 };
@@ -151,7 +153,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -225,6 +227,65 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
     p[15] = p[19] = -R*cos_theta;
     const double c_7 = c[15];
     p[16] = c_7;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double Omega = c[2];
+    const double m = c[0];
+    const double R = c[1];
+    const double z_1 = Omega*Omega*(m*(R*R));
+    const double cos_theta = em_cos(theta);
+    const double g = c[3];
+    D[0] = sin_theta*sin_theta*z_1 + cos_theta*(m*R*g - cos_theta*z_1);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_ddot = a[0];
+    const double R = c[1];
+    const double z_0 = R*R;
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double Omega = c[2];
+    const double z_2 = Omega*Omega;
+    const double cos_theta = em_cos(theta);
+    const double z_4 = cos_theta*z_0;
+    const double g = c[3];
+    D[0] = theta_ddot*z_0 + R*sin_theta*g - sin_theta*z_2*z_4;
+    const double m = c[0];
+    const double z_5 = m*sin_theta;
+    const double z_6 = R*z_5;
+    D[1] = 2.0*m*R*theta_ddot + g*z_5 - 2.0*cos_theta*z_6*z_2;
+    D[2] = (-2.0)*(Omega*z_5*z_4);
+    D[3] = z_6;
 }
 
 #endif
@@ -310,7 +371,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -370,6 +432,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -379,7 +445,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -466,6 +532,9 @@ const em_model rotating_hoop_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

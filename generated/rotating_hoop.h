@@ -1,5 +1,5 @@
 /* eigenmotion generate rotating_hoop.py */
-/* input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a */
+/* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
 /* body sha256:e2679a8b115ec5bd11ca1becb7097ee2d4bacd2bd78a102c2225f369d7229f0e */
 /* rotating_hoop: 1 coordinates, 0 constraint rows, 2 states.
  * Link rotating_hoop.c with a program of your own, or import the Python module built from rotating_hoop.pyx. */

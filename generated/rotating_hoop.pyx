@@ -1,5 +1,5 @@
 # eigenmotion generate rotating_hoop.py
-# input sha256:4ca9addd468a058aeba8298bc6f067c6fa0c357b0c760d5dcdd74ae9ced7b69a
+# input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6
 # body sha256:befb0f10f88e297befef38d1155908065354ed4546f873a6069b74a9f4527c68
 # cython: language_level=3
 """rotating_hoop, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
-/* input sha256:ea860441ddd1f9883f3ffc206aabf05d618d21d09b8500d356f134793e7fb6ed */
-/* body sha256:0238833341bec8586b1961f0a8f65c66f287b3c9e258ece8931601871f8941c3 */
+/* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
+/* body sha256:d9d786e7a54cb990337284a414042b1653e8dfa3881be3f1c032c5dcbca3698a */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -44,6 +44,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 0,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
+    N_GIVEN = 5,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
     N_PREPARED = 17,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
@@ -180,7 +182,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -260,6 +262,67 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
     p[11] = p[15] = p[17] = p[20] = x_*sin_z_0 + y*cos_z_0;
     p[13] = 1.5*cos_z_0;
     p[18] = (1.0/10.0);
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                             EM_UNUSED const double *restrict lambda, const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                             EM_UNUSED const double *restrict lambda, const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double k_x = c[1];
+    const double m = c[0];
+    const double Omega = c[3];
+    const double z_0 = m*(Omega*Omega);
+    D[0] = k_x - z_0;
+    const double z_1 = m*Omega;
+    D[3] = (-2.0)*z_1;
+    const double k_y = c[2];
+    D[5] = k_y - z_0;
+    D[6] = 2.0*z_1;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double x_ = x[0];
+    const double Omega = c[3];
+    const double z_0 = Omega*Omega;
+    const double y_dot = v[1];
+    const double x_ddot = a[0];
+    D[0] = -(x_*z_0 + 2.0*y_dot*Omega - x_ddot);
+    D[1] = x_;
+    const double m = c[0];
+    const double z_1 = m*Omega;
+    D[3] = (-2.0)*(x_*z_1 + y_dot*m);
+    const double y = x[1];
+    const double x_dot = v[0];
+    const double y_ddot = a[1];
+    D[5] = -(y*z_0 - 2.0*x_dot*Omega - y_ddot);
+    D[7] = y;
+    D[8] = (-2.0)*(y*z_1 - x_dot*m);
 }
 
 #endif
@@ -347,7 +410,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -409,6 +473,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -418,7 +486,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -507,6 +575,9 @@ const em_model rotating_spring_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

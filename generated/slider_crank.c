@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
-/* input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998 */
-/* body sha256:db7b4157e4a06bbf1784327a770329434b470feed8fa3022b94b59ac6d03f9ca */
+/* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
+/* body sha256:a3d4ac885e984e4a083474dbc7cf3831b9723da718a0e96a1d173150752ce746 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -49,6 +49,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
+    N_GIVEN = 7,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 13,   /* x, v and these: what motion depends on */
     N_PREPARED = 27,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* theta, phi */
     N2 = 1,             /* x */
@@ -377,7 +379,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -499,6 +501,200 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
     const double c_10 = c[20];
     p[22] = 0.5*(z_5 + cos_theta*c_10);
     p[23] = 0.5*(sin_theta*c_10 - z_7);
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double l = c[1];
+    const double m_r = c[3];
+    const double r = c[0];
+    const double z_2 = m_r*r;
+    const double z_3 = l*z_2;
+    const double z_4 = sin_phi*z_3;
+    const double z_5 = sin_theta*z_4;
+    const double cos_theta = em_cos(theta);
+    const double cos_phi = em_cos(phi);
+    const double z_8 = cos_phi*z_3;
+    const double z_9 = cos_theta*z_8;
+    const double z_10 = theta_dot*phi_dot*(z_5 - z_9);
+    const double m_c = c[2];
+    const double g = c[5];
+    const double z_11 = (phi_dot*z_9 - theta_dot*z_5) - (phi_dot*z_5 - theta_dot*z_9);
+    const double z_12 = phi_dot*z_11;
+    const double z_13 = cos_theta*z_4;
+    const double z_14 = sin_theta*z_8;
+    const double z_15 = z_13 + z_14;
+    const double phi_ddot = a[1];
+    const double z_16 = z_15*phi_ddot;
+    const double lambda_0 = lambda[0];
+    const double z_17 = r*cos_theta;
+    const double lambda_1 = lambda[1];
+    const double z_18 = r*sin_theta;
+    D[0] = 0.5*(((z_10 - sin_theta*(r*m_c*g + 2.0*g*z_2)) + z_12) + z_16 + 2.0*(lambda_0*z_17 - lambda_1*z_18));
+    D[1] = 0.5*(z_16 + (z_10 + z_12));
+    const double z_19 = theta_dot*z_15;
+    const double z_20 = (phi_dot*z_14 + theta_dot*z_13) + (phi_dot*z_13 + theta_dot*z_14);
+    const double z_21 = phi_dot*z_15;
+    D[4] = (-0.5)*(z_19 - (z_20 + z_21));
+    const double z_22 = theta_dot*z_11;
+    const double theta_ddot = a[0];
+    const double z_23 = z_15*theta_ddot;
+    D[6] = 0.5*((z_10 + z_22) + z_23);
+    const double z_24 = l*sin_phi;
+    const double z_25 = l*cos_phi;
+    D[7] = 0.5*(z_23 + (z_22 + (z_10 + m_r*g*z_24)) + 2.0*(lambda_0*z_25 + lambda_1*z_24));
+    D[9] = (-0.5)*(z_21 - (z_20 + z_19));
+    const double z_26 = theta_dot*theta_dot;
+    D[18] = -(z_26*z_18 - theta_ddot*z_17);
+    const double z_27 = phi_dot*phi_dot;
+    D[19] = -(z_27*z_24 - phi_ddot*z_25);
+    D[21] = 2.0*(theta_dot*z_17);
+    D[22] = 2.0*(phi_dot*z_25);
+    D[24] = -(z_26*z_17 + theta_ddot*z_18);
+    D[25] = z_27*z_25 + phi_ddot*z_24;
+    D[27] = (-2.0)*(theta_dot*z_18);
+    D[28] = 2.0*(phi_dot*z_24);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double m_r = c[3];
+    const double g = c[5];
+    const double z_1 = m_r*g;
+    const double m_c = c[2];
+    const double l = c[1];
+    const double z_2 = m_r*l;
+    const double sin_theta = em_sin(theta);
+    const double phi = x[1];
+    const double cos_phi = em_cos(phi);
+    const double z_5 = sin_theta*cos_phi;
+    const double sin_phi = em_sin(phi);
+    const double z_7 = sin_phi*cos_theta;
+    const double theta_dot = v[0];
+    const double phi_dot = v[1];
+    const double z_8 = theta_dot*phi_dot;
+    const double z_9 = (z_2*z_5 + z_2*z_7)*z_8;
+    const double z_10 = theta_dot*z_7;
+    const double z_11 = phi_dot*z_5;
+    const double z_12 = theta_dot*z_5;
+    const double z_13 = phi_dot*z_7;
+    const double z_14 = (z_2*z_10 + z_2*z_11) + (z_2*z_12 + z_2*z_13);
+    const double theta_ddot = a[0];
+    const double r = c[0];
+    const double z_15 = r*m_c;
+    const double z_16 = m_r*r;
+    const double phi_ddot = a[1];
+    const double z_17 = cos_phi*cos_theta;
+    const double z_18 = sin_phi*sin_theta;
+    const double z_19 = z_2*z_17 - z_2*z_18;
+    const double lambda_0 = lambda[0];
+    const double lambda_1 = lambda[1];
+    D[0] = (1.0/6.0)*(3.0*((cos_theta*(2.0*z_1 + m_c*g) - z_9) + phi_dot*z_14) + (4.0*theta_ddot*(z_15 + 3.0*z_16)
+        - 3.0*phi_ddot*z_19) + 6.0*(sin_theta*lambda_0 + cos_theta*lambda_1));
+    const double z_20 = (z_16*z_5 + z_16*z_7)*z_8;
+    const double z_21 = (z_16*z_10 + z_16*z_11) + (z_16*z_12 + z_16*z_13);
+    const double z_22 = z_16*z_17 - z_16*z_18;
+    D[1] = (-0.5)*((z_20 - phi_dot*z_21) + phi_ddot*z_22);
+    const double z_23 = r*cos_theta*g;
+    const double z_24 = theta_ddot*(r*r);
+    D[2] = (1.0/6.0)*(3.0*z_23 + 2.0*z_24);
+    const double z_25 = r*l;
+    const double z_26 = (z_5*z_25 + z_7*z_25)*z_8;
+    const double z_27 = (z_25*z_10 + z_25*z_11) + (z_25*z_12 + z_25*z_13);
+    const double z_28 = z_25*z_17 - z_25*z_18;
+    D[3] = 0.5*(((2.0*z_23 - z_26) + phi_dot*z_27) + (2.0*z_24 - phi_ddot*z_28));
+    D[5] = 0.5*(cos_theta*(z_15 + 2.0*z_16));
+    D[7] = (-0.5)*((z_9 - theta_dot*z_14) + theta_ddot*z_19);
+    D[8] = ((-1.0/6.0))*(3.0*((cos_phi*z_1 + z_20) - theta_dot*z_21) - (4.0*phi_ddot*z_2 - 3.0*theta_ddot*z_22) -
+        6.0*(sin_phi*lambda_0 - cos_phi*lambda_1));
+    D[10] = ((-1.0/6.0))*(3.0*((l*cos_phi*g + z_26) - theta_dot*z_27) - (2.0*phi_ddot*(l*l) -
+        3.0*theta_ddot*z_28));
+    D[12] = (-0.5)*(cos_phi*z_2);
+    const double x_ddot = a[2];
+    D[18] = x_ddot;
+    const double z_29 = theta_dot*theta_dot;
+    D[21] = cos_theta*z_29 + sin_theta*theta_ddot;
+    const double z_30 = phi_dot*phi_dot;
+    D[22] = cos_phi*z_30 + sin_phi*phi_ddot;
+    D[28] = -(sin_theta*z_29 - cos_theta*theta_ddot);
+    D[29] = sin_phi*z_30 - cos_phi*phi_ddot;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double r = c[0];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    D[0] = r*sin_theta;
+    const double l = c[1];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    D[1] = l*sin_phi;
+    D[2] = 1.0;
+    const double cos_theta = em_cos(theta);
+    D[6] = -cos_theta;
+    const double cos_phi = em_cos(phi);
+    D[7] = -cos_phi;
+    D[13] = r*cos_theta;
+    D[14] = -l*cos_phi;
+    D[19] = sin_theta;
+    D[20] = -sin_phi;
+    const double theta_dot = v[0];
+    const double z_4 = theta_dot*r;
+    D[26] = cos_theta*z_4;
+    const double phi_dot = v[1];
+    const double z_5 = phi_dot*l;
+    D[27] = cos_phi*z_5;
+    D[29] = r*sin_theta;
+    D[30] = l*sin_phi;
+    D[31] = 1.0;
+    D[32] = theta_dot*sin_theta;
+    D[33] = phi_dot*sin_phi;
+    D[39] = -sin_theta*z_4;
+    D[40] = sin_phi*z_5;
+    D[42] = r*cos_theta;
+    D[43] = -l*cos_phi;
+    D[45] = theta_dot*cos_theta;
+    D[46] = -phi_dot*cos_phi;
 }
 
 #endif
@@ -643,7 +839,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -817,6 +1014,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -826,7 +1027,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -919,6 +1120,11 @@ const em_model slider_crank_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 # eigenmotion generate slider_crank.py
-# input sha256:cf251256132b102e270242f7b8678e3af04592cd39edbf7f0017a268fa857998
+# input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587
 # body sha256:797ef149b3d9dea834adfaf2fee84d33be115a4205bc2bef12a6b282ed89b62e
 # cython: language_level=3
 """slider_crank, compiled: `system` is its System (eigenfactor)."""

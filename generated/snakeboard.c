@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
-/* input sha256:edfccaa8748c847863ae931ce253127968f082a4b6a87f2749e4cd538d34f6e3 */
-/* body sha256:13c0fff0fe2fd446129933b943ce2ff38f27b41757494c7bdf9b5607400432a8 */
+/* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
+/* body sha256:5b624e4851268d9aec3aa51d4b145dc6c772db2d244a8171eee1e49c41d08260 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -51,6 +51,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
+    N_GIVEN = 8,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
     N_PREPARED = 33,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
@@ -294,7 +296,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -426,6 +428,171 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double phi = x[4];
+    const double cos_phi = em_cos(phi);
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double z_2 = cos_phi*cos_theta;
+    const double sin_phi = em_sin(phi);
+    const double sin_theta = em_sin(theta);
+    const double z_5 = sin_phi*sin_theta;
+    const double z_6 = z_2 - z_5;
+    const double lambda_0 = lambda[0];
+    const double z_7 = z_6*lambda_0;
+    const double z_8 = z_2 + z_5;
+    const double lambda_1 = lambda[1];
+    const double z_9 = z_8*lambda_1;
+    D[2] = -(z_7 + z_9);
+    D[4] = -(z_7 - z_9);
+    const double z_10 = sin_phi*cos_theta;
+    const double z_11 = cos_phi*sin_theta;
+    const double z_12 = z_10 + z_11;
+    const double z_13 = z_12*lambda_0;
+    const double z_14 = z_10 - z_11;
+    const double z_15 = z_14*lambda_1;
+    D[12] = -(z_13 - z_15);
+    D[14] = -(z_13 + z_15);
+    const double l = c[1];
+    const double z_16 = l*sin_phi;
+    D[24] = -(lambda_0*z_16 - lambda_1*z_16);
+    const double x_dot = v[0];
+    const double theta_dot = v[2];
+    const double phi_dot = v[4];
+    const double z_17 = theta_dot + phi_dot;
+    const double z_18 = z_17*z_12;
+    const double y_dot = v[1];
+    const double z_19 = z_17*z_6;
+    const double z_20 = x_dot*z_18 - y_dot*z_19;
+    const double x_ddot = a[0];
+    const double y_ddot = a[1];
+    const double z_21 = z_6*x_ddot + z_12*y_ddot;
+    D[52] = z_20 - z_21;
+    const double z_22 = theta_dot*phi_dot*l*cos_phi;
+    const double theta_ddot = a[2];
+    const double z_23 = theta_ddot*z_16;
+    D[54] = (z_20 - z_22) - (z_21 + z_23);
+    D[55] = -z_19;
+    D[56] = -z_18;
+    const double z_24 = phi_dot*z_16;
+    const double z_25 = y_dot*z_12 + x_dot*z_6;
+    D[57] = -(z_24 + z_25);
+    const double z_26 = theta_dot*z_16;
+    D[59] = -(z_26 + z_25);
+    const double z_27 = theta_dot - phi_dot;
+    const double z_28 = z_27*z_14;
+    const double z_29 = z_27*z_8;
+    const double z_30 = x_dot*z_28 + y_dot*z_29;
+    const double z_31 = z_8*x_ddot - z_14*y_ddot;
+    D[62] = -(z_30 + z_31);
+    D[64] = (z_22 + z_30) + (z_23 + z_31);
+    D[65] = -z_29;
+    D[66] = z_28;
+    const double z_32 = y_dot*z_14 - x_dot*z_8;
+    D[67] = z_24 + z_32;
+    D[69] = z_26 - z_32;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double x_ddot = a[0];
+    D[2] = x_ddot;
+    const double y_ddot = a[1];
+    D[10] = y_ddot;
+    const double phi = x[4];
+    const double cos_phi = em_cos(phi);
+    const double lambda_0 = lambda[0];
+    const double lambda_1 = lambda[1];
+    D[19] = cos_phi*lambda_0 - cos_phi*lambda_1;
+    const double theta_ddot = a[2];
+    D[20] = theta_ddot;
+    const double psi_ddot = a[3];
+    D[21] = theta_ddot + psi_ddot;
+    D[22] = 2.0*theta_ddot;
+    D[24] = -1.0;
+    D[29] = theta_ddot + psi_ddot;
+    D[33] = -1.0;
+    const double phi_ddot = a[4];
+    D[38] = 2.0*phi_ddot;
+    const double theta_dot = v[2];
+    const double phi_dot = v[4];
+    const double sin_phi = em_sin(phi);
+    const double z_2 = theta_dot*phi_dot*sin_phi - cos_phi*theta_ddot;
+    D[43] = -z_2;
+    D[51] = z_2;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double y_dot = v[1];
+    const double phi = x[4];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double z_2 = sin_phi*cos_theta;
+    const double cos_phi = em_cos(phi);
+    const double sin_theta = em_sin(theta);
+    const double z_5 = cos_phi*sin_theta;
+    const double z_6 = z_2 + z_5;
+    const double x_dot = v[0];
+    const double z_7 = cos_phi*cos_theta;
+    const double z_8 = sin_phi*sin_theta;
+    const double z_9 = z_7 - z_8;
+    const double z_10 = y_dot*z_6 + x_dot*z_9;
+    D[2] = -z_10;
+    const double theta_dot = v[2];
+    const double l = c[1];
+    const double z_11 = theta_dot*l*sin_phi;
+    D[4] = -(z_11 + z_10);
+    D[5] = -z_6;
+    D[6] = z_9;
+    const double z_12 = l*cos_phi;
+    D[7] = z_12;
+    const double z_13 = theta_dot*cos_phi;
+    D[13] = z_13;
+    const double z_14 = z_2 - z_5;
+    const double z_15 = z_7 + z_8;
+    const double z_16 = y_dot*z_14 - x_dot*z_15;
+    D[20] = z_16;
+    D[22] = z_11 - z_16;
+    D[23] = z_14;
+    D[24] = z_15;
+    D[25] = -z_12;
+    D[31] = -z_13;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -554,7 +721,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double A1[N_ROWS][N1],
@@ -684,6 +852,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -693,7 +865,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -787,6 +959,11 @@ const em_model snakeboard_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 # eigenmotion generate snakeboard.py
-# input sha256:edfccaa8748c847863ae931ce253127968f082a4b6a87f2749e4cd538d34f6e3
+# input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627
 # body sha256:182bab93e2be4587f4fae5b6c13c78a2bdc16fd27b20a3a7b20aaeffc94577b5
 # cython: language_level=3
 """snakeboard, compiled: `system` is its System (eigenfactor)."""

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
-/* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
-/* body sha256:86e7f6ec41d52308f44a62ffa4e2e4bff7891e1689ce4f1bdc822c55ed2f5164 */
+/* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
+/* body sha256:8ce63d3d24cb0d674ec419d36c292c1258b2c7ae24752331653c68ef28991874 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -46,6 +46,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
+    N_GIVEN = 9,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 15,   /* x, v and these: what motion depends on */
     N_PREPARED = 44,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 3,             /* q_1, q_2, q_3 */
 };
@@ -432,7 +434,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -680,6 +682,438 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double q_2 = x[1];
+    const double cos_q_2 = em_cos(q_2);
+    const double q_2_dot = v[1];
+    const double l_2 = c[4];
+    const double z_1 = q_2_dot*l_2;
+    const double q_1_dot = v[0];
+    const double l_1 = c[3];
+    const double z_2 = q_1_dot*l_1;
+    const double z_3 = l_2*cos_q_2;
+    const double z_4 = q_1_dot*z_3;
+    const double z_5 = z_2 + z_4;
+    const double m_3 = c[2];
+    const double q_3 = x[2];
+    const double sin_q_3 = em_sin(q_3);
+    const double z_7 = sin_q_3*sin_q_3;
+    const double z_8 = m_3*z_7;
+    const double l_3 = c[5];
+    const double q_3_dot = v[2];
+    const double z_9 = q_1_dot*cos_q_2;
+    const double z_10 = q_3_dot + z_9;
+    const double cos_q_3 = em_cos(q_3);
+    const double z_12 = l_3*z_10 + 2.0*cos_q_3*z_5;
+    const double z_13 = m_3*cos_q_3;
+    const double m_2 = c[1];
+    const double z_14 = 2.0*(2.0*z_5*z_8 + z_12*z_13) + m_2*(2.0*z_2 + z_4);
+    const double rho = c[6];
+    const double z_15 = rho*rho;
+    const double z_16 = z_15;
+    const double z_17 = l_3*l_3;
+    const double z_18 = 3.0*z_16 + z_17;
+    const double z_19 = m_3*z_18;
+    const double z_20 = m_3*l_3;
+    const double z_21 = z_19*z_10 + 3.0*z_12*z_20;
+    const double z_22 = q_3_dot*sin_q_3;
+    const double z_23 = q_2_dot*z_22;
+    const double sin_q_2 = em_sin(q_2);
+    const double z_25 = q_1_dot*sin_q_2;
+    const double z_26 = cos_q_3*z_25;
+    const double z_27 = q_2_dot*cos_q_2;
+    const double z_28 = q_1_dot*sin_q_3;
+    const double z_29 = z_27*z_28;
+    const double z_30 = z_23 - (q_3_dot*z_26 + z_29);
+    const double z_31 = z_19 + 3.0*m_3*z_17;
+    const double z_32 = sin_q_3*z_31;
+    const double z_33 = q_2_dot*cos_q_3;
+    const double z_34 = z_33 + sin_q_3*z_25;
+    const double z_35 = z_19*z_34 + 3.0*(l_3*z_34 + 2.0*z_1)*z_20;
+    const double z_36 = q_3_dot*z_35;
+    const double z_37 = q_1_dot*cos_q_3;
+    const double z_38 = q_3_dot*z_33 + (z_22*z_25 - z_27*z_37);
+    const double z_39 = m_3*z_15;
+    const double z_40 = cos_q_3*z_39;
+    const double z_41 = q_2_dot*sin_q_3;
+    const double z_42 = z_41 - z_26;
+    const double z_43 = z_39*z_42;
+    const double z_44 = m_2*(2.0*l_1 + z_3);
+    const double z_45 = q_1_dot*z_1;
+    const double z_46 = l_1 + z_3;
+    const double z_47 = m_3*z_46;
+    const double z_48 = z_7*z_47;
+    const double z_49 = cos_q_2*z_20;
+    const double z_50 = cos_q_3*z_47;
+    const double z_51 = z_49 + 2.0*z_50;
+    const double z_52 = z_1*z_51;
+    const double z_53 = q_2_dot*l_3;
+    const double z_54 = z_51*z_53;
+    const double z_55 = z_40*z_27;
+    const double z_56 = sin_q_2*z_39;
+    const double z_57 = z_55 - z_22*z_56;
+    const double z_58 = cos_q_3*sin_q_2;
+    const double z_59 = sin_q_3*z_27;
+    const double z_60 = q_3_dot*z_58 + z_59;
+    const double z_61 = z_31*z_28;
+    const double q_2_ddot = a[1];
+    const double z_62 = l_2*z_20;
+    const double z_63 = sin_q_3*z_62;
+    const double z_64 = z_31 - 6.0*z_39;
+    const double z_65 = sin_q_3*z_64;
+    const double z_66 = cos_q_3*q_2_ddot;
+    const double q_1_ddot = a[0];
+    const double z_67 = cos_q_3*cos_q_3;
+    const double z_68 = z_67*z_56;
+    const double z_69 = sin_q_2*z_31;
+    const double z_70 = z_7*z_69;
+    const double z_71 = m_2*z_15;
+    const double z_72 = sin_q_2*q_1_ddot;
+    const double z_73 = m_2*(3.0*z_16 + l_2*l_2);
+    const double z_74 = 6.0*z_71 - z_73;
+    const double z_75 = z_19 - 2.0*z_74;
+    const double z_76 = q_1_dot*z_27;
+    const double z_77 = z_64;
+    const double z_78 = q_2_dot*z_19;
+    const double z_79 = z_5*z_22;
+    const double z_80 = z_25*z_53 + 2.0*(z_79 + z_1*z_26);
+    const double z_81 = cos_q_2*l_3 + 2.0*z_46*cos_q_3;
+    const double z_82 = z_1*z_25;
+    const double z_83 = m_3*z_12;
+    const double z_84 = q_2_dot*z_40;
+    const double z_85 = z_39*z_25;
+    const double z_86 = z_67*z_85;
+    const double z_87 = z_31*z_25;
+    const double z_88 = z_87*z_7;
+    const double z_89 = sin_q_2*z_1;
+    const double z_90 = 2.0*z_22*z_47 + q_2_dot*sin_q_2*z_20 + 2.0*z_13*z_89;
+    const double z_91 = sin_q_2*z_78 + 3.0*l_3*z_90;
+    const double z_92 = m_2*z_89;
+    const double z_93 = 2.0*z_89*z_8 + z_22*z_51 + cos_q_3*z_90 - 4.0*z_22*z_50;
+    const double z_94 = z_92 + 2.0*z_93;
+    const double z_95 = q_1_dot*l_2;
+    const double z_96 = cos_q_2*z_73;
+    const double q_3_ddot = a[2];
+    const double z_97 = q_3_ddot + cos_q_2*q_1_ddot;
+    const double z_98 = z_3*q_1_ddot;
+    const double z_99 = l_1*q_1_ddot;
+    const double z_100 = z_98 + z_99;
+    const double z_101 = z_97*z_20 + 2.0*z_100*z_13;
+    D[1] = ((-1.0/12.0))*(cos_q_2*(3.0*z_1*z_14 + q_2_dot*z_21 + z_30*z_32 + 6.0*z_38*z_40 + 3.0*z_44*z_45 +
+        12.0*z_48*z_45 + 6.0*z_37*z_52 + 3.0*q_1_dot*z_54 + z_75*z_76 - cos_q_3*z_36 - 6.0*z_22*z_43 -
+        6.0*z_57*z_37 - z_60*z_61 - 6.0*q_2_ddot*z_63 - z_65*z_66 - 12.0*q_1_ddot*z_68 - 2.0*q_1_ddot*z_70 -
+        12.0*z_71*z_72 - z_26*z_77*z_22) - sin_q_2*((z_25*z_78 + 3.0*z_80*z_20) + 6.0*z_42*z_84 + q_1_dot*z_91 +
+        3.0*z_94*z_95 - (cos_q_2*z_19 + 3.0*z_81*z_20)*q_1_ddot - 2.0*q_2_dot*z_74*z_25 -
+        3.0*l_2*(2.0*(2.0*(2.0*z_79*z_13 - z_8*z_82) - (z_22*z_83 + z_80*z_13)) - m_2*z_82) - z_41*z_35 -
+        6.0*q_2_dot*z_86 - q_2_dot*z_88 - 2.0*q_1_ddot*z_96 - 3.0*l_2*(z_44 + 2.0*z_81*z_13 + 4.0*z_48)*q_1_ddot -
+        z_19*z_97 - 3.0*l_3*z_101 - 3.0*l_2*(2.0*(2.0*z_100*z_8 + cos_q_3*z_101) + m_2*(z_98 + 2.0*z_99))));
+    const double z_102 = q_3_dot*z_56;
+    const double z_103 = sin_q_3*z_47;
+    const double z_104 = q_3_dot*z_5;
+    const double z_105 = sin_q_2*sin_q_2;
+    const double z_106 = q_1_dot*q_3_dot;
+    const double z_107 = sin_q_3*z_5;
+    const double z_108 = m_3*z_107;
+    const double z_109 = sin_q_2*q_2_ddot;
+    const double z_110 = z_64*z_58;
+    const double z_111 = q_1_ddot*z_105;
+    const double z_112 = z_22*z_105;
+    const double z_113 = q_2_dot*z_31;
+    D[2] = ((-1.0/12.0))*(cos_q_3*(z_30*z_69 + 6.0*q_3_dot*z_12*z_47 + 24.0*z_82*z_103 + 6.0*z_105*z_40*z_106 +
+        z_23*z_69 + 6.0*z_51*z_104 + 24.0*z_89*z_108 + 6.0*q_2_dot*z_57 - z_35*z_27 - 6.0*z_42*z_102 -
+        24.0*z_50*z_104 - z_59*z_87 - z_60*z_87 - 6.0*z_62*z_109 - q_2_ddot*z_110 - 2.0*z_32*z_111 -
+        24.0*z_100*z_103) + sin_q_3*(sin_q_2*z_36 + 24.0*z_79*z_47 + 6.0*z_55*z_25 + q_1_dot*z_31*z_112 +
+        6.0*z_57*z_25 + z_60*z_113 + z_65*z_109 + 12.0*z_40*z_111 + 6.0*m_3*z_81*z_100 + 6.0*z_46*z_101 -
+        6.0*z_38*z_56 - 6.0*z_27*z_43 - 6.0*z_80*z_47 - 6.0*q_3_dot*sin_q_2*z_84 - 6.0*z_51*z_82 - 6.0*z_89*z_83 -
+        6.0*z_5*z_90));
+    const double z_114 = sin_q_3*z_69;
+    const double z_115 = cos_q_3*z_77;
+    D[3] = (1.0/12.0)*(z_27*z_70 + 6.0*z_27*z_68 + 6.0*z_57*z_58 + z_60*z_114 + z_115*z_112 - 3.0*z_44*z_89 -
+        12.0*z_48*z_89 - 6.0*z_58*z_52 - 3.0*sin_q_2*z_54 - cos_q_2*z_91 - 3.0*z_3*z_94 - 6.0*l_1*(z_92 + z_93) -
+        sin_q_2*z_75*z_27);
+    const double z_116 = l_2*z_25;
+    const double z_117 = cos_q_3*z_31;
+    const double z_118 = cos_q_2*z_25;
+    const double z_119 = sin_q_3*z_35;
+    const double z_120 = z_42*z_40;
+    const double z_121 = (l_2*sin_q_2*z_14 + (1.0/3.0)*sin_q_2*z_21) - (1.0/3.0)*(cos_q_2*z_119 -
+        6.0*cos_q_2*z_120);
+    D[4] = ((-1.0/12.0))*(3.0*z_44*z_116 + 12.0*z_48*z_116 + 6.0*q_3_dot*z_68 + q_3_dot*z_70 +
+        6.0*cos_q_3*z_51*z_116 + 3.0*l_3*z_51*z_25 + 6.0*sin_q_3*z_57 + z_75*z_118 + 3.0*z_121 - 6.0*cos_q_2*z_86
+        - cos_q_2*z_88 - 6.0*z_62*z_60 - z_60*z_117);
+    const double z_122 = z_35*z_58;
+    const double z_123 = sin_q_3*z_42;
+    D[5] = (1.0/12.0)*(z_122 + 6.0*z_56*z_123 + 24.0*z_50*z_107 + z_105*z_28*z_115 - 6.0*z_12*z_103 -
+        6.0*q_2_dot*z_68 - q_2_dot*z_70 - 6.0*z_51*z_107 - z_91);
+    const double z_124 = q_1_dot*q_1_dot;
+    const double z_125 = 6.0*z_62 + z_117;
+    const double z_126 = q_3_dot*z_125;
+    const double z_127 = q_3_dot*z_40 + z_9*z_40;
+    const double z_128 = cos_q_2*z_28;
+    const double z_129 = z_22 + z_128;
+    const double z_130 = cos_q_3*q_1_ddot;
+    const double g = c[7];
+    const double z_131 = sin_q_2*z_124;
+    const double z_132 = g*z_20;
+    const double z_133 = l_2*m_3;
+    const double z_134 = z_25*z_20 + 2.0*z_13*z_116;
+    const double z_135 = z_19*z_25 + 3.0*l_3*z_134;
+    const double z_136 = m_2*z_116;
+    const double z_137 = 2.0*z_116*z_8 + cos_q_3*z_134;
+    const double z_138 = z_136 + 2.0*z_137;
+    D[7] = (1.0/12.0)*(cos_q_2*((z_124*z_96 + q_1_dot*z_21 + 3.0*z_14*z_95) + 6.0*z_39*z_7*z_106 + z_37*z_126 +
+        6.0*q_1_ddot*z_63 + z_65*z_130 - 6.0*cos_q_2*z_71*z_124 - 6.0*z_127*z_37 - z_129*z_61) +
+        sin_q_2*((6.0*m_2*l_2*g + 6.0*z_71*z_131 + z_35*z_28 + 6.0*cos_q_3*z_132 + 12.0*g*z_133 -
+        6.0*q_1_dot*z_120) + 6.0*z_84*z_28 - q_2_dot*z_125*z_28 - z_73*z_131 - q_1_dot*z_135 - 3.0*z_138*z_95));
+    const double z_139 = z_18*z_13;
+    D[8] = ((-1.0/12.0))*(cos_q_3*(z_36 + q_2_dot*z_126 + z_9*z_35 + z_129*z_87 - 6.0*z_39*z_38 - 6.0*z_22*z_85 -
+        z_125*z_76 - 24.0*z_116*z_108 - 6.0*q_2_dot*z_127 - 12.0*sin_q_3*z_39*q_2_ddot - 6.0*z_62*z_72 -
+        q_1_ddot*z_110) - sin_q_3*(z_31*z_30 + 6.0*z_39*z_29 + 6.0*cos_q_2*z_132 + 6.0*z_127*z_25 + z_129*z_113 -
+        6.0*q_3_dot*z_43 - 6.0*z_39*z_23 - z_25*z_126 - 6.0*z_116*z_83 - 6.0*z_9*z_43 - 6.0*z_5*z_134 - (z_139 +
+        3.0*(2.0*l_2 + l_3*cos_q_3)*z_20)*q_2_ddot - 3.0*l_3*(2.0*q_2_ddot*z_133 + z_20*z_66) - z_139*q_2_ddot -
+        z_65*z_72));
+    D[9] = ((-1.0/12.0))*(2.0*z_74*z_118 + 6.0*z_59*z_40 + 6.0*z_127*z_58 + z_129*z_114 - 6.0*z_7*z_102 -
+        z_59*z_125 - z_58*z_126 - cos_q_2*z_135 - 3.0*z_3*z_138 - 6.0*l_1*(z_136 + z_137) - 3.0*z_121);
+    D[10] = (1.0/12.0)*(6.0*z_22*z_40 + z_128*z_125 + 6.0*sin_q_3*z_127 - 6.0*z_128*z_40 - z_22*z_125 -
+        6.0*z_62*z_129 - z_117*z_129);
+    D[11] = (1.0/12.0)*(6.0*z_120 + 6.0*z_7*z_85 + 6.0*sin_q_3*z_84 + z_26*z_125 + z_135 - z_119 - z_41*z_125);
+    const double z_140 = z_1*z_20;
+    const double z_141 = z_84 + sin_q_3*z_85;
+    const double z_142 = sin_q_3*z_83 - 2.0*z_13*z_107 - z_22*z_20;
+    D[13] = ((-1.0/12.0))*(cos_q_2*(6.0*z_37*z_140 + z_35*z_37 + q_1_dot*z_113 - 6.0*sin_q_3*z_132 -
+        6.0*z_141*z_37 - z_42*z_77*z_28) + sin_q_2*(6.0*z_5*z_20*z_28 + 6.0*z_142*z_95 + 6.0*z_62*z_130 +
+        z_31*q_1_ddot));
+    const double z_143 = z_5*z_5;
+    const double z_144 = m_3*sin_q_3*z_143;
+    D[14] = ((-1.0/12.0))*(cos_q_3*((6.0*z_25*z_43 - q_2_dot*z_35 - 6.0*z_5*z_83 - 6.0*sin_q_2*z_132) +
+        6.0*z_20*z_104 + 12.0*z_143*z_13 + 6.0*q_2_dot*z_141 - z_42*z_87) + sin_q_3*(12.0*z_144 + 6.0*z_141*z_25 +
+        z_42*z_113 + 6.0*z_46*q_1_ddot*z_20 - (6.0*q_2_dot*z_43 + 12.0*z_144 + z_35*z_25) - 6.0*z_20*z_82));
+    D[15] = ((-1.0/12.0))*(z_122 + q_2_dot*z_69 + 6.0*z_58*z_140 - 6.0*z_141*z_58 - 6.0*z_49*z_107 - 6.0*z_3*z_142
+        - 6.0*l_1*z_142 - sin_q_2*z_77*z_123);
+    D[16] = (1.0/12.0)*(z_119 + 6.0*z_62*z_42 + z_42*z_115 - 6.0*z_62*z_26 - 6.0*sin_q_3*z_141 - z_87);
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, EM_UNUSED const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double q_1_ddot = a[0];
+    const double l_1 = c[3];
+    const double z_0 = l_1*l_1;
+    const double rho = c[6];
+    const double z_1 = rho*rho;
+    const double z_2 = z_1;
+    D[0] = (1.0/12.0)*(q_1_ddot*(3.0*z_0 + (z_0 + 3.0*z_2)));
+    const double l_2 = c[4];
+    const double z_3 = l_2*l_2;
+    const double z_4 = z_3;
+    const double z_5 = 3.0*z_2 + z_4;
+    const double q_2 = x[1];
+    const double cos_q_2 = em_cos(q_2);
+    const double q_2_dot = v[1];
+    const double q_1_dot = v[0];
+    const double sin_q_2 = em_sin(q_2);
+    const double z_8 = q_1_dot*sin_q_2;
+    const double z_9 = q_2_dot*z_8;
+    const double z_10 = cos_q_2*z_9;
+    const double z_11 = q_1_dot*l_1;
+    const double z_12 = l_2*cos_q_2;
+    const double z_13 = q_1_dot*z_12;
+    const double z_14 = 2.0*z_11 + z_13;
+    const double z_15 = q_2_dot*sin_q_2;
+    const double z_16 = l_2*z_15;
+    const double z_17 = l_2*z_9;
+    const double z_18 = cos_q_2*cos_q_2;
+    const double z_19 = sin_q_2*sin_q_2;
+    const double z_20 = z_1*z_19;
+    const double z_21 = 2.0*l_1 + z_12;
+    D[1] = (1.0/12.0)*((2.0*(6.0*z_2 - z_5)*z_10 - 3.0*(z_14*z_16 + z_3*z_10) - 6.0*l_1*z_17) + q_1_ddot*(z_5*z_18
+        + 6.0*z_20 + 6.0*l_1*z_21 + 3.0*z_12*z_21));
+    const double q_3 = x[2];
+    const double cos_q_3 = em_cos(q_3);
+    const double q_3_dot = v[2];
+    const double z_23 = q_3_dot*cos_q_3;
+    const double sin_q_3 = em_sin(q_3);
+    const double z_25 = q_3_dot*sin_q_3;
+    const double z_26 = q_1_dot*cos_q_2;
+    const double z_27 = q_2_dot*cos_q_3;
+    const double z_28 = q_2_dot*z_23 + (z_8*z_25 - z_26*z_27);
+    const double z_29 = sin_q_2*z_28;
+    const double z_30 = q_2_dot*sin_q_3;
+    const double z_31 = cos_q_3*z_8;
+    const double z_32 = z_30 - z_31;
+    const double z_33 = z_32*z_1;
+    const double z_34 = sin_q_2*z_25;
+    const double l_3 = c[5];
+    const double z_35 = z_27 + sin_q_3*z_8;
+    const double z_36 = l_3*z_35 + 2.0*q_2_dot*l_2;
+    const double z_37 = l_3*l_3;
+    const double z_38 = 3.0*z_2 + z_37;
+    const double z_39 = 3.0*l_3*z_36 + z_38*z_35;
+    const double z_40 = sin_q_2*z_23;
+    const double z_41 = cos_q_2*z_30;
+    const double z_42 = sin_q_3*sin_q_2;
+    const double z_43 = q_2_dot*z_25;
+    const double z_44 = z_43 - (z_8*z_23 + z_26*z_30);
+    const double z_45 = z_37 + (1.0/3.0)*z_38;
+    const double z_46 = 3.0*z_45;
+    const double z_47 = z_44*z_46;
+    const double z_48 = q_3_dot + z_26;
+    const double z_49 = z_11 + z_13;
+    const double z_50 = cos_q_3*z_49;
+    const double z_51 = l_3*z_48 + 2.0*z_50;
+    const double z_52 = 3.0*l_3*z_51 + z_38*z_48;
+    const double z_53 = l_3*z_9 + 2.0*(z_49*z_25 + cos_q_3*z_17);
+    const double z_54 = 3.0*l_3*z_53 + z_38*z_9;
+    const double z_55 = sin_q_3*sin_q_3;
+    const double z_56 = 2.0*z_49*z_55 + cos_q_3*z_51;
+    const double z_57 = (z_51*z_25 + cos_q_3*z_53) - 2.0*(2.0*z_50*z_25 - z_55*z_17);
+    const double z_58 = cos_q_3*cos_q_3;
+    const double z_59 = l_1 + z_12;
+    const double z_60 = cos_q_2*l_3 + 2.0*z_59*cos_q_3;
+    const double z_61 = cos_q_3*z_60 + 2.0*z_59*z_55;
+    const double z_62 = 3.0*l_3*z_60 + cos_q_2*z_38;
+    const double z_63 = z_19*z_55;
+    const double q_2_ddot = a[1];
+    const double z_64 = l_2*l_3;
+    const double z_65 = 6.0*z_42*z_64 - cos_q_3*(6.0*z_2 - 3.0*z_45)*z_42;
+    const double q_3_ddot = a[2];
+    D[2] = ((-1.0/12.0))*((6.0*(cos_q_3*z_1*z_29 + cos_q_2*z_27*z_33 - z_33*z_34) + (z_52*z_15 + cos_q_2*z_54) +
+        6.0*(z_56*z_16 + z_12*z_57) + 6.0*l_1*z_57 - (z_39*z_40 + z_39*z_41 - z_42*z_47)) -
+        (q_1_ddot*(6.0*z_20*z_58 + 6.0*l_1*z_61 + cos_q_2*z_62 + 6.0*z_12*z_61 + z_46*z_63) + q_2_ddot*z_65 +
+        q_3_ddot*z_62));
+    const double m_3 = c[2];
+    const double z_66 = m_3*cos_q_3;
+    const double z_67 = z_49*z_66;
+    const double z_68 = m_3*z_55;
+    const double z_69 = m_3*z_51;
+    const double z_70 = 2.0*(2.0*z_25*z_67 - z_17*z_68) - (z_69*z_25 + z_53*z_66);
+    const double m_2 = c[1];
+    const double z_71 = m_2*z_17;
+    const double z_72 = l_3*z_66;
+    const double z_73 = z_26*z_25;
+    const double z_74 = m_3*l_3;
+    const double z_75 = m_2 + 2.0*m_3;
+    const double m_1 = c[0];
+    const double z_76 = cos_q_2*z_72;
+    const double z_77 = m_2*z_21;
+    const double z_78 = z_60*z_66 + 2.0*z_59*z_68;
+    D[3] = (1.0/6.0)*(3.0*((z_70 - z_71) - (z_72*z_9 + z_73*z_74) - z_75*z_17) + (q_1_ddot*(4.0*l_1*m_1 + 3.0*z_76
+        + 3.0*((z_77 + z_78) + 2.0*l_1*(m_2 + m_3)) + 3.0*z_12*z_75) + 3.0*q_3_ddot*z_72));
+    const double z_79 = cos_q_2*z_74;
+    const double z_80 = q_2_dot*q_2_dot;
+    const double z_81 = cos_q_3*z_9 + z_73;
+    const double z_82 = 2.0*(2.0*z_49*z_68 + z_51*z_66) + m_2*z_14;
+    const double z_83 = m_2 + 4.0*m_3;
+    const double z_84 = z_12*z_83;
+    const double z_85 = m_2*z_9;
+    const double z_86 = z_73*z_66;
+    const double z_87 = (z_9*z_68 - 2.0*z_86) + (z_86 + z_81*z_66);
+    const double z_88 = m_2*z_12;
+    const double z_89 = z_74*z_42;
+    const double z_90 = l_1*cos_q_2;
+    const double z_91 = m_2*l_2;
+    D[4] = (1.0/12.0)*((6.0*(q_3_dot*z_72*z_15 + sin_q_3*z_79*z_80) - 6.0*(z_76*z_9 + z_79*z_81) - 3.0*((z_82*z_15
+        + z_9*z_84) - (cos_q_2*(2.0*z_70 - z_71) - z_12*(z_85 + 4.0*z_87))) - 6.0*l_1*(z_85 + 2.0*z_87) -
+        4.0*z_9*z_88) + (6.0*q_2_ddot*z_89 + q_1_ddot*(6.0*z_75*z_90 + 6.0*z_72*z_18 + 3.0*(cos_q_2*(z_77 +
+        2.0*z_78) + l_2*z_83*z_18) + 2.0*z_91*z_18) + 6.0*q_3_ddot*z_76));
+    const double z_92 = z_35*z_74;
+    const double z_93 = 2.0*z_92 + 3.0*(m_3*z_36 + z_92);
+    const double z_94 = z_48*z_74;
+    const double z_95 = 2.0*z_94 + 3.0*(z_69 + z_94);
+    const double z_96 = z_9*z_74;
+    const double z_97 = 2.0*z_96 + 3.0*(m_3*z_53 + z_96);
+    const double z_98 = l_2*z_66;
+    const double z_99 = z_48*z_15;
+    const double z_100 = m_3*z_48;
+    const double z_101 = z_25*z_100 + z_66*z_9;
+    const double z_102 = 2.0*z_79 + 3.0*(m_3*z_60 + z_79);
+    const double z_103 = l_2*m_3;
+    const double z_104 = 3.0*z_103*z_42 + 4.0*z_72*z_42;
+    D[5] = (1.0/12.0)*(((z_93*z_40 + z_93*z_41 - 8.0*z_44*z_89) - (z_95*z_15 + cos_q_2*z_97) - 6.0*(z_98*z_99 +
+        z_12*z_101) - 6.0*l_1*z_101) + (q_1_ddot*(6.0*z_66*z_90 + cos_q_2*z_102 + 6.0*z_98*z_18 + 8.0*z_74*z_63) +
+        2.0*q_2_ddot*z_104 + q_3_ddot*z_102));
+    const double z_105 = m_2*rho;
+    const double z_106 = rho*z_66;
+    const double z_107 = z_32*z_106;
+    const double z_108 = m_3*rho;
+    const double z_109 = z_32*z_108;
+    const double z_110 = z_35*z_108;
+    const double z_111 = z_42*z_106;
+    const double z_112 = z_108*z_58;
+    const double z_113 = cos_q_2*z_108;
+    D[6] = 0.5*((2.0*z_105*z_10 + (q_3_dot*sin_q_2*z_35*z_106 + z_110*z_41 - z_44*z_108*z_42) - 2.0*(z_106*z_29 +
+        q_2_dot*cos_q_2*z_107 - z_109*z_34) - (z_108*z_99 + z_108*z_10)) - (q_2_ddot*z_111 -
+        q_1_ddot*(2.0*z_112*z_19 + 2.0*z_105*z_19 + m_1*rho + z_108*z_63 + (z_108 + z_105)*z_18) -
+        q_3_ddot*z_113));
+    const double g = c[7];
+    const double z_114 = l_2*g;
+    const double z_115 = q_1_dot*q_1_dot;
+    const double z_116 = sin_q_2*z_115;
+    const double z_117 = cos_q_2*z_115;
+    const double z_118 = q_1_dot*l_2;
+    D[10] = (1.0/12.0)*(q_2_ddot*(3.0*z_4 + z_5) - (6.0*cos_q_2*(z_114 + z_1*z_116) - sin_q_2*(z_5*z_117 +
+        3.0*z_14*z_118)));
+    const double z_119 = l_3*cos_q_3;
+    const double z_120 = q_1_dot*sin_q_3;
+    const double z_121 = sin_q_3*z_28;
+    const double z_122 = 2.0*l_2 + z_119;
+    D[11] = ((-1.0/12.0))*(((cos_q_2*(12.0*z_114 + 6.0*z_119*g + z_39*z_120 - 6.0*q_1_dot*cos_q_3*z_33) -
+        sin_q_2*(q_1_dot*z_52 + 6.0*z_56*z_118)) + (6.0*z_44*z_64 + (z_39*z_25 + cos_q_3*z_47) - 6.0*(z_1*z_121 +
+        z_33*z_23))) - (q_1_ddot*z_65 + q_2_ddot*(6.0*z_1*z_55 + 6.0*l_2*z_122 + cos_q_3*(3.0*l_3*z_122 +
+        cos_q_3*z_38))));
+    D[12] = 0.5*(sin_q_2*(z_72*z_115 + l_2*z_75*z_115));
+    const double z_123 = m_3*g;
+    const double z_124 = q_1_dot*z_74;
+    const double z_125 = m_3*z_122;
+    D[13] = ((-1.0/12.0))*(((6.0*cos_q_2*(2.0*z_123 + m_2*g + z_30*z_124) - sin_q_2*(2.0*z_115*z_88 +
+        6.0*z_76*z_115 + 3.0*(q_1_dot*z_82 + z_115*z_84))) + 6.0*(z_44*z_74 + z_43*z_74)) - 2.0*(3.0*q_1_ddot*z_89
+        + q_2_ddot*(4.0*z_91 + 3.0*z_72 + 3.0*(2.0*z_103 + z_125))));
+    const double z_126 = q_1_dot*z_48;
+    D[14] = ((-1.0/12.0))*(((cos_q_2*(6.0*g*z_66 + z_93*z_120) - sin_q_2*(q_1_dot*z_95 + 6.0*z_98*z_126)) +
+        (6.0*z_103*z_44 + (z_93*z_25 + 8.0*z_44*z_72))) - (2.0*q_1_ddot*z_104 + q_2_ddot*(6.0*z_98 +
+        cos_q_3*(2.0*z_72 + 3.0*(z_72 + z_125)))));
+    D[15] = 0.5*(((cos_q_2*(2.0*q_1_dot*z_107 - 2.0*z_105*z_116 - z_110*z_120) + sin_q_2*(z_105*z_117 +
+        z_108*z_126)) + (2.0*(z_108*z_121 + q_3_dot*z_107) - (z_25*z_110 + z_44*z_106))) - (q_1_ddot*z_111 -
+        q_2_ddot*(z_105 + 2.0*z_108*z_55 + z_112)));
+    D[16] = (-0.5)*(cos_q_2*(2.0*z_103 + z_91 + z_72));
+    D[20] = ((-1.0/12.0))*((z_54 + (cos_q_3*(12.0*sin_q_3*(z_49*z_49) + 6.0*q_2_dot*z_33 + z_39*z_8) -
+        sin_q_3*(6.0*z_49*z_51 + 6.0*l_3*sin_q_2*g + q_2_dot*z_39 - 6.0*z_8*z_33))) - (q_3_ddot*z_46 +
+        q_1_ddot*z_62));
+    D[21] = 0.5*(q_1_ddot*z_72 - (z_25*z_124 + (4.0*z_120*z_67 - sin_q_3*(q_1_dot*z_69 + 2.0*q_1_dot*z_67))));
+    D[22] = 0.5*(q_1_ddot*z_76 - (z_81*z_74 + (cos_q_3*(z_96 + 4.0*m_3*sin_q_3*z_26*z_49) - sin_q_3*(z_80*z_74 +
+        (z_26*z_69 + 2.0*z_26*z_67)))));
+    D[23] = ((-1.0/12.0))*((z_97 + (z_31*z_93 - sin_q_3*(6.0*sin_q_2*z_123 + q_2_dot*z_93 + 6.0*z_49*z_100))) -
+        (8.0*q_3_ddot*z_74 + q_1_ddot*z_102));
+    D[24] = (-0.5)*((z_108*z_9 + (cos_q_3*(2.0*q_2_dot*z_109 + z_8*z_110) + sin_q_3*(2.0*z_8*z_109 -
+        q_2_dot*z_110))) - (q_1_ddot*z_113 + q_3_ddot*z_108));
+    D[25] = 0.5*z_89;
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -849,7 +1283,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -1064,6 +1499,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -1073,7 +1512,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -1166,6 +1605,9 @@ const em_model spatial_arm_3_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

@@ -1,5 +1,5 @@
 /* eigenmotion generate spatial_arm.py */
-/* input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b */
+/* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
 /* body sha256:5b4727c15e117357a35952111ad5e8ffb0f11e70a3888ccd44762c211a1650a7 */
 /* spatial_arm_3: 3 coordinates, 0 constraint rows, 18 states.
  * Link spatial_arm_3.c with a program of your own, or import the Python module built from spatial_arm_3.pyx. */

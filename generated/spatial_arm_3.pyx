@@ -1,5 +1,5 @@
 # eigenmotion generate spatial_arm.py
-# input sha256:af167d7b0db6eb5b02838901a00db98915052a45995a6cd114198328b1dc7a4b
+# input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f
 # body sha256:e9dd28d1d362b6d16753ffec3b8f93f8e71d237b0f3d7f541b1da0649a55086f
 # cython: language_level=3
 """spatial_arm_3, compiled: `system` is its System (eigenfactor)."""

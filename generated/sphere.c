@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
-/* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
-/* body sha256:72fb8e1cc6533b7f7adeed573633f5514e1ed975f40a988bb40b85c3d8359093 */
+/* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
+/* body sha256:20a3055fbc2d226555308a882707de42c9f6b990cef2a9c5df2b27ab3185e89f */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -51,6 +51,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
+    N_GIVEN = 5,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 15,   /* x, v and these: what motion depends on */
     N_PREPARED = 32,    /* the parameters, factors of constant blocks, shared constants */
     N1 = 1,             /* x */
     N2 = 1,             /* y */
@@ -507,7 +509,7 @@ extern void quasi(EM_UNUSED double t, const double *restrict x, const double *re
                     EM_UNUSED const double *restrict c, double *restrict y);
 extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -747,6 +749,402 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D);
+extern void quasi_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             EM_UNUSED const double *restrict c, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double p_2_ddot = a[3];
+    const double p_2 = x[3];
+    const double p_1 = x[2];
+    const double z_0 = p_1*p_1;
+    const double z_1 = p_2*p_2;
+    const double p_3 = x[4];
+    const double z_2 = p_3*p_3;
+    const double z_3 = 1.0 + z_0 + z_1 + z_2;
+    const double z_4 = z_3*z_3;
+    const double z_5 = 1.0/z_4;
+    const double m = c[0];
+    const double R = c[1];
+    const double z_6 = m*(R*R);
+    const double z_7 = z_5*z_6;
+    const double z_8 = p_2*z_7;
+    const double z_9 = p_2_ddot*z_8;
+    const double p_1_dot = v[2];
+    const double p_3_dot = v[4];
+    const double z_10 = p_3_dot*p_2;
+    const double p_2_dot = v[3];
+    const double z_11 = p_2_dot*p_3;
+    const double z_12 = p_1_dot + z_10 - z_11;
+    const double z_13 = 1.0/(z_3*z_4);
+    const double z_14 = z_13*z_6;
+    const double z_15 = z_12*z_14;
+    const double z_16 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_17 = p_2*z_14;
+    const double z_18 = z_16*z_17;
+    const double z_19 = p_1_dot*p_3;
+    const double z_20 = p_3_dot*p_1;
+    const double z_21 = p_2_dot + z_19 - z_20;
+    const double z_22 = z_21*z_14;
+    const double z_23 = p_3*z_22;
+    const double z_24 = z_15 + z_23 - z_18;
+    const double z_25 = p_1*z_14;
+    const double z_26 = z_16*z_25;
+    const double z_27 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_28 = z_27*z_17 - 0.5*p_2_dot*z_7;
+    const double z_29 = 2.0*z_26 + 2.0*z_28;
+    const double z_30 = z_21*z_25;
+    const double z_31 = z_27*z_14;
+    const double z_32 = p_3*z_31 - 0.5*p_3_dot*z_7;
+    const double z_33 = 2.0*z_30 - 2.0*z_32;
+    const double lambda_1 = lambda[1];
+    const double z_34 = R*z_5;
+    const double lambda_0 = lambda[0];
+    const double z_35 = p_3*z_34;
+    const double p_3_ddot = a[4];
+    const double z_36 = p_3*p_3_ddot;
+    const double z_37 = p_2*z_25;
+    const double z_38 = z_6/(z_4*z_4);
+    const double z_39 = z_27*z_38;
+    const double z_40 = z_21*z_39;
+    const double z_41 = z_16*z_39;
+    const double z_42 = z_12*z_39;
+    const double z_43 = z_12*z_12;
+    const double z_44 = p_1*z_38;
+    const double z_45 = z_21*z_21;
+    const double z_46 = z_16*z_14;
+    const double z_47 = z_16*z_16;
+    const double p_1_ddot = a[2];
+    const double z_48 = p_1_ddot*z_14;
+    const double z_49 = 5.0*lambda_1*z_34 + 48.0*p_2*z_41 + 24.0*z_43*z_44 + 16.0*p_3_dot*z_22 + 24.0*z_45*z_44 +
+        24.0*z_47*z_44 + 8.0*z_48*z_2 + 8.0*z_48*z_1 + 8.0*z_48 - 5.0*lambda_0*z_35 - 8.0*z_25*z_36 -
+        8.0*p_2_ddot*z_37 - 48.0*p_3*z_40 - 48.0*z_42 - 16.0*p_2_dot*z_46;
+    const double z_50 = z_47*z_14 + z_45*z_14 + z_43*z_14;
+    const double z_51 = z_50 - 0.5*z_7*z_36;
+    D[22] = (4.0/5.0)*(4.0*p_2_dot*z_29 + 4.0*z_51 - 2.0*z_9 - 8.0*p_1_dot*z_24 - 4.0*p_3_dot*z_33 - p_1*z_49);
+    const double z_52 = z_27*z_46;
+    const double z_53 = p_1*z_7;
+    const double z_54 = p_2_ddot*z_53;
+    const double z_55 = z_31 - z_12*z_25;
+    const double z_56 = p_1_ddot*z_8;
+    D[23] = (4.0/5.0)*(8.0*z_52 + 4.0*z_56 - 2.0*z_54 - 8.0*p_2_dot*z_24 - 4.0*p_1_dot*z_29 - 8.0*p_3_dot*z_55 -
+        p_2*z_49);
+    const double z_57 = p_3_ddot*z_53;
+    const double z_58 = p_3*p_1_ddot;
+    const double z_59 = z_7*z_58;
+    const double z_60 = R/z_3;
+    const double z_61 = z_27*z_22 + 0.3125*lambda_0*z_60;
+    D[24] = ((-2.0/5.0))*(4.0*z_57 + 16.0*p_3_dot*z_24 + 2.0*p_3*z_49 + 16.0*z_61 - 8.0*p_1_dot*z_33 -
+        16.0*p_2_dot*z_55 - 8.0*z_59);
+    D[27] = ((-16.0/5.0))*(2.0*p_1*z_24 + p_2*z_29 + 2.0*z_55 - p_3*z_33);
+    const double z_62 = z_16*z_7;
+    D[28] = ((-16.0/5.0))*(z_62 + 2.0*p_2*z_24 - p_1*z_29 - z_33 - 2.0*p_3*z_55);
+    const double z_63 = z_21*z_7;
+    D[29] = (16.0/5.0)*(z_63 + z_29 - 2.0*p_3*z_24 - p_1*z_33 - 2.0*p_2*z_55);
+    const double z_64 = p_3*z_15;
+    const double z_65 = z_22 + z_26 - z_64;
+    const double z_66 = z_27*z_25 - 0.5*p_1_dot*z_7;
+    const double z_67 = 2.0*z_18 - 2.0*z_66;
+    const double z_68 = z_31 - z_21*z_17;
+    const double z_69 = p_2*z_38;
+    const double z_70 = p_2_ddot*z_14;
+    const double z_71 = 5.0*lambda_1*z_35 + 5.0*lambda_0*z_34 + 8.0*z_17*z_36 + 8.0*p_1_ddot*z_37 + 48.0*p_1*z_41
+        + 48.0*z_40 + 16.0*p_3_dot*z_15 - 48.0*p_3*z_42 - 24.0*z_43*z_69 - 24.0*z_45*z_69 - 16.0*p_1_dot*z_46 -
+        24.0*z_47*z_69 - 8.0*z_70*z_0 - 8.0*z_70*z_2 - 8.0*z_70;
+    D[32] = ((-4.0/5.0))*(8.0*z_52 + 2.0*z_56 + 8.0*p_1_dot*z_65 - 4.0*z_54 - 4.0*p_2_dot*z_67 - 8.0*p_3_dot*z_68
+        - p_1*z_71);
+    const double z_72 = p_1_ddot*z_53;
+    const double z_73 = z_12*z_17;
+    const double z_74 = 2.0*z_73 + 2.0*z_32;
+    D[33] = (4.0/5.0)*(4.0*p_3_dot*z_74 + p_2*z_71 + 4.0*z_51 - 2.0*z_72 - 8.0*p_2_dot*z_65 - 4.0*p_1_dot*z_67);
+    const double z_75 = p_3_ddot*z_8;
+    const double z_76 = p_3*p_2_ddot;
+    const double z_77 = z_7*z_76;
+    const double z_78 = z_27*z_15 - 0.3125*lambda_1*z_60;
+    D[34] = (2.0/5.0)*(8.0*z_77 + 2.0*p_3*z_71 + 16.0*z_78 - 4.0*z_75 - 16.0*p_3_dot*z_65 - 16.0*p_1_dot*z_68 -
+        8.0*p_2_dot*z_74);
+    D[37] = (16.0/5.0)*(z_62 + z_74 - 2.0*p_1*z_65 - p_2*z_67 - 2.0*p_3*z_68);
+    D[38] = ((-16.0/5.0))*(2.0*p_2*z_65 + 2.0*z_68 + p_3*z_74 - p_1*z_67);
+    const double z_79 = z_12*z_7;
+    D[39] = ((-16.0/5.0))*(z_79 + 2.0*p_3*z_65 - z_67 - 2.0*p_1*z_68 - p_2*z_74);
+    const double z_80 = z_46 + z_73 - z_30;
+    const double z_81 = z_31 - p_3*z_46;
+    const double z_82 = 2.0*z_23 + 2.0*z_66;
+    const double z_83 = p_2*z_34;
+    const double z_84 = p_1*z_34;
+    const double z_85 = p_3*z_38;
+    const double z_86 = p_3_ddot*z_14;
+    const double z_87 = 5.0*lambda_1*z_83 + 5.0*lambda_0*z_84 + 48.0*p_1*z_40 + 16.0*p_2_dot*z_15 + 24.0*z_43*z_85
+        + 24.0*z_45*z_85 + 24.0*z_47*z_85 + 8.0*z_86*z_0 + 8.0*z_86*z_1 + 8.0*z_86 - 8.0*z_17*z_76 - 8.0*z_25*z_58
+        - 48.0*p_2*z_42 - 48.0*z_41 - 16.0*p_1_dot*z_22;
+    D[42] = (2.0/5.0)*(8.0*z_57 + 16.0*z_61 - 4.0*z_59 - 16.0*p_1_dot*z_80 - 16.0*p_2_dot*z_81 - 8.0*p_3_dot*z_82
+        - 2.0*p_1*z_87);
+    const double z_88 = 2.0*z_64 - 2.0*z_28;
+    D[43] = ((-2.0/5.0))*(4.0*z_77 + 16.0*p_2_dot*z_80 + 2.0*p_2*z_87 + 16.0*z_78 - 8.0*z_75 - 16.0*p_1_dot*z_81 -
+        8.0*p_3_dot*z_88);
+    D[44] = (4.0/5.0)*(4.0*z_50 + 4.0*p_1_dot*z_82 - 2.0*z_9 - 2.0*z_72 - 8.0*p_3_dot*z_80 - 4.0*p_2_dot*z_88 -
+        p_3*z_87);
+    D[47] = ((-16.0/5.0))*(z_63 + 2.0*p_1*z_80 - 2.0*p_2*z_81 - p_3*z_82 - z_88);
+    D[48] = (16.0/5.0)*(z_79 + z_82 - 2.0*p_2*z_80 - 2.0*p_1*z_81 - p_3*z_88);
+    D[49] = ((-16.0/5.0))*(2.0*p_3*z_80 + 2.0*z_81 + p_1*z_82 - p_2*z_88);
+    const double z_89 = p_2_dot*z_34 + p_1_dot*z_35 - z_20*z_34;
+    const double z_90 = z_13*(R*z_27);
+    const double z_91 = p_3_ddot*z_84 + 4.0*p_2_dot*z_90 + 4.0*z_19*z_90 - p_2_ddot*z_34 - p_1_ddot*z_35 -
+        4.0*z_20*z_90;
+    const double z_92 = z_27*z_34;
+    const double z_93 = p_3_ddot*z_60 - 2.0*p_3_dot*z_92;
+    D[52] = 2.0*(2.0*p_1_dot*z_89 + z_93 - 2.0*p_1*z_91);
+    D[53] = 4.0*(p_2_dot*z_89 - p_2*z_91);
+    D[54] = 2.0*(2.0*p_1_dot*z_92 + 2.0*p_3_dot*z_89 - p_1_ddot*z_60 - 2.0*p_3*z_91);
+    const double z_94 = p_3_dot*z_60;
+    const double z_95 = z_94 - (z_94 - 2.0*z_27*z_35);
+    D[57] = 2.0*(2.0*p_1*z_89 + z_95);
+    D[58] = 4.0*(z_92 + p_2*z_89);
+    const double z_96 = p_1_dot*z_60;
+    D[59] = (-2.0)*(z_96 - (z_96 - 2.0*p_1*z_92) - 2.0*p_3*z_89);
+    const double z_97 = p_1_dot*z_34 + z_10*z_34 - p_2_dot*z_35;
+    const double z_98 = p_3_ddot*z_83 + p_1_ddot*z_34 + 4.0*z_11*z_90 - p_2_ddot*z_35 - 4.0*p_1_dot*z_90 -
+        4.0*z_10*z_90;
+    D[62] = (-4.0)*(p_1_dot*z_97 + p_1*z_98);
+    D[63] = 2.0*(z_93 - 2.0*p_2_dot*z_97 - 2.0*p_2*z_98);
+    D[64] = 2.0*(2.0*p_2_dot*z_92 - p_2_ddot*z_60 - 2.0*p_3_dot*z_97 - 2.0*p_3*z_98);
+    D[67] = (-4.0)*(z_92 + p_1*z_97);
+    D[68] = 2.0*(z_95 - 2.0*p_2*z_97);
+    const double z_99 = p_2_dot*z_60;
+    D[69] = (-2.0)*(z_99 + 2.0*p_3*z_97 - (z_99 - 2.0*p_2*z_92));
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, EM_UNUSED const double *restrict u,
+                               double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double x_ddot = a[0];
+    const double g = c[2];
+    const double alpha = c[3];
+    const double sin_alpha = em_sin(alpha);
+    D[0] = x_ddot - g*sin_alpha;
+    const double m = c[0];
+    D[2] = -m*sin_alpha;
+    const double cos_alpha = em_cos(alpha);
+    D[3] = -m*g*cos_alpha;
+    const double y_ddot = a[1];
+    D[5] = y_ddot;
+    const double R = c[1];
+    const double z_2 = R*R;
+    const double p_1 = x[2];
+    const double z_3 = p_1*p_1;
+    const double p_2 = x[3];
+    const double z_4 = p_2*p_2;
+    const double p_3 = x[4];
+    const double z_5 = p_3*p_3;
+    const double z_6 = 1.0 + z_3 + z_4 + z_5;
+    const double z_7 = z_6*z_6;
+    const double z_8 = 1.0/z_7;
+    const double z_9 = z_2*z_8;
+    const double p_3_dot = v[4];
+    const double p_2_dot = v[3];
+    const double p_1_dot = v[2];
+    const double z_10 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    const double z_11 = p_3_dot*z_10;
+    const double z_12 = z_9*z_11;
+    const double z_13 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    const double z_14 = p_2_dot*z_13;
+    const double z_15 = z_9*z_14;
+    const double z_16 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double z_17 = z_16*z_16;
+    const double z_18 = 1.0/(z_6*z_7);
+    const double z_19 = z_2*z_18;
+    const double z_20 = z_10*z_10;
+    const double z_21 = z_13*z_13;
+    const double z_22 = z_17*z_19 + z_20*z_19 + z_21*z_19;
+    const double z_23 = p_1_dot*p_1 + p_2_dot*p_2 + p_3_dot*p_3;
+    const double z_24 = z_23*z_18;
+    const double z_25 = z_2*z_24;
+    const double z_26 = z_16*z_25;
+    const double z_27 = z_13*z_25;
+    const double z_28 = z_10*z_25;
+    const double z_29 = p_1*p_3;
+    const double p_3_ddot = a[4];
+    const double z_30 = p_3_ddot*z_9;
+    const double z_31 = p_1*p_2;
+    const double p_2_ddot = a[3];
+    const double z_32 = p_2_ddot*z_9;
+    const double p_1_ddot = a[2];
+    const double z_33 = z_9*z_4;
+    const double z_34 = z_9*z_5 + z_9;
+    D[10] = (8.0/5.0)*(((z_12 + 2.0*p_1*z_22 - z_15) - (4.0*z_26 + (4.0*p_3*z_28 - z_12) - (4.0*p_2*z_27 - z_15)))
+        - (z_29*z_30 + z_31*z_32 - p_1_ddot*(z_33 + z_34)));
+    const double z_35 = m*R;
+    const double z_36 = z_8*z_35;
+    const double z_37 = z_36*z_11;
+    const double z_38 = z_36*z_14;
+    const double z_39 = z_18*z_35;
+    const double z_40 = z_17*z_39 + z_20*z_39 + z_21*z_39;
+    const double z_41 = z_35*z_24;
+    const double z_42 = z_16*z_41;
+    const double z_43 = z_13*z_41;
+    const double z_44 = z_10*z_41;
+    const double z_45 = p_3_ddot*z_36;
+    const double z_46 = p_2_ddot*z_36;
+    const double z_47 = z_36*z_4;
+    const double z_48 = z_36*z_5 + z_36;
+    const double lambda_0 = lambda[0];
+    const double z_49 = 1.0/z_6;
+    const double z_50 = p_3*z_49;
+    const double lambda_1 = lambda[1];
+    D[11] = (2.0/5.0)*(8.0*((z_37 + 2.0*p_1*z_40 - z_38) - (4.0*z_42 + (4.0*p_3*z_44 - z_37) - (4.0*p_2*z_43 -
+        z_38))) - 8.0*(z_29*z_45 + z_31*z_46 - p_1_ddot*(z_47 + z_48)) - 5.0*(lambda_0*z_50 - lambda_1*z_49));
+    const double z_51 = p_3_dot*z_16;
+    const double z_52 = z_9*z_51;
+    const double z_53 = p_1_dot*z_13;
+    const double z_54 = z_9*z_53;
+    const double z_55 = p_2*p_3;
+    const double z_56 = p_1_ddot*z_9;
+    const double z_57 = z_9*z_3;
+    D[15] = ((-8.0/5.0))*(((z_52 - z_54 - 2.0*p_2*z_22) + (4.0*z_28 + (4.0*p_1*z_27 - z_54) - (4.0*p_3*z_26 -
+        z_52))) + (z_55*z_30 + z_31*z_56 - p_2_ddot*(z_57 + z_34)));
+    const double z_58 = z_36*z_51;
+    const double z_59 = z_36*z_53;
+    const double z_60 = p_1_ddot*z_36;
+    const double z_61 = z_36*z_3;
+    D[16] = ((-2.0/5.0))*(8.0*((z_58 - z_59 - 2.0*p_2*z_40) + (4.0*z_44 + (4.0*p_1*z_43 - z_59) - (4.0*p_3*z_42 -
+        z_58))) + 8.0*(z_55*z_45 + z_31*z_60 - p_2_ddot*(z_61 + z_48)) + 5.0*(lambda_0*z_49 + lambda_1*z_50));
+    const double z_62 = p_2_dot*z_16;
+    const double z_63 = z_9*z_62;
+    const double z_64 = p_1_dot*z_10;
+    const double z_65 = z_9*z_64;
+    D[20] = (8.0/5.0)*(((z_63 + 2.0*p_3*z_22 - z_65) - (4.0*z_27 + (4.0*p_2*z_26 - z_63) - (4.0*p_1*z_28 - z_65)))
+        - (z_55*z_32 + z_29*z_56 - p_3_ddot*(z_33 + z_9 + z_57)));
+    const double z_66 = z_36*z_62;
+    const double z_67 = z_36*z_64;
+    const double z_68 = p_1*z_49;
+    const double z_69 = p_2*z_49;
+    D[21] = (2.0/5.0)*(8.0*((z_66 + 2.0*p_3*z_40 - z_67) - (4.0*z_43 + (4.0*p_2*z_42 - z_66) - (4.0*p_1*z_44 -
+        z_67))) + 5.0*(lambda_0*z_68 + lambda_1*z_69) - 8.0*(z_55*z_46 + z_29*z_60 - p_3_ddot*(z_47 + z_36 +
+        z_61)));
+    const double z_70 = z_23*z_8;
+    const double z_71 = p_3_dot*z_49 - 2.0*p_3*z_70;
+    D[26] = 2.0*((2.0*p_2_dot*z_70 + p_3_dot*(p_1_dot*z_49 - 2.0*p_1*z_70) - p_1_dot*z_71) - (p_1_ddot*z_50 +
+        p_2_ddot*z_49 - p_3_ddot*z_68));
+    D[31] = (-2.0)*((2.0*p_1_dot*z_70 + p_2_dot*z_71 - p_3_dot*(p_2_dot*z_49 - 2.0*p_2*z_70)) - (p_1_ddot*z_49 +
+        p_3_ddot*z_69 - p_2_ddot*z_50));
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double p_3_dot = v[4];
+    const double R = c[1];
+    const double p_1 = x[2];
+    const double p_2 = x[3];
+    const double p_3 = x[4];
+    const double z_0 = 1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3;
+    const double z_1 = 1.0/z_0;
+    const double z_2 = R*z_1;
+    const double z_3 = p_3_dot*z_2;
+    const double p_2_dot = v[3];
+    const double z_4 = R/(z_0*z_0);
+    const double z_5 = p_3_dot*p_1;
+    const double p_1_dot = v[2];
+    const double z_6 = p_1_dot*p_3;
+    const double z_7 = p_2_dot*z_4 + z_4*z_6 - z_4*z_5;
+    D[2] = 2.0*(z_3 + 2.0*p_1*z_7);
+    D[3] = 4.0*(p_2*z_7);
+    D[4] = (-2.0)*(p_1_dot*z_2 - 2.0*p_3*z_7);
+    D[5] = 1.0;
+    D[7] = (-2.0)*(p_3*z_2);
+    D[8] = (-2.0)*z_2;
+    D[9] = 2.0*(p_1*z_2);
+    D[11] = (-2.0)*(p_2_dot*z_1 + z_1*z_6 - z_1*z_5);
+    const double z_8 = p_3_dot*p_2;
+    const double z_9 = p_2_dot*p_3;
+    const double z_10 = p_1_dot*z_4 + z_4*z_8 - z_4*z_9;
+    D[17] = (-4.0)*(p_1*z_10);
+    D[18] = 2.0*(z_3 - 2.0*p_2*z_10);
+    D[19] = (-2.0)*(p_2_dot*z_2 + 2.0*p_3*z_10);
+    D[21] = 1.0;
+    D[22] = 2.0*z_2;
+    D[23] = (-2.0)*(p_3*z_2);
+    D[24] = 2.0*(p_2*z_2);
+    D[26] = 2.0*(p_1_dot*z_1 + z_1*z_8 - z_1*z_9);
+}
+
+/* D (n, n_arguments), of P(x, t) v */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void quasi_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             EM_UNUSED const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N * N_ARGUMENTS);
+    D[5] = 1.0;
+    D[21] = 1.0;
+    const double p_1_dot = v[2];
+    const double p_3_dot = v[4];
+    const double p_2 = x[3];
+    const double p_2_dot = v[3];
+    const double p_3 = x[4];
+    const double z_0 = p_1_dot + p_3_dot*p_2 - p_2_dot*p_3;
+    const double p_1 = x[2];
+    const double z_1 = 1.0 + p_1*p_1 + p_2*p_2 + p_3*p_3;
+    const double z_2 = 1.0/(z_1*z_1);
+    const double z_3 = p_1*z_2;
+    D[32] = (-4.0)*(z_0*z_3);
+    const double z_4 = 1.0/z_1;
+    const double z_5 = p_3_dot*z_4;
+    const double z_6 = p_2*z_2;
+    D[33] = 2.0*(z_5 - 2.0*z_0*z_6);
+    const double z_7 = p_2_dot*z_4;
+    const double z_8 = p_3*z_2;
+    D[34] = (-2.0)*(z_7 + 2.0*z_0*z_8);
+    D[37] = 2.0*(z_4);
+    const double z_9 = p_3*z_4;
+    D[38] = (-2.0)*z_9;
+    const double z_10 = p_2*z_4;
+    D[39] = 2.0*z_10;
+    const double z_11 = p_2_dot + p_1_dot*p_3 - p_3_dot*p_1;
+    D[47] = (-2.0)*(z_5 + 2.0*z_11*z_3);
+    D[48] = (-4.0)*(z_11*z_6);
+    const double z_12 = p_1_dot*z_4;
+    D[49] = 2.0*(z_12 - 2.0*z_11*z_8);
+    D[52] = 2.0*z_9;
+    D[53] = 2.0*(z_4);
+    const double z_13 = p_1*z_4;
+    D[54] = (-2.0)*z_13;
+    const double z_14 = p_3_dot + p_2_dot*p_1 - p_1_dot*p_2;
+    D[62] = 2.0*(z_7 - 2.0*z_14*z_3);
+    D[63] = (-2.0)*(z_12 + 2.0*z_14*z_6);
+    D[64] = (-4.0)*(z_14*z_8);
+    D[67] = (-2.0)*z_10;
+    D[68] = 2.0*z_13;
+    D[69] = 2.0*(z_4);
+}
+
+#endif
 #ifndef EM_ASIDE_ALONE
 
 /* Where the other is linked it takes the place of this. */
@@ -893,7 +1291,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_tangent.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M3[N3][N3],
@@ -1113,6 +1512,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -1122,7 +1525,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -1218,6 +1621,11 @@ const em_model sphere_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -1232,6 +1640,7 @@ const em_model sphere_model = {
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,
+    .quasi_partials = quasi_partials,
     .initial_y = initial_y,
     .event = model_events,
     .lanes = &sphere_lanes,

@@ -1,5 +1,5 @@
 /* eigenmotion generate sphere.py */
-/* input sha256:dc8019599bbd82867995f776a7b3dacf1c771fd54aa596c04d352e87530e5c38 */
+/* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
 /* body sha256:1615d635efc22db8b40b1c1733eac537a0fc1db9a5076ee603e47b76bd507cfe */
 /* sphere: 5 coordinates, 2 constraint rows, 22 states.
  * Link sphere.c with a program of your own, or import the Python module built from sphere.pyx. */

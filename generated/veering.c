@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
-/* input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101 */
-/* body sha256:918ca7213391eb77137a3d1e19984d064a122a3799d13694acf14645bff0f978 */
+/* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
+/* body sha256:f350e63f8f785f6579cd3552dcfdbd0cbd2763222eb1b4f277af5df9c7717194 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -46,6 +46,8 @@ enum {
     EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
     SETTLES = 1,        /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
+    N_GIVEN = 4,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 8,    /* x, v and these: what motion depends on */
     N_PREPARED = 6,     /* the parameters, factors of constant blocks, shared constants */
     N1 = 2,             /* x, z */
 };
@@ -232,7 +234,7 @@ extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
 
-#else
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
@@ -283,6 +285,60 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double k_x = c[1];
+    const double x_ddot = a[0];
+    D[0] = 0.5*(2.0*k_x + x_ddot);
+    const double x_dot = v[0];
+    D[2] = 0.5*x_dot;
+    const double z_dot = v[1];
+    D[3] = 0.5*z_dot;
+    const double z_ddot = a[1];
+    D[4] = (-0.5)*z_ddot;
+    const double k_z = c[2];
+    D[5] = k_z;
+    D[6] = (-0.5)*z_dot;
+    D[7] = (-0.5)*x_dot;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double z_ddot = a[1];
+    D[0] = z_ddot;
+    const double x_ = x[0];
+    D[1] = x_;
+    const double x_ddot = a[0];
+    D[4] = x_ddot;
+    const double z = x[1];
+    D[6] = z;
 }
 
 #endif
@@ -359,7 +415,8 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 {
 }
 
-#include "em_mechanics.h"
+#include "em_derivatives.h"
+#include "em_differentiate.h"
 
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
@@ -471,6 +528,10 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
 static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
 {
     const em_forces *forces = with;
@@ -480,7 +541,7 @@ static int published_rate(const void *with, double t, const double *y, double *d
 /* J (n_state, n_state) = d rhs / d y */
 static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
 {
-    const em_forces forces = {c, u, 0};
+    const em_forces forces = {c, u};
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
@@ -563,6 +624,9 @@ const em_model veering_model = {
     .output = em_observe,
     .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,

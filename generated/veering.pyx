@@ -1,5 +1,5 @@
 # eigenmotion generate veering.py
-# input sha256:78fe0b0607cb9d47c4482d62bca9597c433dd9fa918a96242e8beb80e9eda101
+# input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d
 # body sha256:99a86f1150cdecb929056ee14847f0de29831edb2b8b38af2b4d65379cd6209a
 # cython: language_level=3
 """veering, compiled: `system` is its System (eigenfactor)."""

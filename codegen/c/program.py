@@ -189,7 +189,6 @@ class Kernels:
     resets: Kernel
     levels: Kernel
     pushes: Kernel
-    partials: PartialKernels
     published: Stages
     triangular: Stages
     settled: Stages

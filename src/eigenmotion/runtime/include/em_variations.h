@@ -158,7 +158,7 @@ static int em_begin_piece(em_pass *p, double t) {
 
 static double em_piece_end(const em_pass *p, double end) {
     for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        const double next = em_signal_end(&p->of->inputs[i], p->piece[i], p->direction);
+        const double next = em_signal_end(&p->of->inputs[i], p->piece[i], p->direction, 0);
         if (p->direction * (next - end) < 0.0) end = next;
     }
     return end;
