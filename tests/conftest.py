@@ -26,7 +26,7 @@ def model(n: int = 1, tag: str = ""):
 """
 
 
-LONGEST = ("test_stability", "test_lanes", "test_random_mechanisms", "test_options_accuracy", "test_report")
+LONGEST = ("test_stability", "test_generated", "test_random_mechanisms", "test_lanes", "test_page", "test_build")
 """Files that take a process a minute: first, so that none of them is what all wait for at the end."""
 
 

@@ -213,13 +213,30 @@ def test_friction_is_in_proportion_to_what_presses(formulation, method):
     assert run.multipliers[0, sliding] == pytest.approx(-2 * G - load)
 
 
-def test_friction_that_jams_is_named():
-    """A rod that leans into the floor: no acceleration satisfies contact and friction (Painleve)."""
+def rod(friction: float) -> Model:
+    """One that leans into the floor and slides there on its tip."""
     y, phi = dynamicsymbols("y phi")
-    model = Model(name="rod", coordinates=[x, y, phi],
-                  kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + phi.diff() ** 2 / 30) / 2, potential_energy=g * y,
-                  contacts={"tip": Contact(y - cos(phi)), "rub": Friction(x.diff() - (sin(phi)).diff(t), 3, "tip")},
-                  parameters={g: G}, initial={y: cos(0.6), phi: 0.6})  # fmt: skip
+    rub = Friction(x.diff() - (sin(phi)).diff(t), friction, "tip")
+    return Model(name="rod", coordinates=[x, y, phi],
+                 kinetic_energy=(x.diff() ** 2 + y.diff() ** 2 + phi.diff() ** 2 / 30) / 2, potential_energy=g * y,
+                 contacts={"tip": Contact(y - cos(phi)), "rub": rub},
+                 parameters={g: G}, initial={y: cos(0.6), phi: 0.6})  # fmt: skip
+
+
+@pytest.mark.parametrize("mode", [{"tip_held": 1.0, "rub_slides": 1.0}, {"tip_held": 1.0, "rub_stuck": 1.0}, {}])
+def test_slopes_where_friction_takes_part_of_multipliers(mode):
+    """Of accelerations by x and v, against differences: sliding, sticking, in the air."""
+    system = system_for(rod(0.3), "lagrange")
+    c, p, z = system.compiled, system.prepare(mode), np.array([0.1, 0.8, 0.6, 0.7, -0.2, 0.4])
+    J, h = c.motion_jacobian(0.0, z, p, [], False), 1e-5
+    for k, column in enumerate(J.T):
+        there, back = (c.motion_rate(0.0, z + sign * h * (np.arange(6) == k), p, [], False) for sign in (1, -1))
+        assert column == pytest.approx((there - back) / (2 * h), rel=1e-7, abs=1e-7)
+
+
+def test_friction_that_jams_is_named():
+    """No acceleration satisfies contact and friction (Painleve)."""
+    model = rod(3.0)
     slips = {"x": -3.0}
     runs = [system_for(model, "lagrange").simulate((0.0, 0.5), v0={"x": sign * slips["x"]}) for sign in (1, -1)]
     assert any(run.stop is StopReason.DEPENDENT_CONSTRAINTS and "jams" in run.message for run in runs)

@@ -76,7 +76,7 @@ class Stepper(Steps):
         return T2 - T0 + V
 
     def _energies(self) -> list[float]:
-        found = self.model.energy_rows(np.array([self.t]), self.x[None], self.v[None], self.task.prepared)
+        found = self.model.energy_rows(np.array([self.t]), self.x[None], self.v[None], self.prepared)
         numbers: list[float] = found[0].tolist()
         return numbers
 
@@ -93,7 +93,7 @@ class Stepper(Steps):
     def _motion(self) -> tuple[Vector, Vector]:
         task = self.task
         found: tuple[Vector, Vector] = self.model.acceleration(
-            self.t, self.x, self.v, task.prepared, self._inputs(), task.least_norm
+            self.t, self.x, self.v, self.prepared, self._inputs(), task.least_norm
         )
         return found
 
@@ -102,7 +102,7 @@ class Stepper(Steps):
         """Name of each output -> its value."""
         task, u = self.task, self._inputs()
         rows = self.model.output_rows(
-            np.array([self.t]), self.x[None], self.v[None], u[None], task.prepared, task.least_norm
+            np.array([self.t]), self.x[None], self.v[None], u[None], self.prepared, task.least_norm
         )
         return dict(zip(self.model.outputs, rows[0].tolist(), strict=True))
 

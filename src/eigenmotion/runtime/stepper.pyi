@@ -1,7 +1,7 @@
 from collections.abc import Mapping
 from typing import Any, Self
 
-from .point import Vector
+from .point import Prepared, Vector
 
 class Steps:
     model: Any
@@ -27,5 +27,7 @@ class Steps:
     def nrejected(self) -> int: ...
     @property
     def events(self) -> dict[str, Vector]: ...
+    @property
+    def prepared(self) -> Prepared: ...
     def save(self) -> bytes: ...
     def restore(self, saved: bytes) -> None: ...

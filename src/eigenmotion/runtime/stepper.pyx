@@ -132,6 +132,17 @@ cdef class Steps:
                              "open one with a number for it to set it on the way")
         return 0
 
+    @property
+    def prepared(self):
+        """The constants that hold now: of the mode of contacts and friction, which are among the parameters."""
+        cdef Py_ssize_t n = self.model.model.n_parameters
+        cdef Numbers parameters
+        if not self.model.switches:
+            return self.task.prepared
+        parameters = zeros((n,))
+        memcpy(parameters.data, self.steps.run.prepared, n * sizeof(double))
+        return self.model.prepare(parameters.array)
+
     cdef int claim(self) except -1:
         if self.busy:
             raise RuntimeError("this stepper is being advanced, by another thread or a signal handler: "

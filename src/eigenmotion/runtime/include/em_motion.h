@@ -11,7 +11,6 @@ enum { EM_MOTION = 2 }; /* 0 is the published system, 1 the triangular root */
 
 #ifdef EM_MECHANICS_H
 enum { EM_CARRIES_MOTION = EM_SECOND_ORDER };
-static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault);
 
 /* dy <- (v, a, 0). 0, or -1 and *fault */
 EM_COLD int em_motion_rhs(double t, const double *y, const double *c, const double *u, double *memory, int flags,
