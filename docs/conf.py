@@ -21,7 +21,6 @@ exclude_patterns = ["making", "made", "_static"]
 
 myst_enable_extensions = ["colon_fence", "attrs_inline"]
 myst_heading_anchors = 3
-suppress_warnings = ["toc.not_readable"]  # of the how-tos, some are still to come
 copybutton_prompt_text = r">>> |\.\.\. |\$ "
 copybutton_prompt_is_regexp = True
 

@@ -49,6 +49,7 @@ def test_it_takes_the_flags_that_gcc_and_clang_take(tmp_path, monkeypatch):
     assert tools.optimised == OPTIMISED
 
 
+@pytest.mark.nightly
 @HERE
 def test_it_does_not_stop_at_what_c_leaves_open(tmp_path):
     """As it would where nothing is optimised; asked for, it does."""

@@ -12,7 +12,7 @@ import eigenmotion as em
 
 from .generation import COMPILERS, MODELS, NAMES, system_of
 
-MANY_ROWS = ("four_bar", "rolling_disk")
+MANY_ROWS = ("rolling_disk",)
 """Where there are many rows beside many coordinates: what compilers pack into vectors."""
 OTHERS = [name for name in NAMES if name not in MANY_ROWS]
 

@@ -177,7 +177,9 @@ def harmless():
     return system_for(named(("p1", "p2", "p3", "w"), [f"k{k}" for k in range(len(HARD))]), "lagrange")
 
 
-@pytest.mark.parametrize("formulation", FORMULATIONS)
+@pytest.mark.parametrize(
+    "formulation", ["eigenfactor", *(pytest.param(one, marks=pytest.mark.nightly) for one in FORMULATIONS[1:])]
+)
 def test_any_name_will_do(formulation, harmless):
     coordinates = ("eta", "gap", "lambda", "u")
     odd = system_for(named(coordinates, HARD), formulation)

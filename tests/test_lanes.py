@@ -118,7 +118,7 @@ BY_DAY = {"chain", "four_bar", "quaternion_top", "rotating_hoop", "sphere"}
 
 @pytest.mark.parametrize(
     ("name", "formulation"),
-    [pytest.param(name, form, marks=() if form == "eigenfactor" or (name in BY_DAY and form != "cholesky")
+    [pytest.param(name, form, marks=() if name in BY_DAY and form != "cholesky"
                   else pytest.mark.nightly) for name in NAMES for form in FORMULATIONS],
 )  # fmt: skip
 def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
