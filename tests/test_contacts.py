@@ -41,7 +41,7 @@ def test_forty_bounces_then_rest(tolerance):
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
-@pytest.mark.parametrize("method", ["dop853", "ra15", "Radau"])
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9", "Radau"])
 def test_rest_in_every_formulation(formulation, method):
     run = system_of("bouncing_ball", formulation).simulate((0.0, 9.0), method=method, rtol=1e-8, atol=1e-10)
     assert run.success

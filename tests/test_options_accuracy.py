@@ -65,7 +65,7 @@ def within_ten(times: np.ndarray, stabilisation: str) -> bool:
 
 
 BY_DAY_AND_NIGHT = [
-    pytest.param(scenario, marks=[pytest.mark.nightly] if k % 5 else [], id=name)
+    pytest.param(scenario, marks=[pytest.mark.nightly] if k % 8 else [], id=name)
     for k, (name, scenario) in enumerate(sorted(BY_NAME.items()))
 ]
 

@@ -197,3 +197,15 @@ def test_it_travels():
     run = system.simulate((0, 1), inputs={"u": Sampled(lambda t, x, v: x[1] + 0.1 * v[1], 0.01)})
     assert run.success
     assert run.model.name == "furuta_pendulum"
+
+
+def test_auto_takes_an_explicit_method_where_a_controller_is_to_be_asked():
+    system = system_of("furuta_pendulum", "lagrange")
+    run = system.simulate((0.0, 0.1), inputs={"u": em.Sampled(lambda t, x, v: -v[0], 0.01)}, method="auto", rtol=1e-9)
+    assert run.success
+    assert run.method in ("dop853", "ra15")
+
+
+def test_a_function_as_an_input_is_told_what_to_be():
+    with pytest.raises(em.ModelError, match=r"input 'u' is a function.*\(times, f\(times\)\).*em\.Sampled"):
+        system_of("furuta_pendulum", "lagrange").simulate((0.0, 0.1), inputs={"u": lambda t: 0.0})

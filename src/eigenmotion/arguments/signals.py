@@ -219,6 +219,11 @@ def as_signal(given: Any, name: str) -> float | Signal:
         return given
     if isinstance(given, Sampled):
         raise ModelError(f"input {name!r} is Sampled: controllers are asked in `simulate`, one run at a time")
+    if callable(given):
+        raise ModelError(
+            f"input {name!r} is a function. Of the time: sample it, as (times, f(times)). Of the state: it is a "
+            "controller, em.Sampled(function, period), which is asked with t, x, v."
+        )
     if not isinstance(given, tuple | list):
         return number(given, f"input {name!r}: a number, a pair (times, values) or a Signal is needed; what is given")
     if len(given) != 2:

@@ -29,9 +29,10 @@ _NONE = np.empty(0)
 def automatic_of_run(task: Task) -> tuple[Method, str]:
     """Return a stiff method, and why in words, where the scene is stiff at its start; else as `automatic`, and "".
 
-    What may come later, a contact, say, the start does not tell: an explicit run says so at its end.
+    What may come later, a contact, say, the start does not tell: an explicit run says so at its end. Nor does it where
+    a controller is still to be asked.
     """
-    fast = _dying_rate(task)
+    fast = 0.0 if task.inputs.sampled else _dying_rate(task)
     if not fast:
         return automatic(task.model, task.rtol, task.least_norm), ""
     return _STIFF, (
