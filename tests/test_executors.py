@@ -79,17 +79,19 @@ def test_a_killed_process_costs_no_member(pendulum, small, caplog):
 
 
 class Fragile(Executor):
-    """Runs what it gets at once; every third chunk is lost with its worker, and after some it takes none."""
+    """Runs what it gets at once; every third chunk is lost with its worker, once, and after some it takes none."""
 
     def __init__(self, most: int) -> None:
-        self.taken, self.most = 0, most
+        self.taken, self.most, self.lost = 0, most, set[bytes]()
 
     def submit(self, function, /, *arguments):
         self.taken += 1
         if self.taken > self.most:
             raise RuntimeError("cannot schedule new futures after shutdown")
         future: Future = Future()
-        if self.taken % 3 == 0:
+        chunk = arguments[1].v.tobytes()
+        if self.taken % 3 == 0 and chunk not in self.lost:
+            self.lost.add(chunk)
             future.set_exception(RuntimeError("worker died"))
         else:
             future.set_result(function(*arguments))
