@@ -52,7 +52,7 @@ def batches() -> Callable[[int, float, int], Callable[[], np.ndarray]] | None:
     """heyoka.py's: (count, tolerance, batch) -> what runs them; integrators are compiled before."""
     if find_spec("heyoka") is None:
         return None
-    import heyoka  # noqa: PLC0415
+    import heyoka  # noqa: PLC0415, an optional package
 
     model = load_model(MODELS / "dual_link.py")
     equations = classical(model)

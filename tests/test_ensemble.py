@@ -177,6 +177,7 @@ def test_words_of_a_refused_start_are_those_of_simulate():
         ({"workers": True}, "workers is True"),
         ({"executor": "dask"}, "executor is 'dask'"),
         ({"dense_output": True}, "unknown option 'dense_output'"),
+        ({"y0": [0.0]}, "x0"),
         ({"t_eval": [0.0, 3.0]}, "3 is outside t_span"),
         ({"inputs": {"u": np.array([0.0, np.nan])}}, "input 'u' of member 1"),
         ({"inputs": {"u": ([0.0, 1.0], [0.0, 1.0])}}, "does not cover t_span"),

@@ -9,14 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.members import Asked, Members
-from ..arguments.names import unknown
-from ..arguments.options import OptionError, choice, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.options import choice, least_norm_of, rows_at, span, step_limits, tolerances
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.ensemble import Ensemble
 from ..running.choosing import automatic_of_many
 from ..running.methods import AUTO, METHODS, Method
-from ..running.simulate import NAMES, STABILISATIONS, is_system
+from ..running.simulate import NAMES, STABILISATIONS, is_system, refused
 from ..running.start import check_direction, check_modes
 from . import memory
 from .executors import in_executor
@@ -100,7 +99,8 @@ def simulate_ensemble(
     >>> runs.x.shape, len(runs.failed)
     ((1000, 1, 2), 0)
     """
-    _check_call(system, positional, misspelt)
+    if positional or misspelt or not is_system(system):
+        raise refused("simulate_ensemble", system, positional, misspelt, _OPTIONS)
     start, end = span(t_span)
     relative, absolute = tolerances(system.compiled, rtol, atol)
     check_direction(system.compiled, start, end)
@@ -132,19 +132,6 @@ def chosen_method(system: "System", method: object, rtol: float, least_norm: boo
 
 def _silent(_: int) -> None:
     """Report to nobody."""
-
-
-def _check_call(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> None:
-    if not is_system(system):
-        raise OptionError(
-            f"simulate_ensemble: system is {shown(system)}, not a System. Compile the model, or the file that defines "
-            "it, first: simulate_ensemble(em.build(model), t_span)"
-        )
-    if positional:
-        words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
-        raise OptionError(f"simulate_ensemble: everything after t_span is given by keyword; did you mean {words}?")
-    if misspelt:
-        raise OptionError(f"simulate_ensemble: {unknown('option', misspelt, _OPTIONS)}")
 
 
 def _threads(workers: object) -> int:

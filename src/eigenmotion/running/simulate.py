@@ -121,7 +121,7 @@ def simulate(
     array([[ 1.      ,  0.104258, -0.980067]])
     """
     if positional or misspelt or not is_system(system):
-        raise _refused(system, positional, misspelt)
+        raise refused("simulate", system, positional, misspelt, _OPTIONS)
     named = choice(method, NAMES, "method", SCIPY_METHODS)
     compiled = system.compiled
     task = None if not (inputs is None and start is None) else plain.task(
@@ -133,10 +133,17 @@ def simulate(
             system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
+    return _answered(system, task, named, v0, estimate_error, sensitivities)
+
+
+def _answered(
+    system: "System", task: Task, named: str, v0: Any, estimate_error: "bool | System", sensitivities: Any
+) -> Solution:
+    """Run a task by the method of that name, with what was asked about its motion."""
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
         _check_sampled(task, chosen, estimate_error)
-    check_direction(compiled, task.t_start, task.t_end)
+    check_direction(task.model, task.t_start, task.t_end)
     asked = None if sensitivities is None else directions(system, sensitivities, task, chosen, v0)
     if estimate_error is False:
         solution = run_task(task, chosen)
@@ -185,17 +192,19 @@ def _begin(
     return y
 
 
-def _refused(system: object, positional: tuple[object, ...], misspelt: Mapping[str, object]) -> OptionError:
-    """Return what Python would take, or refuse in words that do not help, in words that do."""
+def refused(
+    call: str, system: object, positional: tuple[object, ...], misspelt: Mapping[str, object], known: tuple[str, ...]
+) -> OptionError:
+    """Return what Python would take, or refuse in words that do not help, in words that do; `known` are the options."""
     if not is_system(system):
         return OptionError(
-            f"simulate: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
-            "first: simulate(em.build(model), t_span)"
+            f"{call}: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
+            f"first: {call}(em.build(model), t_span)"
         )
     if positional:
-        words = ", ".join(f"{name}={shown(value)}" for name, value in zip(_OPTIONS, positional, strict=False))
-        return OptionError(f"simulate: everything after t_span is given by keyword; did you mean {words}?")
-    return OptionError(f"simulate: {unknown('option', misspelt, _OPTIONS, SCIPY_OPTIONS)}")
+        words = ", ".join(f"{name}={shown(value)}" for name, value in zip(known, positional, strict=False))
+        return OptionError(f"{call}: everything after t_span is given by keyword; did you mean {words}?")
+    return OptionError(f"{call}: {unknown('option', misspelt, known, SCIPY_OPTIONS)}")
 
 
 def is_system(given: object) -> bool:
