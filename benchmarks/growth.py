@@ -25,7 +25,7 @@ from eigenmotion.codegen.model import ModelError
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.errors import BuildError
 from eigenmotion.building.extension import compile_and_link, load
-from eigenmotion.building.request import order
+from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, toolchain
 from eigenmotion.reference.motion import Reference
 from eigenmotion.report.measure import Budget, Judge, Measurement, measure
@@ -82,7 +82,7 @@ class Judges:
 def program(model: Model, formulation: str, folder: Path) -> Program:
     """Generate, compile and import anew; the same object file is linked with the timer."""
     start = time.perf_counter()
-    sources = order(model, formulation=formulation).sources()
+    sources = request(model, formulation=formulation).sources()
     work = folder / f"{model.name}_{formulation}"
     work.mkdir()
     for file in sources.files:
@@ -155,7 +155,7 @@ def built(model: Model, names: Sequence[str], folder: Path, left_out: dict[str, 
 
 
 def cells(numbers: Mapping[str, float | None], form: str) -> str:
-    """Write a number a formulation, in their order."""
+    """Write a number a formulation, in their request."""
     return " / ".join("-" if numbers.get(name) is None else form.format(numbers[name]) for name in FORMULATIONS)
 
 

@@ -17,7 +17,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.building.build import cached_sources, compiled, make
 from eigenmotion.building.extension import load
-from eigenmotion.building.request import generator_hash, order
+from eigenmotion.building.request import generator_hash, request
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, OPTIMISED, Toolchain, toolchain
 
 ROOT = Path(__file__).parents[1]
@@ -111,7 +111,7 @@ def test_output_gets_sources_and_an_importable_module(tmp_path):
 
 def test_the_cython_source_makes_the_same_module(tmp_path):
     """For those who build it themselves: NAME.pyx by Cython, with NAME.c beside it."""
-    for file in cached_sources(order(PENDULUM)).files:
+    for file in cached_sources(request(PENDULUM)).files:
         (tmp_path / file.name).write_text(file.text)
     (tmp_path / "glue").mkdir()  # NAME.c is there already
     headers = [f"-I{path}" for path in (INCLUDE, sysconfig.get_path("include"))]
@@ -170,7 +170,7 @@ def test_no_compiler_at_all(monkeypatch, tmp_path):
 
 def with_function(text: str) -> Sources:
     """The sources of a swing with a function more."""
-    sources = cached_sources(order(swing()))
+    sources = cached_sources(request(swing()))
     files = (replace(f, text=f"{f.text}\n{text}\n") if f.name == "swing.c" else f for f in sources.files)
     return replace(sources, files=tuple(files))
 
@@ -231,7 +231,7 @@ def test_keywords_go_to_the_models_function():
 
 
 def test_headers_name_no_file_that_is_not_there():
-    first = cached_sources(order(swing(), formulation="lagrange")).files[1].text.splitlines()[0]
+    first = cached_sources(request(swing(), formulation="lagrange")).files[1].text.splitlines()[0]
     assert "swing.py" not in first
     assert "eigenmotion.build(<Model swing>, formulation='lagrange'" in first
 
@@ -249,7 +249,7 @@ def test_other_names_are_refused(name):
 
 def test_a_failed_build_leaves_the_output_alone(tmp_path):
     with pytest.raises(em.BuildError, match="no-such-flag"):
-        make(order(PENDULUM), Toolchain(("cc",), ("-fno-such-flag",)), tmp_path / "generated")
+        make(request(PENDULUM), Toolchain(("cc",), ("-fno-such-flag",)), tmp_path / "generated")
     assert not (tmp_path / "generated").exists()
 
 

@@ -10,7 +10,7 @@ from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.compiler import generate
 
 import eigenmotion as em
-from eigenmotion.building.request import order
+from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 from .generation import loaded
@@ -62,7 +62,7 @@ def test_the_command_of_a_file_stays_on_its_line(tmp_path):
         "from sympy.physics.mechanics import dynamicsymbols\nfrom eigenmotion import Model\nq = dynamicsymbols('q')\n"
         "def model(label: str = ''): return Model(name='scene', coordinates=[q], kinetic_energy=q.diff()**2)\n"
     )
-    for file in order(path, {"label": "*/\nimport os\u202e"}).sources().files:
+    for file in request(path, {"label": "*/\nimport os\u202e"}).sources().files:
         assert r"a\nb.py -D label=* /\nimport os\u202e" in file.text.splitlines()[0]
 
 

@@ -14,7 +14,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion.building.errors import BuildError, CompilerNotFoundError
-from eigenmotion.building.request import order
+from eigenmotion.building.request import request
 from eigenmotion.live import wasm
 from eigenmotion.live.faces import around
 from eigenmotion.live.mathml import label
@@ -41,7 +41,7 @@ def pages(tmp_path_factory):
         file = folder / f"{name}{'_three' if space else ''}.html"
         if not file.exists():
             source = (MODELS / f"{name}.py").read_text(encoding="utf-8")
-            text = page(order(MODELS / f"{name}.py"), source, Run(T_END, RTOL, ATOL), space)
+            text = page(request(MODELS / f"{name}.py"), source, Run(T_END, RTOL, ATOL), space)
             file.write_text(text, encoding="utf-8")
         return file
 

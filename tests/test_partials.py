@@ -8,6 +8,8 @@ import mpmath
 import numpy as np
 import pytest
 
+from eigenmotion.runtime.variations import motion_derivatives
+
 from .generation import system_for
 from .models_table import BY_NAME, SCENARIOS, Scenario
 from .oracles import Lagrange
@@ -58,7 +60,7 @@ def test_motion(scenario):
     arguments = [*state.x, *state.v, *system.inputs.values(), *p.values(), t]
     right = differences(lambda z: moved(scenario, z), arguments)
     c = system.compiled
-    a, multipliers, da, dm = c.motion_derivatives(t, state.x, state.v, system.prepare(p), c.input_defaults, False)
+    a, multipliers, da, dm = motion_derivatives(c, t, state.x, state.v, system.prepare(p), c.input_defaults, False)
     exact = np.array([float(value) for value in moved(scenario, arguments)])
     np.testing.assert_allclose([*a, *multipliers], exact, atol=1e-11 * max(1.0, np.abs(exact).max()))
     assert far(np.vstack([da, dm]), right, np.maximum(np.abs(arguments), 1.0)) < 1e-12

@@ -12,7 +12,7 @@ from eigenmotion.models import chain as chain_model
 from eigenmotion import Model, build
 from eigenmotion.building.build import compiled
 from eigenmotion.building.extension import load
-from eigenmotion.building.request import order
+from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import FLAGS, toolchain
 from eigenmotion.reference.collocation import Collocation
 from eigenmotion.reference.extended import EPSILON
@@ -81,7 +81,7 @@ def test_page_pictures_and_numbers(reduced: Matrix, tmp_path):
 
 def test_missing_omega_term_is_found():
     """etadot without - S^-1 Omega S eta (41)."""
-    sources = order(elastic_link()).sources()
+    sources = request(elastic_link()).sources()
     term = "em_turning_push(N1, C1, s1, r1, Omega1, "
     without = "const double still[N1*N1] = {0.0};\n    em_turning_push(N1, C1, s1, r1, still, "
     assert sum(file.text.count(term) for file in sources.files) == 1

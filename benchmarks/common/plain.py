@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from eigenmotion import Model
-from eigenmotion.building.request import order
+from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import INCLUDE, STANDARD, run, toolchain
 
 HERE = Path(__file__).parent
@@ -26,7 +26,7 @@ def right_hand_side(model: Model, formulation: str, folder: Path, *flags: str) -
 def generated(model: Model, work: Path, **options: str) -> Path:
     """Write the sources of a model into a new folder."""
     work.mkdir(parents=True)
-    for file in order(model, **options).sources().files:
+    for file in request(model, **options).sources().files:
         (work / file.name).write_text(file.text)
     return work
 

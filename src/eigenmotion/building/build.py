@@ -13,7 +13,7 @@ from ..files import write
 from .cache import entry, guarded, key
 from .errors import FolderError
 from .extension import compile_in, load
-from .request import Order, order
+from .request import Request, request
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
 
 if TYPE_CHECKING:
@@ -69,20 +69,20 @@ def build(
     >>> em.build(model, formulation="lagrange").formulation
     'lagrange'
     """
-    wanted = order(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
+    wanted = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
     folder = None if output is None else _folder(output)
     return system_of(wanted, compiler, flags, folder)
 
 
-def system_of(wanted: Order, compiler: str | None = None, flags: str | None = None, output: Path | None = None
+def system_of(wanted: Request, compiler: str | None = None, flags: str | None = None, output: Path | None = None
               ) -> "System":  # fmt: skip
-    """Return the System of an order, which pickles as that order."""
+    """Return the System of a request, which pickles as that request."""
     system = load(make(wanted, toolchain(compiler, flags), output))
     system.compiled.recipe = partial(system_of, wanted, compiler, flags)
     return system
 
 
-def make(wanted: Order, tools: Toolchain, output: Path | None = None) -> Path:
+def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
     """Generate and compile, or find both in the cache; return the extension module in the cache.
 
     Where `output` is given, that folder gets the sources and the module, once both are there.
@@ -111,8 +111,8 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
         raise FolderError(f"cannot write to the output folder {folder}: {error}") from error
 
 
-def cached_sources(wanted: Order) -> Sources:
-    """Return the sources of an order, derived unless the same generator did so before."""
+def cached_sources(wanted: Request) -> Sources:
+    """Return the sources of a request, derived unless the same generator did so before."""
     folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder))
     with guarded():
         files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
@@ -128,7 +128,7 @@ def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> 
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
-def _generate(wanted: Order, folder: Path) -> None:
+def _generate(wanted: Request, folder: Path) -> None:
     _log.info("deriving %s", wanted.model.name)
     for file in wanted.sources().files:
         (folder / file.name).write_text(file.text, encoding="utf-8")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..codegen.c.emit import Sources, body_hash, commented, stamp
-from .request import Order
+from .request import Request
 
 _COMMENT = re.compile(r"# (.+)|/\* (.+) \*/")
 
@@ -19,13 +19,13 @@ class Difference:
     reason: str
 
 
-def differences_by_hash(order: Order, folder: Path) -> tuple[Difference, ...]:
+def differences_by_hash(request: Request, folder: Path) -> tuple[Difference, ...]:
     """Compare hashes: the model's with those in the files' headers, and each body with its header's.
 
     Finds an edited model and an edited file without deriving; a changed generator it does not find.
     """
-    wanted = order.input_hash
-    reasons = [(folder / name, _doubt(folder / name, order, wanted)) for name in order.file_names]
+    wanted = request.input_hash
+    reasons = [(folder / name, _doubt(folder / name, request, wanted)) for name in request.file_names]
     return tuple(Difference(file, reason) for file, reason in reasons if reason)
 
 
@@ -55,7 +55,7 @@ def _changes(path: Path, text: str) -> str:
     return "".join(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n" for line in lines)
 
 
-def _doubt(path: Path, order: Order, wanted: str) -> str:
+def _doubt(path: Path, request: Request, wanted: str) -> str:
     """Say what speaks against a file; every byte of it counts, its header's included."""
     if not path.is_file():
         return "missing"
@@ -65,7 +65,7 @@ def _doubt(path: Path, order: Order, wanted: str) -> str:
         return "has no header of ours"
     if header.input_hash != wanted:
         return "was generated from another model or with other options"
-    head = (commented(order.origin), f"input sha256:{wanted}", f"body sha256:{body_hash(text)}")
+    head = (commented(request.origin), f"input sha256:{wanted}", f"body sha256:{body_hash(text)}")
     return "" if _comments(text, len(head)) == head else "was edited by hand, or made by another command"
 
 

@@ -23,7 +23,7 @@ OPTIONS = ("formulation", "close_eigenvalues", "schur", "output", "compiler", "f
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class Request:
     """One model and the options of its generated code; `origin` is the command its headers name."""
 
     model: Model
@@ -54,15 +54,15 @@ class Order:
         return tuple(self.model.name + suffix for suffix in SUFFIXES)
 
 
-def order(
+def request(
     source: Model | str | PathLike[str],
     definitions: Mapping[str, object] | None = None,
     *,
     formulation: str = "eigenfactor",
     close_eigenvalues: str = "bounded",
     schur: str = "auto",
-) -> Order:
-    """Order the code of a model, or of the model that the file `source` defines.
+) -> Request:
+    """Ask for the code of a model, or of the model that the file `source` defines.
 
     Parameters
     ----------
@@ -79,8 +79,11 @@ def order(
     if isinstance(source, Model):
         if given:
             raise ModelError(f"model {source.name}: {unknown('option', given, OPTIONS)} A Model takes no keywords.")
-        return Order(source, choices)
-    return Order(load_model(source, **given), choices, _command(Path(source).name, given, choices))
+        return Request(source, choices)
+    return Request(load_model(source, **given), choices, _command(Path(source).name, given, choices))
+
+
+Order = Request  # the name in pickles of earlier versions
 
 
 def _command(file: str, definitions: Mapping[str, object], choices: Choices) -> str:

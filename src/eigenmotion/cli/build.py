@@ -22,9 +22,9 @@ def command(models: tuple[Path, ...], output: Path, **shape: Any) -> None:
     `from generated import NAME` imports it from the folder that holds `generated`; `NAME.system` is its System.
     A compiled module serves this Python on this kind of processor: commit the sources, not the module.
     """
-    orders = distinct([Shape(**shape).order(model) for model in models])
+    requests = distinct([Shape(**shape).request(model) for model in models])
     tools = toolchain()
-    for order in orders:
+    for request in requests:
         with clock():
-            made = make(order, tools, output)
+            made = make(request, tools, output)
         click.echo(f"built {output / made.name}")

@@ -27,10 +27,10 @@ def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **sha
 
     Where there is no such state near the one that is set, what is left is printed, with exit code 2.
     """
-    order = Shape(**shape).order(model)
-    given: dict[str, Any] = dict(values(order.model, settings))
+    request = Shape(**shape).request(model)
+    given: dict[str, Any] = dict(values(request.model, settings))
     with clock():
-        system = load(make(order, toolchain()))
+        system = load(make(request, toolchain()))
         found = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
         text = description(found.linearize()) if found.success else found.message
     click.echo("\n".join([text, *_solved(found, free)]))

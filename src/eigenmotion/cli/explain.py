@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from eigenmotion.building.errors import BuildError
-from eigenmotion.building.request import Order
+from eigenmotion.building.request import Request
 from eigenmotion.building.toolchain import toolchain
 
 from .options import Shape, model, shaping
@@ -26,17 +26,19 @@ def command(model: Path, latex: bool, sympy: bool, **shape: Any) -> None:
     if latex and sympy:
         raise click.UsageError("--latex and --sympy: choose one")
     with clock():
-        order = Shape(**shape).order(model)
-        _log.info("deriving %s", order.model.name)
-        text = _text(order, latex, sympy)
+        request = Shape(**shape).request(model)
+        _log.info("deriving %s", request.model.name)
+        text = _text(request, latex, sympy)
     click.echo(text.rstrip("\n"))
 
 
-def _text(order: Order, latex: bool, sympy: bool) -> str:
+def _text(request: Request, latex: bool, sympy: bool) -> str:
     if latex:
-        return order.model.equations().latex()
+        return request.model.equations().latex()
     return (
-        order.model.equations().source() if sympy else f"{order.explanation().rstrip()}\n\nThis machine\n  {_width()}"
+        request.model.equations().source()
+        if sympy
+        else f"{request.explanation().rstrip()}\n\nThis machine\n  {_width()}"
     )
 
 

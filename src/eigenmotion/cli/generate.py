@@ -7,7 +7,7 @@ from typing import Any
 import click
 
 from eigenmotion.building.compare import differences_by_bytes, differences_by_hash, unified_diff
-from eigenmotion.building.request import Order
+from eigenmotion.building.request import Request
 from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.files import write
 
@@ -31,17 +31,17 @@ def command(models: tuple[Path, ...], output: Path, check: bool, strict: bool, d
     --strict derives again and compares bytes, so it finds a changed generator too. --diff adds a unified diff; without
     --check its exit code is 0.
     """
-    orders = distinct([Shape(**shape).order(model) for model in models])
+    requests = distinct([Shape(**shape).request(model) for model in models])
     with clock():
-        return _done(orders, output, check=check, strict=strict, diff=diff)
+        return _done(requests, output, check=check, strict=strict, diff=diff)
 
 
-def _done(orders: list[Order], output: Path, *, check: bool, strict: bool, diff: bool) -> int:
+def _done(requests: list[Request], output: Path, *, check: bool, strict: bool, diff: bool) -> int:
     if not (check or strict or diff):
-        for order in orders:
-            _write(_derived(order), output)
+        for request in requests:
+            _write(_derived(request), output)
         return 0
-    differs = [_check(order, output, strict or not check, diff) for order in orders]
+    differs = [_check(request, output, strict or not check, diff) for request in requests]
     return int(any(differs) and (check or strict))
 
 
@@ -51,17 +51,17 @@ def _write(sources: Sources, folder: Path) -> None:
         click.echo(f"{'wrote' if new else 'same '} {folder / file.name}")
 
 
-def _check(order: Order, folder: Path, derive: bool, diff: bool) -> bool:
+def _check(request: Request, folder: Path, derive: bool, diff: bool) -> bool:
     """Report what is wrong with one model's files; True where something is."""
-    sources = _derived(order) if derive else None
-    differences = differences_by_bytes(sources, folder) if sources else differences_by_hash(order, folder)
+    sources = _derived(request) if derive else None
+    differences = differences_by_bytes(sources, folder) if sources else differences_by_hash(request, folder)
     for difference in differences:
         click.echo(f"{difference.file}: {difference.reason}", err=True)
     if diff and differences:
-        click.echo(unified_diff(sources or _derived(order), folder), nl=False)
+        click.echo(unified_diff(sources or _derived(request), folder), nl=False)
     return bool(differences)
 
 
-def _derived(order: Order) -> Sources:
-    _log.info("deriving %s", order.model.name)
-    return order.sources()
+def _derived(request: Request) -> Sources:
+    _log.info("deriving %s", request.model.name)
+    return request.sources()

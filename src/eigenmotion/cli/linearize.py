@@ -27,10 +27,10 @@ from .progress import clock
 def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: Any) -> None:
     """Linearise MODEL at a state: eigenvalues with frequency and damping, modes in words."""
     check_plot(plot)
-    order = Shape(**shape).order(model)
-    given = values(order.model, settings, "--at")
+    request = Shape(**shape).request(model)
+    given = values(request.model, settings, "--at")
     with clock():
-        system = load(make(order, toolchain()))
+        system = load(make(request, toolchain()))
         x0, v0, parameters, inputs = (given.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
         x, v = assemble(system, x0, v0, parameters=parameters, keep=tuple(x0 or ()))
         found = system.linearize(x, v, parameters=parameters, inputs=inputs)

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import click
 
 from eigenmotion.arguments.names import spelled
-from eigenmotion.building.request import Order, order
+from eigenmotion.building.request import Request, request
 from eigenmotion.codegen.choices import CLOSE_EIGENVALUES, FORMULATIONS, SCHUR
 from eigenmotion.codegen.model import Model
 
@@ -47,9 +47,9 @@ class Shape:
     close_eigenvalues: str
     schur: str
 
-    def order(self, model: Path) -> Order:
-        """Order the code of the model in a file."""
-        return order(
+    def request(self, model: Path) -> Request:
+        """Ask for the code of the model in a file."""
+        return request(
             model,
             assignments(self.define, "-D"),
             formulation=self.formulation,
@@ -171,10 +171,10 @@ def check_writable(folder: Path, option: str) -> None:
         raise click.UsageError(f"{option} {folder}: nothing can be written there ({error.strerror})") from error
 
 
-def distinct(orders: list[Order]) -> list[Order]:
+def distinct(requests: list[Request]) -> list[Request]:
     """Refuse two models of one name: the files of one would replace those of the other."""
-    names = [order.model.name for order in orders]
+    names = [request.model.name for request in requests]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise click.UsageError(f"more than one model is named {', '.join(twice)}; generate them to different folders")
-    return orders
+    return requests

@@ -31,16 +31,16 @@ def command(model: Path, output: Path | None, t_end: float, rtol: float, atol: f
 
     Needs a compiler for WebAssembly: pip install 'eigenmotion[page]'.
     """
-    order = Shape(**shape).order(model)
-    target = output or Path(f"{order.model.name}.html")
+    request = Shape(**shape).request(model)
+    target = output or Path(f"{request.model.name}.html")
     _check(target, t_end, rtol, atol)
     with clock():
-        _log.info("compiling %s to WebAssembly", order.model.name)
-        text = page(order, model.read_text(encoding="utf-8"), Run(t_end, rtol, atol), _three(order.model))
+        _log.info("compiling %s to WebAssembly", request.model.name)
+        text = page(request, model.read_text(encoding="utf-8"), Run(t_end, rtol, atol), _three(request.model))
     write(target, text.encode())
     click.echo(f"wrote {target} ({len(text.encode()) / 1e3:.0f} kB); open it in a browser")
-    if not order.model.drawing:
-        click.echo(f"{order.model.name} has no drawing, so the page shows its curves alone: Model(drawing=[...])")
+    if not request.model.drawing:
+        click.echo(f"{request.model.name} has no drawing, so the page shows its curves alone: Model(drawing=[...])")
 
 
 def _three(model: Model) -> Three | None:

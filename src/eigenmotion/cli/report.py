@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from eigenmotion.building.request import Order, order
+from eigenmotion.building.request import Request, request
 from eigenmotion.pages.figures import require_matplotlib
 from eigenmotion.report import Ask, examine, recommendation, write_report
 
@@ -43,16 +43,16 @@ def command(
     require_matplotlib()
     check_writable(output, "-o")
     if models:
-        orders = distinct([order(file, assignments(define, "-D")) for file in models])
-        asked = [Ask(error=error, t_end=t_end, settings=values(each.model, settings)) for each in orders]
-        _report(orders, asked, output)
+        requests = distinct([request(file, assignments(define, "-D")) for file in models])
+        asked = [Ask(error=error, t_end=t_end, settings=values(each.model, settings)) for each in requests]
+        _report(requests, asked, output)
     if paper:
         _draw_paper(output)
 
 
-def _report(orders: list[Order], asked: list[Ask], output: Path) -> None:
+def _report(requests: list[Request], asked: list[Ask], output: Path) -> None:
     reports = []
-    for each, ask in zip(orders, asked, strict=True):
+    for each, ask in zip(requests, asked, strict=True):
         with bar(each.model.name) as progress:
             reports.append(examine(each.model, ask, progress))
     page, *others = write_report(reports, output)

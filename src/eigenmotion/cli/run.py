@@ -66,13 +66,13 @@ def command(
     and what was reached, and exits with 2; interrupted, with 130.
     """
     _check_targets(plot, animate, target)
-    order = Shape(**shape).order(model)
-    if animate and not order.model.drawing:
-        require_drawing(None, order.model.name)
-    given = values(order.model, settings)
+    request = Shape(**shape).request(model)
+    if animate and not request.model.drawing:
+        require_drawing(None, request.model.name)
+    given = values(request.model, settings)
     options = {"rtol": rtol, "atol": atol, "method": method, "estimate_error": estimate_error}
     with clock():
-        system = load(make(order, toolchain()))
+        system = load(make(request, toolchain()))
         _log.info("running %s to t = %g", system.name, t_end)
         start = time.perf_counter()
         solution = _simulated(system, t_end, dense_output=bool(plot or animate), **options, **given)

@@ -81,20 +81,20 @@ def command(
     NAME is as of --set. Runs that fail are stored with their reason, and summed up at the end.
     """
     _check_targets(store, plot, workers, scheduler)
-    order = Shape(**shape).order(model)
-    design = design_of(order.model, sweeps, samples, n, seed)
+    request = Shape(**shape).request(model)
+    design = design_of(request.model, sweeps, samples, n, seed)
     times = np.linspace(0.0, t_end, rows) if rows > 1 else np.array([t_end])
     with clock():
-        system = system_of(order)
+        system = system_of(request)
     named = chosen_method(system, method, rtol).name  # "auto" is the machine's choice: those that go on keep to it
     given = {"rtol": rtol, "atol": atol, "method": named, "t_eval": times if rows > 1 else None}
-    told = _told(design, given, sources=order.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
+    told = _told(design, given, sources=request.input_hash, set=sorted(settings), t_end=t_end, rows=rows, chunk=chunk)
     parts = Parts(store, told, -(-design.count // chunk), times, system.coordinates)
     if resume and parts.is_done:
         click.echo(f"{store} is complete")
         return 0
     parts.begin(resume=resume)
-    work = _Sweep(system, order.model, design, parts, chunk, t_end, values(order.model, settings), given)
+    work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), given)
     start = time.perf_counter()
     with _executor(scheduler) as executor:
         try:

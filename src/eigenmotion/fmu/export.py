@@ -23,7 +23,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from ..arguments.options import choice
 from ..building.build import cached_sources, system_of
 from ..building.cache import key
-from ..building.request import Order, order
+from ..building.request import Request, request
 from ..building.toolchain import INCLUDE, LINK, SHARED, STANDARD, run, toolchain
 from ..codegen.model import Model, ModelError
 from ..codegen.model.normalise import real
@@ -115,7 +115,7 @@ def export_fmu(
     >>> em.export_fmu(model, "pendulum.fmu").name
     'pendulum.fmu'
     """
-    wanted = order(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
+    wanted = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
     chosen: Method = choice(method, STEPPED, "method")
     target = Path(path)
     options = tuple(_positive(value, name) for value, name in ((rtol, "rtol"), (atol, "atol")))
@@ -138,7 +138,7 @@ def _step(method: Method, step: float | None) -> float:
     return 0.0 if step is None else _positive(step, "step")
 
 
-def packed(wanted: Order, method: Method, tolerances: tuple[float, ...], step: float) -> bytes:
+def packed(wanted: Request, method: Method, tolerances: tuple[float, ...], step: float) -> bytes:
     """Return the unit's bytes: the same for the same model, options and compiler."""
     texts = {file.name: file.text for file in cached_sources(wanted).files if not file.name.endswith(".pyx")}
     texts |= {path.name: path.read_text(encoding="utf-8") for path in sorted(INCLUDE.glob("*.h"))}

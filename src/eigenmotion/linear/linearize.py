@@ -11,6 +11,7 @@ from ..arguments.names import Vector
 from ..codegen.model import ModelError
 from ..running.start import check_consistent
 from ..runtime import EvaluationError
+from ..runtime.variations import output_partials
 from .linearization import Linearization, StateSpace
 from .modes import Reduced, reduced
 from .place import Place, place
@@ -79,7 +80,7 @@ def _full(at: Place) -> StateSpace:
     n, m, k = at.model.n, at.model.m, at.model.n_inputs
     a, multipliers, da, dm = at.motion
     B = np.vstack([np.zeros((n, k)), da[:, 2 * n : 2 * n + k]])
-    D = at.model.output_partials(at.t, at.x, at.v, a, multipliers, at.prepared, at.u)
+    D = output_partials(at.model, at.t, at.x, at.v, a, multipliers, at.prepared, at.u)
     by_a, by_multipliers, by_arguments = np.split(D, [n, n + m], axis=1)
     _refuse_shared_reactions(at, by_multipliers)
     whole = by_arguments + by_a @ da + by_multipliers @ dm

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments.names import Vector
 from ..codegen.model.normalise import number
-from ..runtime import CompiledModel, Prepared
+from ..runtime import CompiledModel, Prepared, variations
 
 if TYPE_CHECKING:
     from ..system.system import System
@@ -40,12 +40,12 @@ class Place:
         EvaluationError
             M is singular, or constraint rows contradict each other.
         """
-        return self.model.motion_derivatives(self.t, self.x, self.v, self.prepared, self.u, True)
+        return variations.motion_derivatives(self.model, self.t, self.x, self.v, self.prepared, self.u, True)
 
     @cached_property
     def constraints(self) -> Vector:
         """(h + m, n_arguments), of phi and A v + b."""
-        return self.model.constraint_partials(self.t, self.x, self.v, self.prepared)
+        return variations.constraint_partials(self.model, self.t, self.x, self.v, self.prepared)
 
     @cached_property
     def jacobian(self) -> Vector:

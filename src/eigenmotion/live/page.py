@@ -11,7 +11,7 @@ from typing import Any
 
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 
-from ..building.request import Order
+from ..building.request import Request
 from ..codegen.compiler import program
 from ..codegen.model import Model
 from ..codegen.model.normalise import name_of
@@ -36,8 +36,8 @@ class Run:
     atol: float = 1e-9
 
 
-def page(wanted: Order, source: str, run: Run, space: Three | None = None) -> str:
-    """Return the page of an order as HTML.
+def page(wanted: Request, source: str, run: Run, space: Three | None = None) -> str:
+    """Return the page of a request as HTML.
 
     Parameters
     ----------

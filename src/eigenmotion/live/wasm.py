@@ -11,7 +11,7 @@ from pathlib import Path
 from ..building.build import cached_sources
 from ..building.cache import entry, guarded, key
 from ..building.errors import BuildError, CompilerNotFoundError
-from ..building.request import Order
+from ..building.request import Request
 from ..building.toolchain import INCLUDE, ZIG, run, zig_is_there
 from ..codegen.c.emit import Sources
 
@@ -28,8 +28,8 @@ class WasmCompiler:
     identity: str
 
 
-def module(wanted: Order) -> bytes:
-    """Return the WebAssembly of an order, compiled unless it was before.
+def module(wanted: Request) -> bytes:
+    """Return the WebAssembly of a request, compiled unless it was before.
 
     Raises
     ------

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ..building.errors import BuildError, CompilerNotFoundError
 from ..building.extension import compile_in, load
-from ..building.request import order
+from ..building.request import request
 from ..building.toolchain import EXTENSION_SUFFIX, toolchain
 from ..codegen.choices import FORMULATIONS
 from ..codegen.model import Model, ModelError
@@ -70,7 +70,7 @@ def subject(model: Model, progress: Callable[[float, str], None]) -> Subject:
 def _built(model: Model, formulation: str) -> Built:
     start = time.perf_counter()
     try:
-        sources = order(model, formulation=formulation).sources()
+        sources = request(model, formulation=formulation).sources()
         generated = time.perf_counter()
         with tempfile.TemporaryDirectory(prefix="eigenmotion-report-") as place:
             compile_in(sources, toolchain(), Path(place))

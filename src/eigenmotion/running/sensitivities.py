@@ -10,7 +10,7 @@ from ..arguments.options import OptionError, Task
 from ..codegen.model.normalise import ModelError, shown
 from ..results.solution import Solution
 from ..runtime import CompiledModel, EvaluationError
-from ..runtime.variations import tangent, vary
+from ..runtime.variations import quasi_partials, tangent, vary
 from .methods import Method
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def _quasi(system: "System", task: Task, v0: Any, names: tuple[str, ...], S: Vec
     if not from_quasi:
         return
     x, v = task.y[: c.n], c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
-    D = c.quasi_partials(task.t_start, x, v, task.prepared)
+    D = quasi_partials(c, task.t_start, x, v, task.prepared)
     moved = D[:, : c.n] @ S[: c.n] + D[:, 2 * c.n :] @ P
     for column, name in enumerate(names):
         if name in quasi:

@@ -1,6 +1,7 @@
 """The compiled runtime: generated models as Python objects, and the C headers they are compiled with."""
 
 from . import plain as plain
+from . import variations as variations
 from .faults import EvaluationError as EvaluationError
 from .faults import StopReason as StopReason
 from .faults import explain as explain

@@ -283,54 +283,6 @@ cdef class PointModel:
             raise self.failure(&fault)
         return J.array
 
-    # --- derivatives by the arguments (n_arguments): x, v, inputs, parameters, time ---
-
-    def motion_derivatives(self, double t, x, v, Prepared c not None, u, bint least_norm):
-        """a (n), lambda (m), da (n, n_arguments), dlambda (m, n_arguments)."""
-        cdef em_fault fault
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers a = zeros((self.n,)), multipliers = zeros((self.m,))
-        cdef Numbers da = zeros((self.n, self.n_arguments)), dm = zeros((self.m, self.n_arguments))
-        if self.model.motion_derivatives == NULL:
-            raise ValueError(f"{self.name} states no derivatives")
-        if self.model.motion_derivatives(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, da.data,
-                                         dm.data, &fault) != 0:
-            raise self.failure(&fault)
-        return a.array, multipliers.array, da.array, dm.array
-
-    def constraint_partials(self, double t, x, v, Prepared c not None):
-        """(h + m, n_arguments), of phi and of A v + b."""
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v")
-        cdef Numbers D = zeros((self.h + self.m, self.n_arguments))
-        if self.model.constraint_partials != NULL:
-            self.model.constraint_partials(t, q.data, w.data, c.c, D.data)
-        return D.array
-
-    def output_partials(self, double t, x, v, a, multipliers, Prepared c not None, u):
-        """(n_outputs, n + m + n_arguments), first by a and lambda."""
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers b = given(a, (self.n,), "a"), r = given(multipliers, (self.m,), "multipliers")
-        cdef Numbers D = zeros((self.n_outputs, self.n + self.m + self.n_arguments))
-        if self.model.output_partials != NULL:
-            self.model.output_partials(t, q.data, w.data, b.data, r.data, c.c, s.data, D.data)
-        return D.array
-
-    def event_partials(self, double t, x, v, Prepared c not None, u):
-        """(n_events, n_arguments)."""
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers D = zeros((self.n_events, self.n_arguments))
-        if self.model.event_partials != NULL:
-            self.model.event_partials(t, q.data, w.data, c.c, s.data, D.data)
-        return D.array
-
-    def quasi_partials(self, double t, x, v, Prepared c not None):
-        """(n_quasi, n_arguments), of P(x, t) v."""
-        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v")
-        cdef Numbers D = zeros((len(self.quasi_velocities), self.n_arguments))
-        if self.model.quasi_partials != NULL:
-            self.model.quasi_partials(t, q.data, w.data, c.c, D.data)
-        return D.array
-
 
 def forgiven(double rtol, atol):
     """What a start may be off the constraints: relative to their terms, and (n,) by changes of x_k and v_k."""

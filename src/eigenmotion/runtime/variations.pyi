@@ -5,6 +5,22 @@ from numpy.typing import ArrayLike
 from .faults import EvaluationError
 from .point import PointModel, Prepared, Vector
 
+def motion_derivatives(
+    model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike, least_norm: bool
+) -> tuple[Vector, Vector, Vector, Vector]: ...
+def constraint_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared) -> Vector: ...
+def output_partials(
+    model: PointModel,
+    t: float,
+    x: ArrayLike,
+    v: ArrayLike,
+    a: ArrayLike,
+    multipliers: ArrayLike,
+    c: Prepared,
+    u: ArrayLike,
+) -> Vector: ...
+def event_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike) -> Vector: ...
+def quasi_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared) -> Vector: ...
 def tangent(
     model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, least_norm: bool, S: Vector, P: Vector
 ) -> Vector: ...

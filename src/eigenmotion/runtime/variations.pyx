@@ -1,5 +1,6 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
-"""How a compiled motion changes with what it starts from and what it is given: em_variations.h along the rows of a run."""
+"""How a compiled motion changes with what it starts from and what it is given: at one place, and along the rows of a
+run (em_variations.h)."""
 
 from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport isinf
@@ -52,6 +53,63 @@ cdef int poll(void *argument) noexcept with gil:
     except BaseException:
         return 1
     return 0
+
+
+# --- derivatives by the arguments (n_arguments): x, v, inputs, parameters, time ---
+
+
+def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not None, u, bint least_norm):
+    """a (n), lambda (m), da (n, n_arguments), dlambda (m, n_arguments)."""
+    cdef em_fault fault
+    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
+    cdef Numbers a = zeros((model.n,)), multipliers = zeros((model.m,))
+    cdef Numbers da = zeros((model.n, model.n_arguments)), dm = zeros((model.m, model.n_arguments))
+    if model.model.motion_derivatives == NULL:
+        raise ValueError(f"{model.name} states no derivatives")
+    if model.model.motion_derivatives(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, da.data,
+                                      dm.data, &fault) != 0:
+        raise model.failure(&fault)
+    return a.array, multipliers.array, da.array, dm.array
+
+
+def constraint_partials(PointModel model not None, double t, x, v, Prepared c not None):
+    """(h + m, n_arguments), of phi and of A v + b."""
+    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
+    cdef Numbers D = zeros((model.h + model.m, model.n_arguments))
+    if model.model.constraint_partials != NULL:
+        model.model.constraint_partials(t, q.data, w.data, c.c, D.data)
+    return D.array
+
+
+def output_partials(PointModel model not None, double t, x, v, a, multipliers, Prepared c not None, u):
+    """(n_outputs, n + m + n_arguments), first by a and lambda."""
+    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
+    cdef Numbers b = given(a, (model.n,), "a"), r = given(multipliers, (model.m,), "multipliers")
+    cdef Numbers D = zeros((model.n_outputs, model.n + model.m + model.n_arguments))
+    if model.model.output_partials != NULL:
+        model.model.output_partials(t, q.data, w.data, b.data, r.data, c.c, s.data, D.data)
+    return D.array
+
+
+def event_partials(PointModel model not None, double t, x, v, Prepared c not None, u):
+    """(n_events, n_arguments)."""
+    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
+    cdef Numbers D = zeros((model.n_events, model.n_arguments))
+    if model.model.event_partials != NULL:
+        model.model.event_partials(t, q.data, w.data, c.c, s.data, D.data)
+    return D.array
+
+
+def quasi_partials(PointModel model not None, double t, x, v, Prepared c not None):
+    """(n_quasi, n_arguments), of P(x, t) v."""
+    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
+    cdef Numbers D = zeros((len(model.quasi_velocities), model.n_arguments))
+    if model.model.quasi_partials != NULL:
+        model.model.quasi_partials(t, q.data, w.data, c.c, D.data)
+    return D.array
+
+
+# --- along a motion ---
 
 
 def tangent(PointModel model not None, double t, x, v, Prepared c not None, bint least_norm, S, P):

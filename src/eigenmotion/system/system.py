@@ -17,8 +17,8 @@ from ..pages.notebook import table
 from ..running.consistent import ConsistentState, Projection
 from ..running.simulate import simulate
 from ..running.stepper import stepper
-from ..runtime import CompiledModel, EvaluationError, Prepared, plain
-from .derivatives import rhs_parameter_jacobian
+from ..runtime import CompiledModel, Prepared, plain
+from .derivatives import jacobian, ours, rhs_parameter_jacobian
 from .description import Description
 from .sensitivity import EigenfactorGradient, eigenfactor_gradient, eta_sensitivity
 from .velocities import initial_rates
@@ -162,7 +162,7 @@ class System(Description):
             return self._compiled.rhs(t, y, c, u, out)
         except (TypeError, ValueError, OverflowError) as error:  # afterwards: solvers call this in a loop
             self._place(t, y)
-            raise _ours(error) from error
+            raise ours(error) from error
 
     def signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
         """Return u (n_inputs,) at t: of a mapping over the defaults, or an array in the order of `System.inputs`."""
@@ -179,28 +179,6 @@ class System(Description):
     def mass_matrix_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> Vector:
         """Return dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
         return self._compiled.mass_matrix_gradient(number(t, "t"), self._x(x), self.prepare(parameters))
-
-    def jacobian(
-        self,
-        t: float,
-        y: ArrayLike,
-        parameters: Parameters = None,
-        inputs: Mapping[Any, Any] | ArrayLike | None = None,
-    ) -> Vector:
-        """Return d rhs / d y, (n_state, n_state), row i the derivatives of dy_i: `jac` of SciPy's implicit methods.
-
-        By differences in compiled code that find their own steps: some 15 right-hand sides for each number of y.
-
-        Raises
-        ------
-        EvaluationError
-            As `rhs`.
-        """
-        t, y = self._place(t, y)
-        try:
-            return self._compiled.jacobian(t, y, self.prepare(parameters), self.signals(inputs, t))
-        except (TypeError, ValueError, OverflowError) as error:
-            raise _ours(error) from error
 
     def eigenfactor_gradient(self, x: ArrayLike, t: float = 0.0, parameters: Parameters = None) -> EigenfactorGradient:
         """Return C, s of M(x) and their derivatives by the coordinates, as in (24).
@@ -299,9 +277,5 @@ class System(Description):
     simulate = simulate  # functions as methods, with their options
     stepper = stepper
     linearize = linearize
+    jacobian = jacobian
     rhs_parameter_jacobian = rhs_parameter_jacobian
-
-
-def _ours(error: Exception) -> Exception:
-    """Return what the compiled functions raised, as an error of ours: they know none but their own."""
-    return error if isinstance(error, EvaluationError | ModelError) else ModelError(str(error))
