@@ -5,7 +5,6 @@ from typing import Any
 
 import click
 
-from eigenmotion.codegen.model import ModelError
 from eigenmotion.fmu.export import export_fmu
 from eigenmotion.running.methods import STEPPED
 
@@ -25,8 +24,6 @@ from .progress import clock
 @shaping
 def command(model: Path, fmu: Path, define: tuple[str, ...], **options: Any) -> None:
     """Write MODEL as a unit for other tools: FMI 2.0, co-simulation, with its C sources and a binary inside."""
-    if fmu.suffix != ".fmu":
-        raise ModelError(f"--fmu {fmu}: the name of a Functional Mock-up Unit ends in .fmu")
     check_file(fmu, "--fmu")
     with clock():
         export_fmu(model, fmu, **options | assignments(define, "-D"))

@@ -6,8 +6,8 @@ steps are controlled so that the global error is about proportional to the toler
 factor of that proportion differs, by 35 between dop853 and rk34 on a pendulum at 1e-4; across methods a ten thousandth
 is asked for, which the higher order makes cheap.
 
-Where events act the two runs have them at times that differ by their errors. At a row in between one is past a jump that
-the other has before it: such rows are left out. What a time is off by shows in the states beside it.
+Where events act the two runs have them at times that differ by their errors. At a row in between one is past a jump
+that the other has before it: such rows are left out. What a time is off by shows in the states beside it.
 """
 
 import time
@@ -164,8 +164,8 @@ def _caution(rtol: float, tighter: float, missing: int, second: Solution, left_o
         words.append(f"The second run met a terminal event first, so that {missing} rows could not be compared.")
     if left_out:
         words.append(
-            f"{left_out} rows at the very moment of an event that acts were not compared: there one run is past the jump "
-            "and the other before it."
+            f"{left_out} rows at the very moment of an event that acts were not compared: there one run is past the "
+            "jump and the other before it."
         )
     if rtol > 0 and tighter > 0.1 * rtol:
         words.append("rtol leaves no room for a much tighter run: the estimate is good to a factor of about 3.")
