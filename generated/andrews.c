@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:5c9f192818aa18d108e18b0acd1df0df6971c274406ad9709adcadd41bc04a3e */
+/* body sha256:13fa68bbfcf6f9c331ae40ed1f49fdaa42b965592d5e776142aba00bfe95c615 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -36,28 +36,28 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 7,              /* coordinates */
-    N_ROWS = 6,         /* constraint rows */
-    N_POSITIONS = 6,    /* of which holonomic */
-    N_STATE = 32,       /* numbers of a state */
-    N_C = 12,           /* of which C, */
-    N_S = 6,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 7,                /* coordinates */
+    N_ROWS = 6,           /* constraint rows */
+    N_POSITIONS = 6,      /* of which holonomic */
+    N_STATE = 32,         /* numbers of a state */
+    N_C = 12,             /* of which C, */
+    N_S = 6,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 18,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 18,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 42,
-    N_GIVEN = 43,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 57,   /* x, v and these: what motion depends on */
-    N_PREPARED = 88,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* beta, theta */
-    N2 = 1,             /* gamma */
-    N3 = 2,             /* phi, delta */
-    N4 = 2,             /* omega, epsilon */
+    N_GIVEN = 43,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 57,     /* x, v and these: what motion depends on */
+    N_PREPARED = 88,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* beta, theta */
+    N2 = 1,               /* gamma */
+    N3 = 2,               /* phi, delta */
+    N4 = 2,               /* omega, epsilon */
 };
 
 /* Coordinates of the blocks. */
@@ -385,7 +385,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a4[N4], q4[N4];
     em_turning_push(N4, C4, s4, r4, Omega4, s4_dot, eta4, w4, f4, a4, q4);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -737,7 +737,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* omega, epsilon: B = A L^-T */
     real B4[N_ROWS][N4];
     em_rows_of_root(N_ROWS, N4, L4[0], r4, A4[0], B4[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -807,18 +807,17 @@ em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -1138,15 +1137,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -1946,11 +1944,11 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double m2 = parameters[1];
     const double rr = parameters[24];
     const double z_0 = m2*rr;
-    prepared[46] = da*z_0;
+    prepared[46] = da*z_0; /* c_0 */
     const double z_1 = m2*(da*da);
-    prepared[47] = z_1;
-    prepared[48] = m2*da;
-    prepared[49] = 2.0*z_1;
+    prepared[47] = z_1; /* c_1 */
+    prepared[48] = m2*da; /* c_2 */
+    prepared[49] = 2.0*z_1; /* c_3 */
     const double zt = parameters[37];
     const double m4 = parameters[3];
     const double ea = parameters[23];
@@ -1958,12 +1956,12 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double z_2 = ea - e;
     const double z_3 = m4*z_2;
     const double z_4 = zt*z_3;
-    prepared[50] = z_4;
+    prepared[50] = z_4; /* c_4 */
     const double z_5 = m4*(z_2*z_2);
-    prepared[51] = z_5;
-    prepared[52] = z_2;
-    prepared[53] = z_3;
-    prepared[54] = 2.0*z_5;
+    prepared[51] = z_5; /* c_5 */
+    prepared[52] = z_2; /* c_6 */
+    prepared[53] = z_3; /* c_7 */
+    prepared[54] = 2.0*z_5; /* c_8 */
     const double u_ = parameters[33];
     const double m6 = parameters[5];
     const double zf = parameters[36];
@@ -1971,66 +1969,66 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double z_6 = zf - fa;
     const double z_7 = m6*z_6;
     const double z_8 = u_*z_7;
-    prepared[55] = z_8;
+    prepared[55] = z_8; /* c_9 */
     const double z_9 = m6*(z_6*z_6);
-    prepared[56] = z_9;
-    prepared[57] = z_6;
-    prepared[58] = z_7;
-    prepared[59] = 2.0*z_9;
+    prepared[56] = z_9; /* c_10 */
+    prepared[57] = z_6; /* c_11 */
+    prepared[58] = z_7; /* c_12 */
+    prepared[59] = 2.0*z_9; /* c_13 */
     const double c0 = parameters[39];
     const double sd = parameters[30];
-    prepared[60] = c0*sd;
+    prepared[60] = c0*sd; /* c_14 */
     const double yb = parameters[17];
     const double yc = parameters[19];
-    prepared[61] = yb - yc;
+    prepared[61] = yb - yc; /* c_15 */
     const double xb = parameters[16];
     const double xc = parameters[18];
-    prepared[62] = xb - xc;
+    prepared[62] = xb - xc; /* c_16 */
     const double sc = parameters[29];
-    prepared[63] = c0*sc;
-    prepared[64] = 2.0*z_4;
-    prepared[65] = 2.0*z_8;
-    prepared[66] = z_0;
+    prepared[63] = c0*sc; /* c_17 */
+    prepared[64] = 2.0*z_4; /* c_18 */
+    prepared[65] = 2.0*z_8; /* c_19 */
+    prepared[66] = z_0; /* c_20 */
     const double I1 = parameters[7];
     const double I2 = parameters[8];
     const double m1 = parameters[0];
     const double ra = parameters[25];
-    prepared[67] = I1 + I2 + m1*(ra*ra);
-    prepared[68] = I2 + z_1;
-    prepared[69] = I3 + m3*(sa*sa) + m3*(sb*sb);
+    prepared[67] = I1 + I2 + m1*(ra*ra); /* c_21 */
+    prepared[68] = I2 + z_1; /* c_22 */
+    prepared[69] = I3 + m3*(sa*sa) + m3*(sb*sb); /* c_23 */
     const double I4 = parameters[10];
-    prepared[70] = I4 + z_5;
-    prepared[71] = m4*zt;
+    prepared[70] = I4 + z_5; /* c_24 */
+    prepared[71] = m4*zt; /* c_25 */
     const double I5 = parameters[11];
     const double m5 = parameters[4];
     const double ta = parameters[31];
     const double tb = parameters[32];
-    prepared[72] = I4 + I5 + m5*(ta*ta) + m5*(tb*tb);
+    prepared[72] = I4 + I5 + m5*(ta*ta) + m5*(tb*tb); /* c_26 */
     const double I6 = parameters[12];
-    prepared[73] = I6 + z_9;
-    prepared[74] = m6*u_;
+    prepared[73] = I6 + z_9; /* c_27 */
+    prepared[74] = m6*u_; /* c_28 */
     const double I7 = parameters[13];
     const double m7 = parameters[6];
     const double ua = parameters[34];
     const double ub = parameters[35];
-    prepared[75] = I6 + I7 + m7*(ua*ua) + m7*(ub*ub);
+    prepared[75] = I6 + I7 + m7*(ua*ua) + m7*(ub*ub); /* c_29 */
     const double ss = parameters[26];
-    prepared[76] = fabs(ss);
-    prepared[77] = fabs(xb);
-    prepared[78] = fabs(rr);
+    prepared[76] = fabs(ss); /* c_30 */
+    prepared[77] = fabs(xb); /* c_31 */
+    prepared[78] = fabs(rr); /* c_32 */
     const double d = parameters[20];
-    prepared[79] = fabs(d);
-    prepared[80] = fabs(yb);
-    prepared[81] = fabs(zt);
-    prepared[82] = fabs(e);
+    prepared[79] = fabs(d); /* c_33 */
+    prepared[80] = fabs(yb); /* c_34 */
+    prepared[81] = fabs(zt); /* c_35 */
+    prepared[82] = fabs(e); /* c_36 */
     const double xa = parameters[14];
-    prepared[83] = fabs(xa);
+    prepared[83] = fabs(xa); /* c_37 */
     const double ya = parameters[15];
-    prepared[84] = fabs(ya);
-    prepared[85] = fabs(u_);
-    prepared[86] = fabs(zf);
+    prepared[84] = fabs(ya); /* c_38 */
+    prepared[85] = fabs(u_); /* c_39 */
+    prepared[86] = fabs(zf); /* c_40 */
     const double mom = parameters[41];
-    prepared[87] = 2.0*mom;
+    prepared[87] = 2.0*mom; /* c_41 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -2116,7 +2114,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[48] = z_8*c_28 + c_10*(cos_omega*cos_omega) + c_29 - sin_omega*z_8*c_12;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -2539,7 +2537,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B4[N_ROWS][N4], a4[N4];
         em_rows_of_block(&block4, *mode, N_ROWS, y, c, memory, A4[0], B4[0]);
         em_take(&block4, y + N, a4);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

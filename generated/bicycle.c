@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:b9f2bab6bccc6d9e4a74cf32e82a2a0cc8c98cf645ddb8fe83d0f67e1df38c7e */
+/* body sha256:14da986e9d46a2da38744ce4691fb0d5fb0e823968fa6f97062b88e3844bce67 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 8,              /* coordinates */
-    N_ROWS = 5,         /* constraint rows */
-    N_POSITIONS = 1,    /* of which holonomic */
-    N_STATE = 88,       /* numbers of a state */
-    N_C = 64,           /* of which C, */
-    N_S = 8,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 8,                /* coordinates */
+    N_ROWS = 5,           /* constraint rows */
+    N_POSITIONS = 1,      /* of which holonomic */
+    N_STATE = 88,         /* numbers of a state */
+    N_C = 64,             /* of which C, */
+    N_S = 8,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 72,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 72,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 26,
-    N_GIVEN = 27,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 43,   /* x, v and these: what motion depends on */
-    N_PREPARED = 156,   /* the parameters, factors of constant blocks, shared constants */
-    N1 = 8,             /* x, y, psi, phi, theta, delta, spin_r, spin_f */
+    N_GIVEN = 27,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 43,     /* x, v and these: what motion depends on */
+    N_PREPARED = 156,     /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 8,               /* x, y, psi, phi, theta, delta, spin_r, spin_f */
 };
 
 /* Coordinates of the blocks. */
@@ -890,7 +890,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1], q1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -2063,7 +2063,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* x, y, psi, phi, theta, delta, spin_r, spin_f: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -2125,18 +2125,17 @@ em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -3604,15 +3603,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -9207,79 +9205,79 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double r_R = parameters[4];
     const double z_B = parameters[11];
     const double z_0 = r_R - z_B;
-    prepared[26] = z_0;
+    prepared[26] = z_0; /* c_0 */
     const double c_ = parameters[1];
     const double w = parameters[0];
     const double z_1 = c_ + w;
-    prepared[27] = z_1;
+    prepared[27] = z_1; /* c_1 */
     const double tilt = parameters[2];
     const double sin_tilt = em_sin(tilt);
     const double z_3 = sin_tilt*sin_tilt;
     const double z_4 = z_3;
-    prepared[28] = z_4;
+    prepared[28] = z_4; /* c_2 */
     const double cos_tilt = em_cos(tilt);
     const double z_6 = cos_tilt*cos_tilt;
     const double z_7 = z_6;
-    prepared[29] = z_7;
+    prepared[29] = z_7; /* c_3 */
     const double z_8 = sin_tilt*cos_tilt;
-    prepared[30] = z_8;
-    prepared[31] = cos_tilt;
-    prepared[32] = sin_tilt;
+    prepared[30] = z_8; /* c_4 */
+    prepared[31] = cos_tilt; /* c_5 */
+    prepared[32] = sin_tilt; /* c_6 */
     const double x_H = parameters[12];
     const double z_9 = z_1 - x_H;
-    prepared[33] = z_9;
+    prepared[33] = z_9; /* c_7 */
     const double m_R = parameters[6];
     const double z_10 = m_R*r_R;
-    prepared[34] = z_10;
+    prepared[34] = z_10; /* c_8 */
     const double H_xx = parameters[22];
     const double F_xx = parameters[16];
     const double z_11 = H_xx + 2.0*F_xx;
-    prepared[35] = H_xx + z_11;
+    prepared[35] = H_xx + z_11; /* c_9 */
     const double H_xz = parameters[25];
-    prepared[36] = 2.0*H_xz;
+    prepared[36] = 2.0*H_xz; /* c_10 */
     const double H_zz = parameters[24];
     const double z_12 = 2.0*F_xx + H_zz;
-    prepared[37] = H_zz + z_12;
+    prepared[37] = H_zz + z_12; /* c_11 */
     const double F_yy = parameters[17];
     const double H_yy = parameters[23];
     const double z_13 = F_yy + H_yy;
-    prepared[38] = 2.0*z_13;
+    prepared[38] = 2.0*z_13; /* c_12 */
     const double B_yy = parameters[19];
     const double R_yy = parameters[15];
     const double z_14 = B_yy + R_yy;
-    prepared[39] = 2.0*z_14;
-    prepared[40] = z_13;
+    prepared[39] = 2.0*z_14; /* c_13 */
+    prepared[40] = z_13; /* c_14 */
     const double B_xx = parameters[18];
     const double R_xx = parameters[14];
     const double z_15 = B_xx + 2.0*R_xx;
-    prepared[41] = B_xx + z_15;
+    prepared[41] = B_xx + z_15; /* c_15 */
     const double B_xz = parameters[21];
-    prepared[42] = 2.0*B_xz;
+    prepared[42] = 2.0*B_xz; /* c_16 */
     const double z_16 = cos_tilt*z_13;
-    prepared[43] = 2.0*z_16;
-    prepared[44] = z_16;
+    prepared[43] = 2.0*z_16; /* c_17 */
+    prepared[44] = z_16; /* c_18 */
     const double B_zz = parameters[20];
     const double z_17 = 2.0*R_xx + B_zz;
-    prepared[45] = B_zz + z_17;
+    prepared[45] = B_zz + z_17; /* c_19 */
     const double z_18 = sin_tilt*z_13;
-    prepared[46] = 2.0*z_18;
-    prepared[47] = z_18;
+    prepared[46] = 2.0*z_18; /* c_20 */
+    prepared[47] = z_18; /* c_21 */
     const double m_B = parameters[7];
-    prepared[48] = 4.0*m_B;
+    prepared[48] = 4.0*m_B; /* c_22 */
     const double m_F = parameters[9];
-    prepared[49] = 4.0*m_F;
+    prepared[49] = 4.0*m_F; /* c_23 */
     const double m_H = parameters[8];
-    prepared[50] = 4.0*m_H;
+    prepared[50] = 4.0*m_H; /* c_24 */
     const double z_19 = m_R*(r_R*r_R);
-    prepared[51] = 4.0*z_19;
+    prepared[51] = 4.0*z_19; /* c_25 */
     const double z_20 = m_F + m_H;
     const double z_21 = m_B + m_R + z_20;
-    prepared[52] = z_21*r_R;
+    prepared[52] = z_21*r_R; /* c_26 */
     const double x_B = parameters[10];
     const double z_22 = m_B*x_B;
-    prepared[53] = z_22 + z_1*z_20;
+    prepared[53] = z_22 + z_1*z_20; /* c_27 */
     const double z_23 = m_B*z_0;
-    prepared[54] = z_23 + r_R*z_20;
+    prepared[54] = z_23 + r_R*z_20; /* c_28 */
     const double z_24 = m_F*c_;
     const double z_25 = m_H*z_9;
     const double z_26 = z_24 + z_25;
@@ -9288,154 +9286,154 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_H = parameters[13];
     const double z_28 = m_H*z_H;
     const double z_29 = z_27 + z_28;
-    prepared[55] = cos_tilt*z_26 - sin_tilt*z_29;
-    prepared[56] = z_29;
+    prepared[55] = cos_tilt*z_26 - sin_tilt*z_29; /* c_29 */
+    prepared[56] = z_29; /* c_30 */
     const double z_30 = z_29*z_3;
-    prepared[57] = z_30;
-    prepared[58] = z_26;
+    prepared[57] = z_30; /* c_31 */
+    prepared[58] = z_26; /* c_32 */
     const double z_31 = z_26*z_6;
-    prepared[59] = z_31;
+    prepared[59] = z_31; /* c_33 */
     const double z_32 = z_8*z_26;
-    prepared[60] = z_32;
+    prepared[60] = z_32; /* c_34 */
     const double z_33 = z_8*z_29;
-    prepared[61] = z_33;
-    prepared[62] = z_24;
-    prepared[63] = z_25;
-    prepared[64] = z_27;
-    prepared[65] = z_28;
-    prepared[66] = z_22;
-    prepared[67] = z_23;
-    prepared[68] = 2.0*r_R;
+    prepared[61] = z_33; /* c_35 */
+    prepared[62] = z_24; /* c_36 */
+    prepared[63] = z_25; /* c_37 */
+    prepared[64] = z_27; /* c_38 */
+    prepared[65] = z_28; /* c_39 */
+    prepared[66] = z_22; /* c_40 */
+    prepared[67] = z_23; /* c_41 */
+    prepared[68] = 2.0*r_R; /* c_42 */
     const double z_34 = sin_tilt*r_F;
     const double z_35 = z_34 - c_*cos_tilt;
     const double z_36 = sin_tilt*z_H - cos_tilt*z_9;
     const double z_37 = z_24*z_35 + z_25*z_36;
     const double z_38 = z_27*z_35 + z_28*z_36;
     const double z_39 = cos_tilt*z_37 - sin_tilt*z_38;
-    prepared[69] = 4.0*z_39;
+    prepared[69] = 4.0*z_39; /* c_43 */
     const double z_40 = m_F*z_35 + m_H*z_36;
     const double z_41 = r_R*z_40;
-    prepared[70] = z_41;
-    prepared[71] = z_37;
+    prepared[70] = z_41; /* c_44 */
+    prepared[71] = z_37; /* c_45 */
     const double z_42 = z_37*z_6;
-    prepared[72] = z_42;
-    prepared[73] = z_38;
+    prepared[72] = z_42; /* c_46 */
+    prepared[73] = z_38; /* c_47 */
     const double z_43 = z_8*z_38;
-    prepared[74] = z_43;
+    prepared[74] = z_43; /* c_48 */
     const double z_44 = z_1*z_40;
-    prepared[75] = z_44;
+    prepared[75] = z_44; /* c_49 */
     const double z_45 = z_38*z_3;
-    prepared[76] = z_45;
+    prepared[76] = z_45; /* c_50 */
     const double z_46 = z_8*z_37;
-    prepared[77] = z_46;
+    prepared[77] = z_46; /* c_51 */
     const double z_47 = r_F*z_3;
     const double z_48 = c_*z_8;
     const double z_49 = z_47 - z_48;
     const double z_50 = z_H*z_3 - z_8*z_9;
     const double z_51 = z_27*z_49 + z_28*z_50;
-    prepared[78] = z_51;
+    prepared[78] = z_51; /* c_52 */
     const double z_52 = c_*z_6;
     const double z_53 = z_8*r_F;
     const double z_54 = z_52 - z_53;
     const double z_55 = z_8*z_H - z_9*z_6;
     const double z_56 = z_24*z_54 - z_25*z_55;
-    prepared[79] = z_56;
+    prepared[79] = z_56; /* c_53 */
     const double z_57 = z_24*z_49 + z_25*z_50;
-    prepared[80] = z_57;
+    prepared[80] = z_57; /* c_54 */
     const double z_58 = z_27*z_54 - z_28*z_55;
-    prepared[81] = z_58;
-    prepared[82] = r_R*(m_F*z_49 + m_H*z_50) + z_1*(m_F*z_54 - m_H*z_55);
+    prepared[81] = z_58; /* c_55 */
+    prepared[82] = r_R*(m_F*z_49 + m_H*z_50) + z_1*(m_F*z_54 - m_H*z_55); /* c_56 */
     const double z_59 = sin_tilt*H_xz;
     const double z_60 = cos_tilt*H_xx + cos_tilt*z_11 - 2.0*z_59;
     const double z_61 = cos_tilt*H_xz;
     const double z_62 = sin_tilt*H_zz + sin_tilt*z_12 - 2.0*z_61;
     const double z_63 = cos_tilt*z_60 + sin_tilt*z_62;
-    prepared[83] = 2.0*z_13 - z_63;
-    prepared[84] = z_31 - z_33;
-    prepared[85] = z_30 - z_32;
+    prepared[83] = 2.0*z_13 - z_63; /* c_57 */
+    prepared[84] = z_31 - z_33; /* c_58 */
+    prepared[85] = z_30 - z_32; /* c_59 */
     const double z_64 = z_45 - z_46;
-    prepared[86] = z_64;
+    prepared[86] = z_64; /* c_60 */
     const double z_65 = z_42 - z_43;
-    prepared[87] = z_65;
-    prepared[88] = sin_tilt*z_60 - cos_tilt*z_62;
-    prepared[89] = z_58*z_3;
-    prepared[90] = z_57*z_6;
-    prepared[91] = z_8*z_51;
-    prepared[92] = z_8*z_56;
-    prepared[93] = z_11;
-    prepared[94] = z_12;
-    prepared[95] = z_15;
-    prepared[96] = 2.0*cos_tilt;
-    prepared[97] = z_17;
-    prepared[98] = 2.0*sin_tilt;
+    prepared[87] = z_65; /* c_61 */
+    prepared[88] = sin_tilt*z_60 - cos_tilt*z_62; /* c_62 */
+    prepared[89] = z_58*z_3; /* c_63 */
+    prepared[90] = z_57*z_6; /* c_64 */
+    prepared[91] = z_8*z_51; /* c_65 */
+    prepared[92] = z_8*z_56; /* c_66 */
+    prepared[93] = z_11; /* c_67 */
+    prepared[94] = z_12; /* c_68 */
+    prepared[95] = z_15; /* c_69 */
+    prepared[96] = 2.0*cos_tilt; /* c_70 */
+    prepared[97] = z_17; /* c_71 */
+    prepared[98] = 2.0*sin_tilt; /* c_72 */
     const double g = parameters[3];
     const double z_66 = m_B*g;
     const double z_67 = m_H*g + m_F*g;
-    prepared[99] = (-2.0)*(z_10*g + r_R*(z_66 + z_67));
-    prepared[100] = 2.0*z_1;
-    prepared[101] = 2.0*z_8;
-    prepared[102] = 2.0*z_4;
-    prepared[103] = 2.0*z_7;
-    prepared[104] = 2.0*z_23;
-    prepared[105] = 2.0*z_22;
+    prepared[99] = (-2.0)*(z_10*g + r_R*(z_66 + z_67)); /* c_73 */
+    prepared[100] = 2.0*z_1; /* c_74 */
+    prepared[101] = 2.0*z_8; /* c_75 */
+    prepared[102] = 2.0*z_4; /* c_76 */
+    prepared[103] = 2.0*z_7; /* c_77 */
+    prepared[104] = 2.0*z_23; /* c_78 */
+    prepared[105] = 2.0*z_22; /* c_79 */
     const double z_68 = z_28*g + z_27*g;
-    prepared[106] = 2.0*z_68;
+    prepared[106] = 2.0*z_68; /* c_80 */
     const double z_69 = z_25*g + z_24*g;
-    prepared[107] = 2.0*z_69;
-    prepared[108] = 2.0*(z_0*z_66 + r_R*z_67);
-    prepared[109] = 2.0*(x_B*z_66 + z_1*z_67);
-    prepared[110] = 2.0*B_yy;
-    prepared[111] = 2.0*R_yy;
-    prepared[112] = 2.0*z_19;
-    prepared[113] = 2.0*z_10;
-    prepared[114] = 2.0*(sin_tilt*z_68 - cos_tilt*z_69);
-    prepared[115] = z_35;
-    prepared[116] = cos_tilt*r_F;
-    prepared[117] = z_34;
-    prepared[118] = z_52;
-    prepared[119] = z_47;
-    prepared[120] = -r_R;
-    prepared[121] = z_49;
-    prepared[122] = z_54;
-    prepared[123] = z_53;
-    prepared[124] = z_48;
-    prepared[125] = z_21;
-    prepared[126] = 2.0*m_B;
-    prepared[127] = 2.0*m_F;
-    prepared[128] = 2.0*m_H;
-    prepared[129] = 2.0*z_39;
-    prepared[130] = 2.0*z_41;
-    prepared[131] = 2.0*z_37;
-    prepared[132] = 2.0*z_38;
-    prepared[133] = 2.0*z_44;
-    prepared[134] = z_63;
-    prepared[135] = 2.0*(z_14 + m_B*(x_B*x_B) + m_B*(z_0*z_0));
-    prepared[136] = 2.0*z_64;
-    prepared[137] = 2.0*z_65;
+    prepared[107] = 2.0*z_69; /* c_81 */
+    prepared[108] = 2.0*(z_0*z_66 + r_R*z_67); /* c_82 */
+    prepared[109] = 2.0*(x_B*z_66 + z_1*z_67); /* c_83 */
+    prepared[110] = 2.0*B_yy; /* c_84 */
+    prepared[111] = 2.0*R_yy; /* c_85 */
+    prepared[112] = 2.0*z_19; /* c_86 */
+    prepared[113] = 2.0*z_10; /* c_87 */
+    prepared[114] = 2.0*(sin_tilt*z_68 - cos_tilt*z_69); /* c_88 */
+    prepared[115] = z_35; /* c_89 */
+    prepared[116] = cos_tilt*r_F; /* c_90 */
+    prepared[117] = z_34; /* c_91 */
+    prepared[118] = z_52; /* c_92 */
+    prepared[119] = z_47; /* c_93 */
+    prepared[120] = -r_R; /* c_94 */
+    prepared[121] = z_49; /* c_95 */
+    prepared[122] = z_54; /* c_96 */
+    prepared[123] = z_53; /* c_97 */
+    prepared[124] = z_48; /* c_98 */
+    prepared[125] = z_21; /* c_99 */
+    prepared[126] = 2.0*m_B; /* c_100 */
+    prepared[127] = 2.0*m_F; /* c_101 */
+    prepared[128] = 2.0*m_H; /* c_102 */
+    prepared[129] = 2.0*z_39; /* c_103 */
+    prepared[130] = 2.0*z_41; /* c_104 */
+    prepared[131] = 2.0*z_37; /* c_105 */
+    prepared[132] = 2.0*z_38; /* c_106 */
+    prepared[133] = 2.0*z_44; /* c_107 */
+    prepared[134] = z_63; /* c_108 */
+    prepared[135] = 2.0*(z_14 + m_B*(x_B*x_B) + m_B*(z_0*z_0)); /* c_109 */
+    prepared[136] = 2.0*z_64; /* c_110 */
+    prepared[137] = 2.0*z_65; /* c_111 */
     const double z_70 = 2.0*z_39 - sin_tilt*(2.0*z_61 + sin_tilt*H_xx + sin_tilt*z_11) - cos_tilt*(2.0*z_59 +
         cos_tilt*H_zz + cos_tilt*z_12);
-    prepared[138] = (-0.5)*z_70;
-    prepared[139] = 4.0*z_64;
-    prepared[140] = 4.0*z_65;
-    prepared[141] = 2.0*fabs(r_R);
+    prepared[138] = (-0.5)*z_70; /* c_112 */
+    prepared[139] = 4.0*z_64; /* c_113 */
+    prepared[140] = 4.0*z_65; /* c_114 */
+    prepared[141] = 2.0*fabs(r_R); /* c_115 */
     const double z_71 = fabs(cos_tilt);
     const double z_72 = z_71 + fabs(tilt*sin_tilt);
-    prepared[142] = 2.0*(z_71*z_72);
+    prepared[142] = 2.0*(z_71*z_72); /* c_116 */
     const double z_73 = fabs(sin_tilt);
     const double z_74 = z_73 + fabs(tilt*cos_tilt);
-    prepared[143] = z_74*z_71 + z_73*z_72;
-    prepared[144] = fabs(z_8);
-    prepared[145] = 2.0*fabs(r_F);
-    prepared[146] = 2.0*(z_73*z_74);
-    prepared[147] = 2.0*fabs(c_);
-    prepared[148] = 2.0*F_yy;
-    prepared[149] = z_70;
-    prepared[150] = 2.0*x_B;
-    prepared[151] = 4.0*z_1;
-    prepared[152] = 4.0*r_R;
-    prepared[153] = 5.0*z_H;
-    prepared[154] = 4.0*z_9;
-    prepared[155] = (1.0/3.0)*r_R;
+    prepared[143] = z_74*z_71 + z_73*z_72; /* c_117 */
+    prepared[144] = fabs(z_8); /* c_118 */
+    prepared[145] = 2.0*fabs(r_F); /* c_119 */
+    prepared[146] = 2.0*(z_73*z_74); /* c_120 */
+    prepared[147] = 2.0*fabs(c_); /* c_121 */
+    prepared[148] = 2.0*F_yy; /* c_122 */
+    prepared[149] = z_70; /* c_123 */
+    prepared[150] = 2.0*x_B; /* c_124 */
+    prepared[151] = 4.0*z_1; /* c_125 */
+    prepared[152] = 4.0*r_R; /* c_126 */
+    prepared[153] = 5.0*z_H; /* c_127 */
+    prepared[154] = 4.0*z_9; /* c_128 */
+    prepared[155] = (1.0/3.0)*r_R; /* c_129 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -9700,7 +9698,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[63] = F_yy;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -10765,7 +10763,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

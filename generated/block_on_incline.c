@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:bd772f81790727a94cb4700334338b77f74143370a383ef593a2b69d5ac183cf */
+/* body sha256:66f7cd5556605d01ad704d9f2146262ddd231be6874faef5fe8a063a0352e492 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -30,25 +30,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 1,              /* coordinates */
-    N_ROWS = 1,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 2,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 1,                /* coordinates */
+    N_ROWS = 1,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 2,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 1,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
-    N_GIVEN = 7,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
-    N_PREPARED = 22,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* s */
+    N_GIVEN = 7,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,      /* x, v and these: what motion depends on */
+    N_PREPARED = 22,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* s */
 };
 
 /* Coordinates of the blocks. */
@@ -107,7 +107,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1];
     em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -160,26 +160,23 @@ em_lanes block_on_incline_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NU
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                          EM_UNUSED const double *restrict v, const double *restrict c,
-                          EM_UNUSED const double *restrict u, double *restrict bias, double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck);
-extern void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after);
-extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    const double *restrict u, double *restrict struck);
+extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict after);
+extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict level);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -189,7 +186,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -279,18 +275,16 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, con
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                             EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                  const double *restrict v, const double *restrict c, double *restrict D);
-extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
+extern void event_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -302,7 +296,6 @@ EM_ASIDE void state_partials(EM_UNUSED double t, EM_UNUSED const double *restric
                              EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
-    D[0] = 0.0;
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
@@ -392,18 +385,18 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double z_2 = z_0*(mu*cos_alpha);
     const double sin_alpha = em_sin(alpha);
     const double z_4 = sin_alpha*z_0;
-    prepared[10] = -(friction_slides*z_2 + z_4);
-    prepared[11] = 0.5*m;
-    prepared[12] = z_4;
-    prepared[13] = z_2;
-    prepared[14] = 1.5*cos_alpha;
-    prepared[15] = 1.5*sin_alpha;
-    prepared[16] = cos_alpha;
-    prepared[17] = 10.0*cos_alpha;
-    prepared[18] = sin_alpha;
-    prepared[19] = 10.0*sin_alpha;
-    prepared[20] = cos_alpha - sin_alpha;
-    prepared[21] = cos_alpha + sin_alpha;
+    prepared[10] = -(friction_slides*z_2 + z_4); /* c_0 */
+    prepared[11] = 0.5*m; /* c_1 */
+    prepared[12] = z_4; /* c_2 */
+    prepared[13] = z_2; /* c_3 */
+    prepared[14] = 1.5*cos_alpha; /* c_4 */
+    prepared[15] = 1.5*sin_alpha; /* c_5 */
+    prepared[16] = cos_alpha; /* c_6 */
+    prepared[17] = 10.0*cos_alpha; /* c_7 */
+    prepared[18] = sin_alpha; /* c_8 */
+    prepared[19] = 10.0*sin_alpha; /* c_9 */
+    prepared[20] = cos_alpha - sin_alpha; /* c_10 */
+    prepared[21] = cos_alpha + sin_alpha; /* c_11 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -425,7 +418,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[0] = m;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -480,7 +473,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];
@@ -685,7 +678,6 @@ const em_model block_on_incline_model = {
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
-    .act = em_act,
     .lanes = &block_on_incline_lanes,
     .n_shapes = 2,
     .dimension = 2,

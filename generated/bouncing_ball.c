@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:63ccadc52daf6a0152a8b407ecf273bb6643d02eb58e94339511144359cbee48 */
+/* body sha256:400b6eb790ff69264b71cfb28f071b25f80e299069a5565ba23ab3cb620eb491 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -34,26 +34,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 1,         /* constraint rows */
-    N_POSITIONS = 1,    /* of which holonomic */
-    N_STATE = 4,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 1,           /* constraint rows */
+    N_POSITIONS = 1,      /* of which holonomic */
+    N_STATE = 4,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 1,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 6,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
-    N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* x */
-    N2 = 1,             /* z */
+    N_GIVEN = 6,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_PREPARED = 15,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* x */
+    N2 = 1,               /* z */
 };
 
 /* Coordinates of the blocks. */
@@ -132,7 +132,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -186,27 +186,23 @@ em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL}
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                          EM_UNUSED const double *restrict v, const double *restrict c,
-                          EM_UNUSED const double *restrict u, double *restrict bias, double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, const double *restrict c,
-                      EM_UNUSED const double *restrict u, double *restrict struck);
-extern void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after);
-extern void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                     EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                     double *restrict level);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    const double *restrict u, double *restrict struck);
+extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict after);
+extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict level);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -216,7 +212,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -291,7 +286,7 @@ EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
                      EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
                      double *restrict level)
 {
-    level[0] = (1.0/1000.0);
+    level[0] = 1.0/1000.0;
     const double z = x[1];
     level[1] = z;
 }
@@ -300,19 +295,16 @@ EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                             EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
-extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
+extern void event_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -324,7 +316,6 @@ EM_ASIDE void state_partials(EM_UNUSED double t, EM_UNUSED const double *restric
                              EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
-    D[0] = 0.0;
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
@@ -400,8 +391,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M2[0][0] = m;
     const double g = parameters[1];
     const double z_0 = m*g;
-    prepared[13] = -z_0;
-    prepared[14] = z_0;
+    prepared[13] = -z_0; /* c_0 */
+    prepared[14] = z_0; /* c_1 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -426,7 +417,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[3] = m;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -486,7 +477,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B2[N_ROWS][N2], a2[N2];
         em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
         em_take(&block2, y + N, a2);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];
@@ -697,7 +688,6 @@ const em_model bouncing_ball_model = {
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
-    .act = em_act,
     .lanes = &bouncing_ball_lanes,
     .n_shapes = 3,
     .dimension = 2,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:69dec51a9cb860ea60f76ba82724d1e266d681d10c7d2635ede28decbba0b187 */
+/* body sha256:4cd56bd2092949cbaac75d0435605c659bea4d77bb0c5979d6910828a1be0ffc */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 5,              /* coordinates */
-    N_ROWS = 4,         /* constraint rows */
-    N_POSITIONS = 4,    /* of which holonomic */
-    N_STATE = 40,       /* numbers of a state */
-    N_C = 25,           /* of which C, */
-    N_S = 5,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 5,                /* coordinates */
+    N_ROWS = 4,           /* constraint rows */
+    N_POSITIONS = 4,      /* of which holonomic */
+    N_STATE = 40,         /* numbers of a state */
+    N_C = 25,             /* of which C, */
+    N_S = 5,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 30,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_GIVEN = 4,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
-    N_PREPARED = 31,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 5,             /* q1, q2, q3, q4, q5 */
+    N_GIVEN = 4,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
+    N_PREPARED = 31,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 5,               /* q1, q2, q3, q4, q5 */
 };
 
 /* Coordinates of the blocks. */
@@ -542,7 +542,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1], q1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -1204,7 +1204,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* q1, q2, q3, q4, q5: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -1263,18 +1263,17 @@ em_lanes bricard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -2090,15 +2089,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -5107,37 +5105,37 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double l = parameters[1];
     const double m = parameters[0];
     const double z_0 = l*m;
-    prepared[3] = 5.0*z_0;
-    prepared[4] = 6.0*m;
-    prepared[5] = 3.0*m;
-    prepared[6] = z_0;
-    prepared[7] = 5.0*m;
+    prepared[3] = 5.0*z_0; /* c_0 */
+    prepared[4] = 6.0*m; /* c_1 */
+    prepared[5] = 3.0*m; /* c_2 */
+    prepared[6] = z_0; /* c_3 */
+    prepared[7] = 5.0*m; /* c_4 */
     const double z_1 = m*(l*l);
-    prepared[8] = z_1;
-    prepared[9] = 2.0*m;
-    prepared[10] = 2.0*z_0;
-    prepared[11] = 3.0*l;
-    prepared[12] = 4.0*z_1;
-    prepared[13] = 3.0*z_1;
-    prepared[14] = 2.0*z_1;
+    prepared[8] = z_1; /* c_5 */
+    prepared[9] = 2.0*m; /* c_6 */
+    prepared[10] = 2.0*z_0; /* c_7 */
+    prepared[11] = 3.0*l; /* c_8 */
+    prepared[12] = 4.0*z_1; /* c_9 */
+    prepared[13] = 3.0*z_1; /* c_10 */
+    prepared[14] = 2.0*z_1; /* c_11 */
     const double g = parameters[2];
     const double z_2 = z_0*g;
-    prepared[15] = z_2;
-    prepared[16] = 3.0*z_2;
-    prepared[17] = 5.0*l;
-    prepared[18] = 6.0*l;
-    prepared[19] = 2.0*l;
-    prepared[20] = (-42.0)*z_2;
-    prepared[21] = 30.0*z_2;
-    prepared[22] = 6.0*z_2;
-    prepared[23] = 12.0*l;
-    prepared[24] = 8.0*z_1;
-    prepared[25] = 6.0*z_1;
-    prepared[26] = (1.0/3.0)*z_1;
-    prepared[27] = fabs(l);
-    prepared[28] = 0.5*(m*g);
-    prepared[29] = -l;
-    prepared[30] = (1.0/20.0)*l;
+    prepared[15] = z_2; /* c_12 */
+    prepared[16] = 3.0*z_2; /* c_13 */
+    prepared[17] = 5.0*l; /* c_14 */
+    prepared[18] = 6.0*l; /* c_15 */
+    prepared[19] = 2.0*l; /* c_16 */
+    prepared[20] = (-42.0)*z_2; /* c_17 */
+    prepared[21] = 30.0*z_2; /* c_18 */
+    prepared[22] = 6.0*z_2; /* c_19 */
+    prepared[23] = 12.0*l; /* c_20 */
+    prepared[24] = 8.0*z_1; /* c_21 */
+    prepared[25] = 6.0*z_1; /* c_22 */
+    prepared[26] = (1.0/3.0)*z_1; /* c_23 */
+    prepared[27] = fabs(l); /* c_24 */
+    prepared[28] = 0.5*(m*g); /* c_25 */
+    prepared[29] = -l; /* c_26 */
+    prepared[30] = (1.0/20.0)*l; /* c_27 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -5248,7 +5246,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[24] = c_23;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -5846,7 +5844,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:3ec1c60d626d379426c44e5b68f3a7266324aef828884bd24406cb2db1d5830a */
+/* body sha256:3ccb8d16860940dcf08b8f429e38a09c8aafc96a1e6581b45832c775df79a587 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -30,25 +30,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 4,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 28,       /* numbers of a state */
-    N_C = 16,           /* of which C, */
-    N_S = 4,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 4,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 28,         /* numbers of a state */
+    N_C = 16,             /* of which C, */
+    N_S = 4,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 1,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 20,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 20,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
-    N_GIVEN = 10,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
-    N_PREPARED = 25,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 4,             /* x, q1, q2, q3 */
+    N_GIVEN = 10,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,     /* x, v and these: what motion depends on */
+    N_PREPARED = 25,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 4,               /* x, q1, q2, q3 */
 };
 
 /* Coordinates of the blocks. */
@@ -335,20 +335,19 @@ em_lanes cart_pendulums_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NU
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void quasi(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                    EM_UNUSED const double *restrict c, double *restrict y);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                  double *restrict y);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -549,16 +548,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void quasi_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void quasi_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -846,31 +843,31 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double m3 = parameters[3];
     const double z_0 = m2 + m3;
     const double z_1 = m1 + z_0;
-    prepared[8] = l1*z_1;
+    prepared[8] = l1*z_1; /* c_0 */
     const double l2 = parameters[5];
     const double z_2 = l2*z_0;
-    prepared[9] = z_2;
-    prepared[10] = l1*z_2;
+    prepared[9] = z_2; /* c_1 */
+    prepared[10] = l1*z_2; /* c_2 */
     const double l3 = parameters[6];
     const double z_3 = m3*l3;
-    prepared[11] = z_3;
-    prepared[12] = l1*z_3;
-    prepared[13] = l2*z_3;
+    prepared[11] = z_3; /* c_3 */
+    prepared[12] = l1*z_3; /* c_4 */
+    prepared[13] = l2*z_3; /* c_5 */
     const double g = parameters[7];
     const double z_4 = l1*g;
-    prepared[14] = m1*z_4 + m2*z_4 + m3*z_4;
+    prepared[14] = m1*z_4 + m2*z_4 + m3*z_4; /* c_6 */
     const double z_5 = l2*g;
-    prepared[15] = m2*z_5 + m3*z_5;
-    prepared[16] = g*z_3;
+    prepared[15] = m2*z_5 + m3*z_5; /* c_7 */
+    prepared[16] = g*z_3; /* c_8 */
     const double m0 = parameters[0];
-    prepared[17] = m0 + z_1;
-    prepared[18] = z_1*(l1*l1);
-    prepared[19] = z_0*(l2*l2);
-    prepared[20] = m3*(l3*l3);
-    prepared[21] = 1.5*l1;
-    prepared[22] = (-0.25)*l1;
-    prepared[23] = (-1.5)*l1;
-    prepared[24] = (1.0/20.0)*l1;
+    prepared[17] = m0 + z_1; /* c_9 */
+    prepared[18] = z_1*(l1*l1); /* c_10 */
+    prepared[19] = z_0*(l2*l2); /* c_11 */
+    prepared[20] = m3*(l3*l3); /* c_12 */
+    prepared[21] = 1.5*l1; /* c_13 */
+    prepared[22] = (-0.25)*l1; /* c_14 */
+    prepared[23] = (-1.5)*l1; /* c_15 */
+    prepared[24] = (1.0/20.0)*l1; /* c_16 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -917,7 +914,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[15] = c_12;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:d77c8f2dd66f0d8019c78e8c43ec03f38d0652164aa3abb110209013962be58a */
+/* body sha256:2bf4cc6c50e3557462b03ff766f229f579f8cf1acc0b51e8aaf534846c8219c8 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -30,25 +30,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 5,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 40,       /* numbers of a state */
-    N_C = 25,           /* of which C, */
-    N_S = 5,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 5,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 40,         /* numbers of a state */
+    N_C = 25,             /* of which C, */
+    N_S = 5,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 30,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 11,
-    N_GIVEN = 12,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 22,   /* x, v and these: what motion depends on */
-    N_PREPARED = 42,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 5,             /* theta_1, theta_2, theta_3, theta_4, theta_5 */
+    N_GIVEN = 12,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 22,     /* x, v and these: what motion depends on */
+    N_PREPARED = 42,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 5,               /* theta_1, theta_2, theta_3, theta_4, theta_5 */
 };
 
 /* Coordinates of the blocks. */
@@ -430,18 +430,17 @@ em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -743,13 +742,12 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -1217,23 +1215,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_1 = l_1*m_3 + z_0;
     const double z_2 = l_1*m_2 + z_1;
     const double l_2 = parameters[6];
-    prepared[11] = z_2*l_2;
+    prepared[11] = z_2*l_2; /* c_0 */
     const double l_3 = parameters[7];
-    prepared[12] = l_3*z_1;
+    prepared[12] = l_3*z_1; /* c_1 */
     const double z_3 = m_4*l_2 + m_5*l_2;
     const double z_4 = m_3*l_2 + z_3;
-    prepared[13] = l_3*z_4;
+    prepared[13] = l_3*z_4; /* c_2 */
     const double l_4 = parameters[8];
-    prepared[14] = l_4*z_0;
-    prepared[15] = l_4*z_3;
+    prepared[14] = l_4*z_0; /* c_3 */
+    prepared[15] = l_4*z_3; /* c_4 */
     const double z_5 = m_4*l_3 + m_5*l_3;
-    prepared[16] = l_4*z_5;
+    prepared[16] = l_4*z_5; /* c_5 */
     const double l_5 = parameters[9];
     const double z_6 = m_5*l_5;
-    prepared[17] = l_1*z_6;
-    prepared[18] = l_2*z_6;
-    prepared[19] = l_3*z_6;
-    prepared[20] = l_4*z_6;
+    prepared[17] = l_1*z_6; /* c_6 */
+    prepared[18] = l_2*z_6; /* c_7 */
+    prepared[19] = l_3*z_6; /* c_8 */
+    prepared[20] = l_4*z_6; /* c_9 */
     const double m_1 = parameters[0];
     const double g = parameters[10];
     const double z_7 = l_1*m_1*g;
@@ -1244,27 +1242,27 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_12 = z_10 + z_11;
     const double z_13 = z_9 + z_12;
     const double z_14 = z_8 + z_13;
-    prepared[21] = z_7 + l_1*z_14;
-    prepared[22] = l_2*z_14;
-    prepared[23] = l_3*z_13;
-    prepared[24] = l_4*z_12;
-    prepared[25] = g*z_6;
-    prepared[26] = l_1*z_2 + m_1*(l_1*l_1);
-    prepared[27] = l_2*(m_2*l_2 + z_4);
-    prepared[28] = l_3*(m_3*l_3 + z_5);
-    prepared[29] = l_4*(m_4*l_4 + m_5*l_4);
-    prepared[30] = m_5*(l_5*l_5);
-    prepared[31] = z_6;
-    prepared[32] = z_8;
-    prepared[33] = z_9;
-    prepared[34] = z_10;
-    prepared[35] = z_11;
-    prepared[36] = z_7;
-    prepared[37] = (1.0/12.0)*l_1;
-    prepared[38] = (1.0/12.0)*l_2;
-    prepared[39] = (1.0/12.0)*l_3;
-    prepared[40] = (1.0/12.0)*l_4;
-    prepared[41] = (1.0/12.0)*l_5;
+    prepared[21] = z_7 + l_1*z_14; /* c_10 */
+    prepared[22] = l_2*z_14; /* c_11 */
+    prepared[23] = l_3*z_13; /* c_12 */
+    prepared[24] = l_4*z_12; /* c_13 */
+    prepared[25] = g*z_6; /* c_14 */
+    prepared[26] = l_1*z_2 + m_1*(l_1*l_1); /* c_15 */
+    prepared[27] = l_2*(m_2*l_2 + z_4); /* c_16 */
+    prepared[28] = l_3*(m_3*l_3 + z_5); /* c_17 */
+    prepared[29] = l_4*(m_4*l_4 + m_5*l_4); /* c_18 */
+    prepared[30] = m_5*(l_5*l_5); /* c_19 */
+    prepared[31] = z_6; /* c_20 */
+    prepared[32] = z_8; /* c_21 */
+    prepared[33] = z_9; /* c_22 */
+    prepared[34] = z_10; /* c_23 */
+    prepared[35] = z_11; /* c_24 */
+    prepared[36] = z_7; /* c_25 */
+    prepared[37] = (1.0/12.0)*l_1; /* c_26 */
+    prepared[38] = (1.0/12.0)*l_2; /* c_27 */
+    prepared[39] = (1.0/12.0)*l_3; /* c_28 */
+    prepared[40] = (1.0/12.0)*l_4; /* c_29 */
+    prepared[41] = (1.0/12.0)*l_5; /* c_30 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1327,7 +1325,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[24] = c_19;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:0af3da104d197f46c04a392d8f660651ffbacd730671463d8d8eafca78fb8e73 */
+/* body sha256:a112bb043c379f465b7b11d43f7af03aa8fab9c22228af1239271fbc2d2d0399 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 10,       /* numbers of a state */
-    N_C = 4,            /* of which C, */
-    N_S = 2,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 10,         /* numbers of a state */
+    N_C = 4,              /* of which C, */
+    N_S = 2,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 1,
-    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 6,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
-    N_PREPARED = 22,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* theta, phi */
+    N_GIVEN = 6,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_PREPARED = 22,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* theta, phi */
 };
 
 /* Coordinates of the blocks. */
@@ -268,26 +268,23 @@ em_lanes compass_gait_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck);
-extern void resets(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict after);
-extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    const double *restrict u, double *restrict struck);
+extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict after);
+extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict level);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -457,16 +454,14 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void event_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -651,9 +646,9 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double l = parameters[2];
     const double z_0 = l*l;
     const double z_1 = m*z_0;
-    prepared[5] = z_1;
-    prepared[6] = l*m;
-    prepared[7] = 2.0*z_1;
+    prepared[5] = z_1; /* c_0 */
+    prepared[6] = l*m; /* c_1 */
+    prepared[7] = 2.0*z_1; /* c_2 */
     const double gamma = parameters[4];
     const double cos_gamma = em_cos(gamma);
     const double M = parameters[0];
@@ -662,23 +657,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_4 = M*z_3;
     const double z_5 = m*z_3;
     const double z_6 = cos_gamma*z_5;
-    prepared[8] = cos_gamma*z_4 + z_6;
+    prepared[8] = cos_gamma*z_4 + z_6; /* c_3 */
     const double sin_gamma = em_sin(gamma);
     const double z_8 = sin_gamma*z_5;
-    prepared[9] = sin_gamma*z_4 + z_8;
-    prepared[10] = z_6;
-    prepared[11] = z_8;
-    prepared[12] = M*z_0;
-    prepared[13] = sin_gamma;
-    prepared[14] = M*l;
-    prepared[15] = cos_gamma;
-    prepared[16] = z_0;
+    prepared[9] = sin_gamma*z_4 + z_8; /* c_4 */
+    prepared[10] = z_6; /* c_5 */
+    prepared[11] = z_8; /* c_6 */
+    prepared[12] = M*z_0; /* c_7 */
+    prepared[13] = sin_gamma; /* c_8 */
+    prepared[14] = M*l; /* c_9 */
+    prepared[15] = cos_gamma; /* c_10 */
+    prepared[16] = z_0; /* c_11 */
     const double z_9 = m*m;
-    prepared[17] = M*z_9;
-    prepared[18] = z_9;
-    prepared[19] = M*m;
-    prepared[20] = (1.0/20.0)*l;
-    prepared[21] = (1.0/40.0)*l;
+    prepared[17] = M*z_9; /* c_12 */
+    prepared[18] = z_9; /* c_13 */
+    prepared[19] = M*m; /* c_14 */
+    prepared[20] = (1.0/20.0)*l; /* c_15 */
+    prepared[21] = (1.0/40.0)*l; /* c_16 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -708,7 +703,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = c_0;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -1009,7 +1004,6 @@ const em_model compass_gait_model = {
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
-    .act = em_act,
     .lanes = &compass_gait_lanes,
     .n_shapes = 4,
     .dimension = 2,

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:8d1ce2534590c2ff2b0b59ef470ff8f3b77e85273c7b5daeda221654eff9e1e0 */
+/* body sha256:2652937579e9d9039a3cd83dbf8dbcc0e53f83c7a723da783ab6145cd7a9e987 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -30,25 +30,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 10,       /* numbers of a state */
-    N_C = 4,            /* of which C, */
-    N_S = 2,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 10,         /* numbers of a state */
+    N_C = 4,              /* of which C, */
+    N_S = 2,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 6,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
-    N_PREPARED = 13,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* theta1, theta2 */
+    N_GIVEN = 6,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_PREPARED = 13,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* theta1, theta2 */
 };
 
 /* Coordinates of the blocks. */
@@ -247,18 +247,17 @@ em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NUL
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -367,13 +366,12 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -509,18 +507,18 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double l1 = parameters[2];
     const double m2 = parameters[1];
     const double z_0 = l1*m2;
-    prepared[5] = l2*z_0;
+    prepared[5] = l2*z_0; /* c_0 */
     const double g = parameters[4];
     const double m1 = parameters[0];
     const double z_1 = m1*l1;
-    prepared[6] = g*z_1 + g*z_0;
-    prepared[7] = m2*l2*g;
+    prepared[6] = g*z_1 + g*z_0; /* c_1 */
+    prepared[7] = m2*l2*g; /* c_2 */
     const double z_2 = l1*l1;
-    prepared[8] = m1*z_2 + m2*z_2;
-    prepared[9] = m2*(l2*l2);
-    prepared[10] = z_1;
-    prepared[11] = (1.0/12.0)*l1;
-    prepared[12] = (1.0/12.0)*l2;
+    prepared[8] = m1*z_2 + m2*z_2; /* c_3 */
+    prepared[9] = m2*(l2*l2); /* c_4 */
+    prepared[10] = z_1; /* c_5 */
+    prepared[11] = (1.0/12.0)*l1; /* c_6 */
+    prepared[12] = (1.0/12.0)*l2; /* c_7 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -550,7 +548,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = c_4;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:1ce7b9bff8dcb8c34d343ac526f456008fd9b8b5bde295d256ca673e57232757 */
+/* body sha256:2de96a41500992584b8e96846504622c682d35659a0ff8ef51a13059098b62a9 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -31,26 +31,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 1,         /* constraint rows */
-    N_POSITIONS = 1,    /* of which holonomic */
-    N_STATE = 4,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 1,           /* constraint rows */
+    N_POSITIONS = 1,      /* of which holonomic */
+    N_STATE = 4,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 6,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
-    N_PREPARED = 24,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* x */
-    N2 = 1,             /* y */
+    N_GIVEN = 6,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_PREPARED = 24,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* x */
+    N2 = 1,               /* y */
 };
 
 /* Coordinates of the blocks. */
@@ -148,7 +148,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -205,17 +205,16 @@ em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NUL
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
 extern void motion_bias(double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
 extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
@@ -226,7 +225,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -302,15 +300,14 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                             const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
 extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -446,21 +443,21 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M2[0][0] = m;
     const double g = parameters[2];
     const double z_0 = m*g;
-    prepared[13] = -z_0;
+    prepared[13] = -z_0; /* c_0 */
     const double a_ = parameters[3];
     const double w = parameters[4];
     const double z_1 = a_*w;
-    prepared[14] = z_1;
-    prepared[15] = a_*(w*w);
-    prepared[16] = 2.0*z_1;
+    prepared[14] = z_1; /* c_1 */
+    prepared[15] = a_*(w*w); /* c_2 */
+    prepared[16] = 2.0*z_1; /* c_3 */
     const double l = parameters[1];
-    prepared[17] = l*l;
-    prepared[18] = fabs(a_);
-    prepared[19] = z_0;
-    prepared[20] = ((-1.0/20.0))*l;
-    prepared[21] = -a_;
-    prepared[22] = (1.0/20.0)*l;
-    prepared[23] = (1.0/12.0)*l;
+    prepared[17] = l*l; /* c_4 */
+    prepared[18] = fabs(a_); /* c_5 */
+    prepared[19] = z_0; /* c_6 */
+    prepared[20] = ((-1.0/20.0))*l; /* c_7 */
+    prepared[21] = -a_; /* c_8 */
+    prepared[22] = (1.0/20.0)*l; /* c_9 */
+    prepared[23] = (1.0/12.0)*l; /* c_10 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -485,7 +482,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[3] = m;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -572,7 +569,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B2[N_ROWS][N2], a2[N2];
         em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
         em_take(&block2, y + N, a2);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

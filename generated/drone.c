@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:3a4c7ccd2b38abded8250f4924a5d28430fe38194c62695a9adf193c8c106360 */
+/* body sha256:59da5a76103959c74d602e9ec2b059213b86654100a0ade3333a31e32058492d */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -32,26 +32,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 8,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 58,       /* numbers of a state */
-    N_C = 34,           /* of which C, */
-    N_S = 8,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 8,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 58,         /* numbers of a state */
+    N_C = 34,             /* of which C, */
+    N_S = 8,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 4,
     N_OUTPUTS = 1,
     N_EVENTS = 0,
-    N_MEMORY = 42,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 42,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
-    N_GIVEN = 13,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 29,   /* x, v and these: what motion depends on */
-    N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 5,             /* x, y, z, sway, heave */
-    N2 = 3,             /* yaw, pitch, roll */
+    N_GIVEN = 13,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 29,     /* x, v and these: what motion depends on */
+    N_PREPARED = 20,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 5,               /* x, y, z, sway, heave */
+    N2 = 3,               /* yaw, pitch, roll */
 };
 
 /* Coordinates of the blocks. */
@@ -520,17 +520,17 @@ em_lanes drone_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict a, EM_UNUSED const double *restrict lambda,
-                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -837,16 +837,15 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
                              const double *restrict c, const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, const double *restrict u, double *restrict D);
-extern void output_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                              const double *restrict a, EM_UNUSED const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D);
+extern void output_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict a, const double *restrict lambda, const double *restrict c,
+                            const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -1262,25 +1261,25 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double load = parameters[1];
     const double L = parameters[6];
     const double z_0 = load*L;
-    prepared[8] = z_0;
+    prepared[8] = z_0; /* c_0 */
     const double z_1 = load*(L*L);
-    prepared[9] = 2.0*z_1;
+    prepared[9] = 2.0*z_1; /* c_1 */
     const double J = parameters[2];
     const double J_up = parameters[3];
     const double z_2 = J - J_up;
-    prepared[10] = z_2;
-    prepared[11] = 2.0*z_2;
+    prepared[10] = z_2; /* c_2 */
+    prepared[11] = 2.0*z_2; /* c_3 */
     const double g = parameters[7];
     const double m = parameters[0];
-    prepared[12] = load*g + m*g;
-    prepared[13] = g*z_0;
-    prepared[14] = z_1;
-    prepared[15] = load + m;
-    prepared[16] = 1.0/L;
-    prepared[17] = 2.0*L;
+    prepared[12] = load*g + m*g; /* c_4 */
+    prepared[13] = g*z_0; /* c_5 */
+    prepared[14] = z_1; /* c_6 */
+    prepared[15] = load + m; /* c_7 */
+    prepared[16] = 1.0/L; /* c_8 */
+    prepared[17] = 2.0*L; /* c_9 */
     const double a_ = parameters[4];
-    prepared[18] = 0.5*a_;
-    prepared[19] = 0.25*a_;
+    prepared[18] = 0.5*a_; /* c_10 */
+    prepared[19] = 0.25*a_; /* c_11 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1357,7 +1356,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[63] = c_6;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:a3dbfa5928f2528ae36ff9527cf05bde26bfac6c6537f41ae1ca4079020c138f */
+/* body sha256:3323ee04b10e07519a3803479e2705745723bc967f51c76f5d4806618bc2c9a1 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -35,26 +35,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 4,              /* coordinates */
-    N_ROWS = 1,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 20,       /* numbers of a state */
-    N_C = 9,            /* of which C, */
-    N_S = 3,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 4,                /* coordinates */
+    N_ROWS = 1,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 20,         /* numbers of a state */
+    N_C = 9,              /* of which C, */
+    N_S = 3,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 9,
-    N_GIVEN = 10,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
-    N_PREPARED = 20,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 3,             /* theta1, theta2, theta3 */
-    N2 = 1,             /* theta4 */
+    N_GIVEN = 10,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,     /* x, v and these: what motion depends on */
+    N_PREPARED = 20,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 3,               /* theta1, theta2, theta3 */
+    N2 = 1,               /* theta4 */
 };
 
 /* Coordinates of the blocks. */
@@ -189,7 +189,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -343,7 +343,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* theta1, theta2, theta3: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -401,18 +401,17 @@ em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -578,15 +577,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -853,16 +851,16 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double m1 = parameters[0];
     const double m2 = parameters[1];
     const double z_0 = m1 + m2;
-    prepared[13] = 2.0*z_0;
+    prepared[13] = 2.0*z_0; /* c_0 */
     const double l2 = parameters[4];
-    prepared[14] = m2*l2;
+    prepared[14] = m2*l2; /* c_1 */
     const double K2 = parameters[7];
-    prepared[15] = l2*K2;
-    prepared[16] = z_0;
-    prepared[17] = m2*(l2*l2);
-    prepared[18] = m3*(l3*l3);
+    prepared[15] = l2*K2; /* c_2 */
+    prepared[16] = z_0; /* c_3 */
+    prepared[17] = m2*(l2*l2); /* c_4 */
+    prepared[18] = m3*(l3*l3); /* c_5 */
     const double l1 = parameters[3];
-    prepared[19] = (1.0/10.0)*l1;
+    prepared[19] = (1.0/10.0)*l1; /* c_6 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -905,7 +903,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[15] = c_5;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -1038,7 +1036,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

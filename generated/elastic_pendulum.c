@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:ad39ff008fdabfaf24a74d7e98969ba2cd1d827d325ded57e353fce999970320 */
+/* body sha256:329f1bfb725ffdae7e44a776105dbd3e12f61a769c9660759162bbd4e873007f */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -32,26 +32,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 4,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 4,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 2,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_GIVEN = 5,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
-    N_PREPARED = 12,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* theta */
-    N2 = 1,             /* r */
+    N_GIVEN = 5,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,      /* x, v and these: what motion depends on */
+    N_PREPARED = 12,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* theta */
+    N2 = 1,               /* r */
 };
 
 /* Coordinates of the blocks. */
@@ -189,18 +189,17 @@ em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NU
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -281,13 +280,12 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -374,13 +372,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
 {
     const double m = parameters[0];
     M2[0][0] = m;
-    prepared[8] = 2.0*m;
+    prepared[8] = 2.0*m; /* c_0 */
     const double g = parameters[2];
     const double z_0 = m*g;
-    prepared[9] = z_0;
-    prepared[10] = 2.0*z_0;
+    prepared[9] = z_0; /* c_1 */
+    prepared[10] = 2.0*z_0; /* c_2 */
     const double L = parameters[3];
-    prepared[11] = (1.0/10.0)*L;
+    prepared[11] = (1.0/10.0)*L; /* c_3 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -405,7 +403,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = m;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

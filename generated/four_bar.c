@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:0faf4e37cef2149dcffdaa2002e17a3077f0d2dd84b22e45b96332afc8127bc5 */
+/* body sha256:9870bf36b4c23db57831b51731aadeae4731d8bf41da97fba9f114b1f1379692 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -34,26 +34,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 3,              /* coordinates */
-    N_ROWS = 2,         /* constraint rows */
-    N_POSITIONS = 2,    /* of which holonomic */
-    N_STATE = 12,       /* numbers of a state */
-    N_C = 4,            /* of which C, */
-    N_S = 2,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 3,                /* coordinates */
+    N_ROWS = 2,           /* constraint rows */
+    N_POSITIONS = 2,      /* of which holonomic */
+    N_STATE = 12,         /* numbers of a state */
+    N_C = 4,              /* of which C, */
+    N_S = 2,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
-    N_GIVEN = 7,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 13,   /* x, v and these: what motion depends on */
-    N_PREPARED = 29,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* q1, q2 */
-    N2 = 1,             /* q3 */
+    N_GIVEN = 7,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 13,     /* x, v and these: what motion depends on */
+    N_PREPARED = 29,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* q1, q2 */
+    N2 = 1,               /* q3 */
 };
 
 /* Coordinates of the blocks. */
@@ -185,7 +185,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -324,7 +324,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* q3: B = A C^T S^-1 (28) */
     real B2[N_ROWS][N2];
     em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -384,18 +384,17 @@ em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -534,15 +533,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -800,32 +798,32 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double z_2 = b*b;
     const double a_ = parameters[0];
     const double z_3 = density*a_;
-    prepared[10] = z_2*z_3;
+    prepared[10] = z_2*z_3; /* c_0 */
     const double g = parameters[5];
     const double z_4 = density*g;
     const double z_5 = a_*a_;
-    prepared[11] = z_4*z_5 + 2.0*a_*b*z_4;
-    prepared[12] = z_4*z_2;
-    prepared[13] = 0.5*(z_4*z_0);
+    prepared[11] = z_4*z_5 + 2.0*a_*b*z_4; /* c_1 */
+    prepared[12] = z_4*z_2; /* c_2 */
+    prepared[13] = 0.5*(z_4*z_0); /* c_3 */
     const double z_6 = density*b;
     const double z_7 = z_5*z_3 + 3.0*z_5*z_6;
-    prepared[14] = (1.0/3.0)*z_7;
+    prepared[14] = (1.0/3.0)*z_7; /* c_4 */
     const double z_8 = z_2*z_6;
-    prepared[15] = (1.0/3.0)*z_8;
-    prepared[16] = (1.0/3.0)*z_1;
-    prepared[17] = fabs(a_);
-    prepared[18] = fabs(b);
-    prepared[19] = fabs(c_);
+    prepared[15] = (1.0/3.0)*z_8; /* c_5 */
+    prepared[16] = (1.0/3.0)*z_1; /* c_6 */
+    prepared[17] = fabs(a_); /* c_7 */
+    prepared[18] = fabs(b); /* c_8 */
+    prepared[19] = fabs(c_); /* c_9 */
     const double d = parameters[3];
-    prepared[20] = fabs(d);
-    prepared[21] = 2.0*z_7;
-    prepared[22] = 2.0*z_8;
-    prepared[23] = 2.0*z_1;
-    prepared[24] = 2.0*a_;
-    prepared[25] = z_5;
-    prepared[26] = z_0;
-    prepared[27] = 0.5*z_4;
-    prepared[28] = (1.0/20.0)*a_;
+    prepared[20] = fabs(d); /* c_10 */
+    prepared[21] = 2.0*z_7; /* c_11 */
+    prepared[22] = 2.0*z_8; /* c_12 */
+    prepared[23] = 2.0*z_1; /* c_13 */
+    prepared[24] = 2.0*a_; /* c_14 */
+    prepared[25] = z_5; /* c_15 */
+    prepared[26] = z_0; /* c_16 */
+    prepared[27] = 0.5*z_4; /* c_17 */
+    prepared[28] = (1.0/20.0)*a_; /* c_18 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -861,7 +859,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = c_6;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -1024,7 +1022,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B2[N_ROWS][N2], a2[N2];
         em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
         em_take(&block2, y + N, a2);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

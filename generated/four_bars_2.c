@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:a79d9776a1d4ddacb033b287955d13153b17b848bb5e0e353bb12a4a3775bfb8 */
+/* body sha256:107ee3684c0bb7375fd08b5d7a2d0782658b15572effb97ffb0fb1a100e2c69f */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -35,27 +35,27 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 5,              /* coordinates */
-    N_ROWS = 4,         /* constraint rows */
-    N_POSITIONS = 4,    /* of which holonomic */
-    N_STATE = 22,       /* numbers of a state */
-    N_C = 8,            /* of which C, */
-    N_S = 4,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 5,                /* coordinates */
+    N_ROWS = 4,           /* constraint rows */
+    N_POSITIONS = 4,      /* of which holonomic */
+    N_STATE = 22,         /* numbers of a state */
+    N_C = 8,              /* of which C, */
+    N_S = 4,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_GIVEN = 4,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
-    N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* q1, p1 */
-    N2 = 2,             /* q2, p2 */
-    N3 = 1,             /* q3 */
+    N_GIVEN = 4,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
+    N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* q1, p1 */
+    N2 = 2,               /* q2, p2 */
+    N3 = 1,               /* q3 */
 };
 
 /* Coordinates of the blocks. */
@@ -251,7 +251,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a3[N3];
     em_rows_on_eta(1, N3, C3, r3, f3, a3);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -456,7 +456,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* q3: B = A C^T S^-1 (28) */
     real B3[N_ROWS][N3];
     em_rows_on_eta(N_ROWS, N3, C3, r3, A3[0], B3[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -521,18 +521,17 @@ em_lanes four_bars_2_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -706,15 +705,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -1070,21 +1068,21 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M3[N
     const double l = parameters[1];
     const double z_0 = m*(l*l);
     M3[0][0] = (1.0/3.0)*z_0;
-    prepared[7] = z_0;
+    prepared[7] = z_0; /* c_0 */
     const double g = parameters[2];
     const double z_1 = m*g;
     const double z_2 = l*z_1;
-    prepared[8] = 3.0*z_2;
-    prepared[9] = z_2;
-    prepared[10] = 0.5*z_2;
-    prepared[11] = (4.0/3.0)*z_0;
-    prepared[12] = (1.0/3.0)*z_0;
-    prepared[13] = fabs(l);
-    prepared[14] = 8.0*z_0;
-    prepared[15] = 2.0*z_0;
-    prepared[16] = 0.5*z_1;
-    prepared[17] = 2.0*l;
-    prepared[18] = (1.0/30.0)*l;
+    prepared[8] = 3.0*z_2; /* c_1 */
+    prepared[9] = z_2; /* c_2 */
+    prepared[10] = 0.5*z_2; /* c_3 */
+    prepared[11] = (4.0/3.0)*z_0; /* c_4 */
+    prepared[12] = (1.0/3.0)*z_0; /* c_5 */
+    prepared[13] = fabs(l); /* c_6 */
+    prepared[14] = 8.0*z_0; /* c_7 */
+    prepared[15] = 2.0*z_0; /* c_8 */
+    prepared[16] = 0.5*z_1; /* c_9 */
+    prepared[17] = 2.0*l; /* c_10 */
+    prepared[18] = (1.0/30.0)*l; /* c_11 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1134,7 +1132,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[24] = c_5;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -1372,7 +1370,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B3[N_ROWS][N3], a3[N3];
         em_rows_of_block(&block3, *mode, N_ROWS, y, c, memory, A3[0], B3[0]);
         em_take(&block3, y + N, a3);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

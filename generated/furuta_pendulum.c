@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:782f1e53ebda16e94df9d16c50923cd74cf10c2ec66ae25724267f40d4e8865d */
+/* body sha256:61c262d00692a898e50ddb4f383706cb6052857cfee3eaddf4717866fb2c6956 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -30,25 +30,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 10,       /* numbers of a state */
-    N_C = 4,            /* of which C, */
-    N_S = 2,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 10,         /* numbers of a state */
+    N_C = 4,              /* of which C, */
+    N_S = 2,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 1,
     N_OUTPUTS = 1,
     N_EVENTS = 0,
-    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
-    N_GIVEN = 10,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
-    N_PREPARED = 15,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* theta, phi */
+    N_GIVEN = 10,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
+    N_PREPARED = 15,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* theta, phi */
 };
 
 /* Coordinates of the blocks. */
@@ -241,17 +241,17 @@ em_lanes furuta_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NUL
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                      EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
-                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -355,17 +355,15 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void output_partials(EM_UNUSED double t, const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                              EM_UNUSED const double *restrict lambda, const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void output_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict a, const double *restrict lambda, const double *restrict c,
+                            const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -494,17 +492,17 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double m = parameters[2];
     const double l = parameters[4];
     const double z_0 = J + m*(l*l);
-    prepared[8] = 2.0*z_0;
+    prepared[8] = 2.0*z_0; /* c_0 */
     const double r = parameters[3];
     const double z_1 = m*l;
-    prepared[9] = r*z_1;
+    prepared[9] = r*z_1; /* c_1 */
     const double g = parameters[5];
-    prepared[10] = g*z_1;
-    prepared[11] = z_0;
+    prepared[10] = g*z_1; /* c_2 */
+    prepared[11] = z_0; /* c_3 */
     const double J0 = parameters[0];
-    prepared[12] = J0 + m*(r*r);
-    prepared[13] = 2.0*l;
-    prepared[14] = 0.125*l;
+    prepared[12] = J0 + m*(r*r); /* c_4 */
+    prepared[13] = 2.0*l; /* c_5 */
+    prepared[14] = 0.125*l; /* c_6 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -531,7 +529,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = c_3;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

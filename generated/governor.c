@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:fa865224546891d9285a80b1f17d2cb1231bcb8232fe4018ae637d78f876fb44 */
+/* body sha256:3f8f5f7a8dc2ff5050b4e02db48aff70b0932a1311b1af69830de169bfb34dcd */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -35,28 +35,28 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 4,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 8,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 4,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 8,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 2,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 9,
-    N_GIVEN = 10,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
-    N_PREPARED = 36,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* phi */
-    N2 = 1,             /* a1 */
-    N3 = 1,             /* a2 */
-    N4 = 1,             /* s */
+    N_GIVEN = 10,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,     /* x, v and these: what motion depends on */
+    N_PREPARED = 36,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* phi */
+    N2 = 1,               /* a1 */
+    N3 = 1,               /* a2 */
+    N4 = 1,               /* s */
 };
 
 /* Coordinates of the blocks. */
@@ -281,18 +281,17 @@ em_lanes governor_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -472,13 +471,12 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -793,25 +791,25 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     M3[0][0] = 4.0*(M*z_0);
     const double m = parameters[1];
     M4[0][0] = m;
-    prepared[21] = 2.0*l;
+    prepared[21] = 2.0*l; /* c_0 */
     const double z_1 = M*l;
-    prepared[22] = z_1;
-    prepared[23] = z_0;
+    prepared[22] = z_1; /* c_1 */
+    prepared[23] = z_0; /* c_2 */
     const double g = parameters[8];
-    prepared[24] = 2.0*(M*g);
+    prepared[24] = 2.0*(M*g); /* c_3 */
     const double k = parameters[5];
-    prepared[25] = k*z_0;
-    prepared[26] = 2.0*z_1;
-    prepared[27] = m*g;
-    prepared[28] = 4.0*(M*z_0);
-    prepared[29] = 4.0*z_1;
-    prepared[30] = 2.0*M;
-    prepared[31] = 2.0*g;
-    prepared[32] = 0.5*l;
-    prepared[33] = (-3.0)*l;
-    prepared[34] = 0.125*l;
+    prepared[25] = k*z_0; /* c_4 */
+    prepared[26] = 2.0*z_1; /* c_5 */
+    prepared[27] = m*g; /* c_6 */
+    prepared[28] = 4.0*(M*z_0); /* c_7 */
+    prepared[29] = 4.0*z_1; /* c_8 */
+    prepared[30] = 2.0*M; /* c_9 */
+    prepared[31] = 2.0*g; /* c_10 */
+    prepared[32] = 0.5*l; /* c_11 */
+    prepared[33] = (-3.0)*l; /* c_12 */
+    prepared[34] = 0.125*l; /* c_13 */
     const double b = parameters[4];
-    prepared[35] = 2.0*b;
+    prepared[35] = 2.0*b; /* c_14 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -855,7 +853,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[15] = m;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:6f54f1e0c32845eb8c4741e18056f48dfd00a5a3a7cce3bb9a720b60594b624d */
+/* body sha256:009dde5286abb69c92da9d530900c1b848029aef5c3b1d318a8d01a30c60d457 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 7,              /* coordinates */
-    N_ROWS = 6,         /* constraint rows */
-    N_POSITIONS = 6,    /* of which holonomic */
-    N_STATE = 70,       /* numbers of a state */
-    N_C = 49,           /* of which C, */
-    N_S = 7,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 7,                /* coordinates */
+    N_ROWS = 6,           /* constraint rows */
+    N_POSITIONS = 6,      /* of which holonomic */
+    N_STATE = 70,         /* numbers of a state */
+    N_C = 49,             /* of which C, */
+    N_S = 7,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 56,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 56,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 17,
-    N_GIVEN = 18,       /* inputs, parameters and the time */
-    N_ARGUMENTS = 32,   /* x, v and these: what motion depends on */
-    N_PREPARED = 115,   /* the parameters, factors of constant blocks, shared constants */
-    N1 = 7,             /* theta, aj, ab, ak, ac, af, ag */
+    N_GIVEN = 18,         /* inputs, parameters and the time */
+    N_ARGUMENTS = 32,     /* x, v and these: what motion depends on */
+    N_PREPARED = 115,     /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 7,               /* theta, aj, ab, ak, ac, af, ag */
 };
 
 /* Coordinates of the blocks. */
@@ -339,7 +339,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1], q1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -728,7 +728,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* theta, aj, ab, ak, ac, af, ag: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -789,20 +789,19 @@ em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void factored_gradient(double t, const double *restrict x, const double *restrict c,
+                              double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -1221,15 +1220,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -2722,21 +2720,21 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_28 = z_17/z_27;
     const double z_29 = 1.0/(1.0439356584272999*z_15 + 1.9779122466912002*z_28);
     const double z_30 = z_0*z_16 + z_0*z_29;
-    prepared[17] = (2.0/3.0)*z_30;
+    prepared[17] = (2.0/3.0)*z_30; /* c_0 */
     const double z_31 = m*z_16;
     const double z_32 = j*z_31;
-    prepared[18] = z_32;
+    prepared[18] = z_32; /* c_1 */
     const double z_33 = z_16*(j*j);
-    prepared[19] = (2.0/3.0)*z_33;
+    prepared[19] = (2.0/3.0)*z_33; /* c_2 */
     const double z_34 = m*j*z_2;
-    prepared[20] = z_34;
-    prepared[21] = z_34 - 2.0*b*z_31;
+    prepared[20] = z_34; /* c_3 */
+    prepared[21] = z_34 - 2.0*b*z_31; /* c_4 */
     const double z_35 = j*z_16;
     const double z_36 = b*z_35;
-    prepared[22] = z_36;
-    prepared[23] = z_9;
+    prepared[22] = z_36; /* c_5 */
+    prepared[23] = z_9; /* c_6 */
     const double z_37 = d*sqrt(0.25*z_10);
-    prepared[24] = 2.0*z_37;
+    prepared[24] = 2.0*z_37; /* c_7 */
     const double z_38 = 0.9799867889375745*z_9 + 0.39812507335168834*z_37;
     const double z_39 = 0.7809576093147158*z_9 - 1.2491680630778932*z_37;
     const double z_40 = g*g;
@@ -2747,133 +2745,133 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_45 = g*(4.0*g*z_25 + z_22*z_43) + (z_19*h + z_23*z_43)*z_43 + z_23*z_44*z_41;
     const double z_46 = 1.0/(1.9779122466912002*z_28 + z_12*(z_38*z_38) + z_12*(z_39*z_39) +
         0.7654631453230909*z_40/z_45);
-    prepared[25] = z_46;
-    prepared[26] = 4.0*(z_1*z_16);
+    prepared[25] = z_46; /* c_8 */
+    prepared[26] = 4.0*(z_1*z_16); /* c_9 */
     const double z_47 = m*z_29;
     const double z_48 = k*z_47;
-    prepared[27] = z_48;
+    prepared[27] = z_48; /* c_10 */
     const double z_49 = z_29*(k*k);
-    prepared[28] = (2.0/3.0)*z_49;
+    prepared[28] = (2.0/3.0)*z_49; /* c_11 */
     const double z_50 = m*k*z_18;
-    prepared[29] = z_50;
-    prepared[30] = z_50 - 2.0*c_*z_47;
+    prepared[29] = z_50; /* c_12 */
+    prepared[30] = z_50 - 2.0*c_*z_47; /* c_13 */
     const double z_51 = f*z_18;
-    prepared[31] = z_51;
+    prepared[31] = z_51; /* c_14 */
     const double z_52 = c_*z_46;
-    prepared[32] = z_51 - 2.0*z_52;
+    prepared[32] = z_51 - 2.0*z_52; /* c_15 */
     const double z_53 = k*z_29;
     const double z_54 = c_*z_53;
-    prepared[33] = z_54;
+    prepared[33] = z_54; /* c_16 */
     const double z_55 = z_17*z_29 + z_17*z_46;
-    prepared[34] = (2.0/3.0)*z_55;
+    prepared[34] = (2.0/3.0)*z_55; /* c_17 */
     const double z_56 = f*z_46;
-    prepared[35] = z_56;
+    prepared[35] = z_56; /* c_18 */
     const double z_57 = f*z_52;
-    prepared[36] = z_57;
+    prepared[36] = z_57; /* c_19 */
     const double z_58 = z_46*(f*f);
-    prepared[37] = (2.0/3.0)*z_58;
+    prepared[37] = (2.0/3.0)*z_58; /* c_20 */
     const double z_59 = f*z_19;
-    prepared[38] = z_59;
+    prepared[38] = z_59; /* c_21 */
     const double z_60 = g*z_46;
-    prepared[39] = z_59 - 2.0*z_60;
+    prepared[39] = z_59 - 2.0*z_60; /* c_22 */
     const double z_61 = z_21 + 2.0*z_24;
     const double z_62 = 2.0*g*(z_21 + 2.0*z_26) + z_61*z_43;
-    prepared[40] = z_62;
+    prepared[40] = z_62; /* c_23 */
     const double z_63 = i*sqrt(0.25*z_44);
     const double z_64 = z_61*z_63;
-    prepared[41] = z_64;
-    prepared[42] = z_62 + 4.0*g*z_52;
+    prepared[41] = z_64; /* c_24 */
+    prepared[42] = z_62 + 4.0*g*z_52; /* c_25 */
     const double z_65 = g*z_56;
-    prepared[43] = z_65;
+    prepared[43] = z_65; /* c_26 */
     const double z_66 = z_40*z_46;
-    prepared[44] = (2.0/3.0)*z_66;
+    prepared[44] = (2.0/3.0)*z_66; /* c_27 */
     const double gravity = parameters[16];
     const double z_67 = density*gravity;
     const double z_68 = k*z_67;
     const double z_69 = j*z_67;
-    prepared[45] = m*(z_68 + z_69);
+    prepared[45] = m*(z_68 + z_69); /* c_28 */
     const double torque = parameters[15];
-    prepared[46] = 2.0*torque;
-    prepared[47] = z_31;
-    prepared[48] = z_47;
-    prepared[49] = (1.0/3.0)*z_35;
+    prepared[46] = 2.0*torque; /* c_29 */
+    prepared[47] = z_31; /* c_30 */
+    prepared[48] = z_47; /* c_31 */
+    prepared[49] = (1.0/3.0)*z_35; /* c_32 */
     const double z_70 = 2.0*b + z_9;
     const double z_71 = e*z_67;
     const double z_72 = f*z_67;
     const double z_73 = z_72 + d*z_67;
-    prepared[50] = z_70*z_71 + 2.0*b*(z_69 + b*z_67) + z_9*z_73;
-    prepared[51] = 2.0*(z_37*(z_71 + z_73));
-    prepared[52] = 2.0*c_;
-    prepared[53] = 2.0*g;
-    prepared[54] = 2.0*f;
-    prepared[55] = 4.0*(b*z_16);
-    prepared[56] = (1.0/3.0)*z_53;
-    prepared[57] = 2.0*z_64;
+    prepared[50] = z_70*z_71 + 2.0*b*(z_69 + b*z_67) + z_9*z_73; /* c_33 */
+    prepared[51] = 2.0*(z_37*(z_71 + z_73)); /* c_34 */
+    prepared[52] = 2.0*c_; /* c_35 */
+    prepared[53] = 2.0*g; /* c_36 */
+    prepared[54] = 2.0*f; /* c_37 */
+    prepared[55] = 4.0*(b*z_16); /* c_38 */
+    prepared[56] = (1.0/3.0)*z_53; /* c_39 */
+    prepared[57] = 2.0*z_64; /* c_40 */
     const double z_74 = g*z_67;
     const double z_75 = i*z_67;
     const double z_76 = h*z_67;
     const double z_77 = z_75 + z_76;
-    prepared[58] = 6.0*(c_*(z_68 + 2.0*z_74 + c_*z_67 + 2.0*z_77 + z_72));
-    prepared[59] = z_52;
-    prepared[60] = 2.0*(c_*z_29);
-    prepared[61] = (1.0/6.0)*z_56;
+    prepared[58] = 6.0*(c_*(z_68 + 2.0*z_74 + c_*z_67 + 2.0*z_77 + z_72)); /* c_41 */
+    prepared[59] = z_52; /* c_42 */
+    prepared[60] = 2.0*(c_*z_29); /* c_43 */
+    prepared[61] = (1.0/6.0)*z_56; /* c_44 */
     const double z_78 = 2.0*g + z_43;
-    prepared[62] = z_43*z_75 + z_78*z_76 + 2.0*g*(z_74 + z_72);
-    prepared[63] = 2.0*(z_63*z_77);
-    prepared[64] = 2.0*z_60;
-    prepared[65] = (1.0/3.0)*z_14;
-    prepared[66] = (1.0/12.0)*z_11;
-    prepared[67] = (1.0/6.0)*z_27;
-    prepared[68] = (1.0/12.0)*z_45;
-    prepared[69] = fabs(j);
-    prepared[70] = fabs(b);
-    prepared[71] = fabs(m);
+    prepared[62] = z_43*z_75 + z_78*z_76 + 2.0*g*(z_74 + z_72); /* c_45 */
+    prepared[63] = 2.0*(z_63*z_77); /* c_46 */
+    prepared[64] = 2.0*z_60; /* c_47 */
+    prepared[65] = (1.0/3.0)*z_14; /* c_48 */
+    prepared[66] = (1.0/12.0)*z_11; /* c_49 */
+    prepared[67] = (1.0/6.0)*z_27; /* c_50 */
+    prepared[68] = (1.0/12.0)*z_45; /* c_51 */
+    prepared[69] = fabs(j); /* c_52 */
+    prepared[70] = fabs(b); /* c_53 */
+    prepared[71] = fabs(m); /* c_54 */
     const double a_ = parameters[0];
-    prepared[72] = fabs(a_);
+    prepared[72] = fabs(a_); /* c_55 */
     const double l = parameters[11];
-    prepared[73] = fabs(l);
-    prepared[74] = fabs(k);
+    prepared[73] = fabs(l); /* c_56 */
+    prepared[74] = fabs(k); /* c_57 */
     const double z_79 = fabs(c_);
-    prepared[75] = z_79;
-    prepared[76] = fabs(z_9);
-    prepared[77] = 2.0*z_79;
-    prepared[78] = 2.0*fabs(z_37);
-    prepared[79] = 2.0*fabs(f);
-    prepared[80] = 2.0*fabs(g);
-    prepared[81] = 2.0*z_14;
-    prepared[82] = z_11;
-    prepared[83] = 2.0*z_27;
-    prepared[84] = z_45;
-    prepared[85] = (-4.0)*l;
-    prepared[86] = z_70;
-    prepared[87] = z_78;
-    prepared[88] = 2.0*z_63;
-    prepared[89] = 4.0*c_;
-    prepared[90] = z_43;
-    prepared[91] = 2.0*b;
-    prepared[92] = (-2.0)*l;
-    prepared[93] = 2.0*j;
-    prepared[94] = 2.0*k;
-    prepared[95] = z_67;
-    prepared[96] = 4.0*torque;
-    prepared[97] = z_14;
-    prepared[98] = z_30;
-    prepared[99] = (1.0/3.0)*z_32;
-    prepared[100] = (1.0/3.0)*z_33;
-    prepared[101] = (1.0/3.0)*z_36;
-    prepared[102] = (1.0/3.0)*z_48;
-    prepared[103] = (1.0/3.0)*z_49;
-    prepared[104] = (1.0/3.0)*z_54;
-    prepared[105] = z_27;
-    prepared[106] = 2.0*z_55;
-    prepared[107] = (1.0/3.0)*z_57;
-    prepared[108] = (1.0/3.0)*z_58;
-    prepared[109] = (1.0/3.0)*z_65;
-    prepared[110] = 4.0*z_66;
-    prepared[111] = -a_;
-    prepared[112] = -l;
-    prepared[113] = (-2.0)*a_;
-    prepared[114] = (1.0/10.0)*m;
+    prepared[75] = z_79; /* c_58 */
+    prepared[76] = fabs(z_9); /* c_59 */
+    prepared[77] = 2.0*z_79; /* c_60 */
+    prepared[78] = 2.0*fabs(z_37); /* c_61 */
+    prepared[79] = 2.0*fabs(f); /* c_62 */
+    prepared[80] = 2.0*fabs(g); /* c_63 */
+    prepared[81] = 2.0*z_14; /* c_64 */
+    prepared[82] = z_11; /* c_65 */
+    prepared[83] = 2.0*z_27; /* c_66 */
+    prepared[84] = z_45; /* c_67 */
+    prepared[85] = (-4.0)*l; /* c_68 */
+    prepared[86] = z_70; /* c_69 */
+    prepared[87] = z_78; /* c_70 */
+    prepared[88] = 2.0*z_63; /* c_71 */
+    prepared[89] = 4.0*c_; /* c_72 */
+    prepared[90] = z_43; /* c_73 */
+    prepared[91] = 2.0*b; /* c_74 */
+    prepared[92] = (-2.0)*l; /* c_75 */
+    prepared[93] = 2.0*j; /* c_76 */
+    prepared[94] = 2.0*k; /* c_77 */
+    prepared[95] = z_67; /* c_78 */
+    prepared[96] = 4.0*torque; /* c_79 */
+    prepared[97] = z_14; /* c_80 */
+    prepared[98] = z_30; /* c_81 */
+    prepared[99] = (1.0/3.0)*z_32; /* c_82 */
+    prepared[100] = (1.0/3.0)*z_33; /* c_83 */
+    prepared[101] = (1.0/3.0)*z_36; /* c_84 */
+    prepared[102] = (1.0/3.0)*z_48; /* c_85 */
+    prepared[103] = (1.0/3.0)*z_49; /* c_86 */
+    prepared[104] = (1.0/3.0)*z_54; /* c_87 */
+    prepared[105] = z_27; /* c_88 */
+    prepared[106] = 2.0*z_55; /* c_89 */
+    prepared[107] = (1.0/3.0)*z_57; /* c_90 */
+    prepared[108] = (1.0/3.0)*z_58; /* c_91 */
+    prepared[109] = (1.0/3.0)*z_65; /* c_92 */
+    prepared[110] = 4.0*z_66; /* c_93 */
+    prepared[111] = -a_; /* c_94 */
+    prepared[112] = -l; /* c_95 */
+    prepared[113] = (-2.0)*a_; /* c_96 */
+    prepared[114] = (1.0/10.0)*m; /* c_97 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -3033,7 +3031,7 @@ static void factored_matrix(EM_UNUSED double t, const double *restrict x, const 
     M[48] = (1.0/12.0)*(c_67 + c_93*(sin_ag*sin_ag));
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     factored_matrix;
 
@@ -3501,7 +3499,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:6d60c6349f08f704134964e8af72962d656b577c9ea50fa6947958f5eb9157cb */
+/* body sha256:1d3db40d8cd90772b4900ee2b39107f0ecfb14d57d8b47a4bcbf46105833b523 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -35,28 +35,28 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 4,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 8,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 4,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 8,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 3,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 0,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 0,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 6,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
-    N_PREPARED = 27,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* theta1 */
-    N2 = 1,             /* theta2 */
-    N3 = 1,             /* theta3 */
-    N4 = 1,             /* theta4 */
+    N_GIVEN = 6,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
+    N_PREPARED = 27,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* theta1 */
+    N2 = 1,               /* theta2 */
+    N3 = 1,               /* theta3 */
+    N4 = 1,               /* theta4 */
 };
 
 /* Coordinates of the blocks. */
@@ -219,27 +219,23 @@ em_lanes newtons_cradle_4_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NU
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, const double *restrict c,
-                      EM_UNUSED const double *restrict u, double *restrict struck);
-extern void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after);
-extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    const double *restrict u, double *restrict struck);
+extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict after);
+extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict level);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -249,7 +245,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -386,15 +381,14 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               EM_UNUSED const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
-extern void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void event_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -518,13 +512,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M3[0][0] = m*(l*l);
     M4[0][0] = m*(l*l);
     const double g = parameters[2];
-    prepared[21] = m*l*g;
-    prepared[22] = m*(l*l);
-    prepared[23] = -l;
+    prepared[21] = m*l*g; /* c_0 */
+    prepared[22] = m*(l*l); /* c_1 */
+    prepared[23] = -l; /* c_2 */
     const double r = parameters[4];
-    prepared[24] = 2.0*r;
-    prepared[25] = 4.0*r;
-    prepared[26] = 6.0*r;
+    prepared[24] = 2.0*r; /* c_3 */
+    prepared[25] = 4.0*r; /* c_4 */
+    prepared[26] = 6.0*r; /* c_5 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -558,7 +552,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[15] = c_1;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -805,7 +799,6 @@ const em_model newtons_cradle_4_model = {
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
-    .act = em_act,
     .lanes = &newtons_cradle_4_lanes,
     .n_shapes = 8,
     .dimension = 2,

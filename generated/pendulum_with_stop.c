@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:49665a391d951e4e23e59b0b4515eadfc857873aff54d756b50d8a60930249c0 */
+/* body sha256:bb3e6c2941e1d5520a78d16599fffaf01e8fc70a5a40b4131d285b653ec8cc5d */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 1,              /* coordinates */
-    N_ROWS = 1,         /* constraint rows */
-    N_POSITIONS = 1,    /* of which holonomic */
-    N_STATE = 2,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 1,                /* coordinates */
+    N_ROWS = 1,           /* constraint rows */
+    N_POSITIONS = 1,      /* of which holonomic */
+    N_STATE = 2,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 1,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
-    N_GIVEN = 7,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
-    N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* theta */
+    N_GIVEN = 7,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,      /* x, v and these: what motion depends on */
+    N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* theta */
 };
 
 /* Coordinates of the blocks. */
@@ -110,7 +110,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1];
     em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -163,26 +163,23 @@ em_lanes pendulum_with_stop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, 
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, const double *restrict c,
-                      EM_UNUSED const double *restrict u, double *restrict struck);
-extern void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after);
-extern void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    const double *restrict u, double *restrict struck);
+extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict after);
+extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict level);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -192,7 +189,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -271,7 +267,7 @@ EM_ASIDE void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level)
 {
-    level[0] = (1.0/1000.0);
+    level[0] = 1.0/1000.0;
     const double l = c[1];
     const double theta = x[0];
     const double stop = c[4];
@@ -282,17 +278,16 @@ EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
-extern void event_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
+extern void event_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -400,20 +395,20 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double z_0 = m*(l*l);
     M1[0][0] = z_0;
     const double g = parameters[2];
-    prepared[10] = m*l*g;
+    prepared[10] = m*l*g; /* c_0 */
     const double wall_held = parameters[5];
     const double z_1 = l*wall_held;
-    prepared[11] = z_1;
-    prepared[12] = z_0;
+    prepared[11] = z_1; /* c_1 */
+    prepared[12] = z_0; /* c_2 */
     const double stop = parameters[4];
-    prepared[13] = fabs(stop);
-    prepared[14] = fabs(z_1);
-    prepared[15] = 0.5*z_0;
+    prepared[13] = fabs(stop); /* c_3 */
+    prepared[14] = fabs(z_1); /* c_4 */
+    prepared[15] = 0.5*z_0; /* c_5 */
     const double sin_stop = em_sin(stop);
-    prepared[16] = l*sin_stop;
+    prepared[16] = l*sin_stop; /* c_6 */
     const double cos_stop = em_cos(stop);
-    prepared[17] = -l*cos_stop;
-    prepared[18] = (1.0/10.0)*l;
+    prepared[17] = -l*cos_stop; /* c_7 */
+    prepared[18] = (1.0/10.0)*l; /* c_8 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -435,7 +430,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[0] = c_2;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -498,7 +493,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];
@@ -706,7 +701,6 @@ const em_model pendulum_with_stop_model = {
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
-    .act = em_act,
     .lanes = &pendulum_with_stop_lanes,
     .n_shapes = 4,
     .dimension = 2,

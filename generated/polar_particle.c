@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:b64eab1fcb03aa59da43dec92e39036083cf8830c1d5fa47932dc541757e4a1a */
+/* body sha256:2d2d7be02d4cef1cebc0741984fecf855b05d384e42a514ebafcdbf40a166d11 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -32,26 +32,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 4,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 4,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 2,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 2,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 2,
-    N_GIVEN = 3,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 7,    /* x, v and these: what motion depends on */
-    N_PREPARED = 8,     /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* r */
-    N2 = 1,             /* theta */
+    N_GIVEN = 3,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 7,      /* x, v and these: what motion depends on */
+    N_PREPARED = 8,       /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* r */
+    N2 = 1,               /* theta */
 };
 
 /* Coordinates of the blocks. */
@@ -188,19 +188,17 @@ em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                   double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -264,21 +262,20 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const
     const double sin_theta = em_sin(theta);
     p[1] = p[6] = r*sin_theta;
     p[2] = p[3] = 0.0;
-    p[4] = (1.0/20.0);
-    p[7] = (1.0/40.0);
+    p[4] = 1.0/20.0;
+    p[7] = 1.0/40.0;
 }
 
 #endif
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -351,9 +348,9 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 {
     const double m = parameters[0];
     M1[0][0] = m;
-    prepared[6] = 2.0*m;
+    prepared[6] = 2.0*m; /* c_0 */
     const double mu = parameters[1];
-    prepared[7] = m*mu;
+    prepared[7] = m*mu; /* c_1 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -378,7 +375,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = m*(r*r);
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:35aa6ec3d6bb8b85a1556638e8fc1dfe14760a13869df5fbe723b5ae9dea5ecc */
+/* body sha256:f86758d553cc7aaa748475b7463496019c26dcc7e036f69d21104f76f3688f9d */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -30,25 +30,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 6,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 54,       /* numbers of a state */
-    N_C = 36,           /* of which C, */
-    N_S = 6,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 6,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 54,         /* numbers of a state */
+    N_C = 36,             /* of which C, */
+    N_S = 6,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 6,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 42,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 42,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 2,
-    N_GIVEN = 9,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 21,   /* x, v and these: what motion depends on */
-    N_PREPARED = 42,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 6,             /* q1, q2, q3, q4, q5, q6 */
+    N_GIVEN = 9,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 21,     /* x, v and these: what motion depends on */
+    N_PREPARED = 42,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 6,               /* q1, q2, q3, q4, q5, q6 */
 };
 
 /* Coordinates of the blocks. */
@@ -563,7 +563,7 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     M1[5][2] = (1.0/25000.0)*(sin_q5*sin_q4);
     M1[5][3] = (1.0/25000.0)*cos_q5;
     M1[5][4] = em_real(0.0);
-    M1[5][5] = em_real((48526126417.0/250000000000.0));
+    M1[5][5] = em_real(48526126417.0/250000000000.0);
     shared[0] = cos_q2;
     shared[1] = sin_q2;
     shared[2] = z_34;
@@ -981,19 +981,17 @@ em_lanes puma_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                   double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -1707,7 +1705,7 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const
     p[0] = p[1] = p[3] = p[4] = p[6] = p[7] = p[8] = p[9] = p[10] = p[11] = p[13] = p[14] = p[17] = p[18] = p[19]
         = p[23] = p[24] = p[25] = p[29] = 0.0;
     p[2] = p[5] = -0.5;
-    p[12] = p[26] = p[40] = (1.0/20.0);
+    p[12] = p[26] = p[40] = 1.0/20.0;
     p[15] = 1.0;
     const double q1 = x[0];
     p[16] = q1;
@@ -1764,20 +1762,19 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const
     p[55] = p[58] = p[62] = ((-1.0/20000.0))*(4000.0*cos_q5*z_19 + 8636.0*z_22 - 4000.0*sin_q5*(cos_q4*z_12 -
         sin_q4*cos_q1));
     p[56] = p[59] = p[63] = (1.0/10000.0)*(-2000.0*z_20*cos_q5 - 2000.0*z_16*sin_q5*cos_q4 - 4318.0*z_23);
-    p[60] = (1.0/30.0);
+    p[60] = 1.0/30.0;
 }
 
 #endif
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -3273,53 +3270,53 @@ static const em_block *const blocks[] = { &block1, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
     const double load = parameters[1];
-    prepared[2] = 100.0*load;
+    prepared[2] = 100.0*load; /* c_0 */
     const double z_0 = 43.0*1.0 + 100.0*load;
-    prepared[3] = z_0;
-    prepared[4] = 20.0*load;
-    prepared[5] = 625.0*load;
-    prepared[6] = 43180.0*load;
-    prepared[7] = 100000.0*load;
-    prepared[8] = 2159.0*z_0;
-    prepared[9] = 3001.0*z_0;
-    prepared[10] = 2500.0*load;
+    prepared[3] = z_0; /* c_1 */
+    prepared[4] = 20.0*load; /* c_2 */
+    prepared[5] = 625.0*load; /* c_3 */
+    prepared[6] = 43180.0*load; /* c_4 */
+    prepared[7] = 100000.0*load; /* c_5 */
+    prepared[8] = 2159.0*z_0; /* c_6 */
+    prepared[9] = 3001.0*z_0; /* c_7 */
+    prepared[10] = 2500.0*load; /* c_8 */
     const double z_1 = 6777.0*1.0 + 500000.0*load;
-    prepared[11] = (1.0/6250000.0)*(4250.0*1.0 - z_1);
-    prepared[12] = 1250.0*load;
+    prepared[11] = (1.0/6250000.0)*(4250.0*1.0 - z_1); /* c_9 */
+    prepared[12] = 1250.0*load; /* c_10 */
     const double g = parameters[0];
     const double z_2 = load*g;
-    prepared[13] = 89133.0*g + 43180.0*z_2;
+    prepared[13] = 89133.0*g + 43180.0*z_2; /* c_11 */
     const double z_3 = 9.0*g + 625.0*z_2;
-    prepared[14] = 32.0*z_3;
-    prepared[15] = 1015.0*(5.0*g + 4.0*z_2);
-    prepared[16] = 64.0*z_3;
-    prepared[17] = 4176000000.0*g;
-    prepared[18] = 6800000.0*(22327.0*g + 2540.0*z_2);
-    prepared[19] = 12800000.0*z_3;
-    prepared[20] = 203.0*z_0;
-    prepared[21] = 10150.0*z_0;
-    prepared[22] = 500000.0*z_1;
+    prepared[14] = 32.0*z_3; /* c_12 */
+    prepared[15] = 1015.0*(5.0*g + 4.0*z_2); /* c_13 */
+    prepared[16] = 64.0*z_3; /* c_14 */
+    prepared[17] = 4176000000.0*g; /* c_15 */
+    prepared[18] = 6800000.0*(22327.0*g + 2540.0*z_2); /* c_16 */
+    prepared[19] = 12800000.0*z_3; /* c_17 */
+    prepared[20] = 203.0*z_0; /* c_18 */
+    prepared[21] = 10150.0*z_0; /* c_19 */
+    prepared[22] = 500000.0*z_1; /* c_20 */
     const double z_4 = 171348451657.0*1.0 + 40000000000.0*load;
-    prepared[23] = (1.0/1000000000000.0)*z_4;
-    prepared[24] = 25.0*(5.0*1.0 + 4.0*load);
-    prepared[25] = 55533.0*1.0 + 43180.0*load;
+    prepared[23] = (1.0/1000000000000.0)*z_4; /* c_21 */
+    prepared[24] = 25.0*(5.0*1.0 + 4.0*load); /* c_22 */
+    prepared[25] = 55533.0*1.0 + 43180.0*load; /* c_23 */
     const double z_5 = 9.0*1.0 + 625.0*load;
-    prepared[26] = 32.0*z_5;
-    prepared[27] = (2159.0/15625000.0)*z_5;
-    prepared[28] = 4661281.0*z_0;
-    prepared[29] = 438277.0*z_0;
-    prepared[30] = 500000.0*load;
-    prepared[31] = 5397500.0*load;
-    prepared[32] = 320.0*z_5;
-    prepared[33] = 5.0*z_1;
-    prepared[34] = 8636.0*z_5;
-    prepared[35] = z_4;
-    prepared[36] = 960.0*g;
-    prepared[37] = 9.0*g;
-    prepared[38] = 34.0*g;
-    prepared[39] = 82.0*g;
-    prepared[40] = 34800.0*g;
-    prepared[41] = 100.0*z_2;
+    prepared[26] = 32.0*z_5; /* c_24 */
+    prepared[27] = (2159.0/15625000.0)*z_5; /* c_25 */
+    prepared[28] = 4661281.0*z_0; /* c_26 */
+    prepared[29] = 438277.0*z_0; /* c_27 */
+    prepared[30] = 500000.0*load; /* c_28 */
+    prepared[31] = 5397500.0*load; /* c_29 */
+    prepared[32] = 320.0*z_5; /* c_30 */
+    prepared[33] = 5.0*z_1; /* c_31 */
+    prepared[34] = 8636.0*z_5; /* c_32 */
+    prepared[35] = z_4; /* c_33 */
+    prepared[36] = 960.0*g; /* c_34 */
+    prepared[37] = 9.0*g; /* c_35 */
+    prepared[38] = 34.0*g; /* c_36 */
+    prepared[39] = 82.0*g; /* c_37 */
+    prepared[40] = 34800.0*g; /* c_38 */
+    prepared[41] = 100.0*z_2; /* c_39 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -3457,10 +3454,10 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[32] = M[17] = (1.0/25000.0)*z_68;
     M[33] = M[23] = (1.0/25000.0)*cos_q5;
     M[34] = M[29] = 0.0;
-    M[35] = (48526126417.0/250000000000.0);
+    M[35] = 48526126417.0/250000000000.0;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -3620,7 +3617,7 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     M1[2][5] = M1[5][2] = (1.0/25000.0)*(sin_q5*sin_q4);
     M1[3][5] = M1[5][3] = (1.0/25000.0)*cos_q5;
     M1[4][5] = M1[5][4] = 0.0;
-    M1[5][5] = (48526126417.0/250000000000.0);
+    M1[5][5] = 48526126417.0/250000000000.0;
     shared[0] = cos_q2;
     shared[1] = sin_q2;
     shared[2] = z_32;

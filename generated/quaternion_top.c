@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:89f80aac4a275343d302a00ea4fefe41e3cdaa2c312eb1f7f160e0c136458407 */
+/* body sha256:26218c199c42bbcabf1bb6d285692a130a7d64db5f73951740a1838236a69f6b */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -32,25 +32,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 4,              /* coordinates */
-    N_ROWS = 1,         /* constraint rows */
-    N_POSITIONS = 1,    /* of which holonomic */
-    N_STATE = 28,       /* numbers of a state */
-    N_C = 16,           /* of which C, */
-    N_S = 4,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 4,                /* coordinates */
+    N_ROWS = 1,           /* constraint rows */
+    N_POSITIONS = 1,      /* of which holonomic */
+    N_STATE = 28,         /* numbers of a state */
+    N_C = 16,             /* of which C, */
+    N_S = 4,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 20,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 20,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 6,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
-    N_PREPARED = 25,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 4,             /* q_0, q_1, q_2, q_3 */
+    N_GIVEN = 6,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
+    N_PREPARED = 25,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 4,               /* q_0, q_1, q_2, q_3 */
 };
 
 /* Coordinates of the blocks. */
@@ -180,7 +180,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1], q1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -337,7 +337,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* q_0, q_1, q_2, q_3: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -395,20 +395,19 @@ em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void factored_gradient(double t, const double *restrict x, const double *restrict c,
+                              double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -652,15 +651,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  EM_UNUSED const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -946,32 +944,32 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
         0.765625*1.0/(2.8880884188618468*J + 1.0931125025371702*J3) + 10.546220166818202*1.0/J +
         1.0931125025371702*1.0/(2.8880884188618468*J + 0.765625*J3) + 2.4974634188618468*1.0/(1.8587375025371702*J
         + 0.390625*J3));
-    prepared[5] = z_0;
+    prepared[5] = z_0; /* c_0 */
     const double z_1 = J - J3;
-    prepared[6] = z_1;
+    prepared[6] = z_1; /* c_1 */
     const double z_2 = J - z_0;
-    prepared[7] = z_2;
+    prepared[7] = z_2; /* c_2 */
     const double z_3 = J3 - z_0;
-    prepared[8] = z_3;
+    prepared[8] = z_3; /* c_3 */
     const double g = parameters[2];
     const double l = parameters[1];
     const double m = parameters[0];
-    prepared[9] = g*l*m;
-    prepared[10] = 2.0*J3;
-    prepared[11] = 2.0*J;
-    prepared[12] = 2.0*z_0;
-    prepared[13] = 4.0*J3;
-    prepared[14] = 4.0*J;
-    prepared[15] = 8.0*J;
-    prepared[16] = 4.0*z_1;
-    prepared[17] = 8.0*J3;
-    prepared[18] = 4.0*z_3;
-    prepared[19] = 8.0*z_0;
-    prepared[20] = 4.0*z_2;
-    prepared[21] = 2.5*l;
-    prepared[22] = 1.25*l;
-    prepared[23] = 2.0*l;
-    prepared[24] = (3.0/5.0)*l;
+    prepared[9] = g*l*m; /* c_4 */
+    prepared[10] = 2.0*J3; /* c_5 */
+    prepared[11] = 2.0*J; /* c_6 */
+    prepared[12] = 2.0*z_0; /* c_7 */
+    prepared[13] = 4.0*J3; /* c_8 */
+    prepared[14] = 4.0*J; /* c_9 */
+    prepared[15] = 8.0*J; /* c_10 */
+    prepared[16] = 4.0*z_1; /* c_11 */
+    prepared[17] = 8.0*J3; /* c_12 */
+    prepared[18] = 4.0*z_3; /* c_13 */
+    prepared[19] = 8.0*z_0; /* c_14 */
+    prepared[20] = 4.0*z_2; /* c_15 */
+    prepared[21] = 2.5*l; /* c_16 */
+    prepared[22] = 1.25*l; /* c_17 */
+    prepared[23] = 2.0*l; /* c_18 */
+    prepared[24] = (3.0/5.0)*l; /* c_19 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1053,7 +1051,7 @@ static void factored_matrix(EM_UNUSED double t, const double *restrict x, const 
     M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     factored_matrix;
 
@@ -1211,7 +1209,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
-/* body sha256:5493c113dac86e45f222bf9d18407c97dff1ae48f4f032ade5c6c892415a7a31 */
+/* body sha256:b8089c84f5a18e53211346abce39e28490a999fae011309528963df203260459 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -32,25 +32,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 3,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 18,       /* numbers of a state */
-    N_C = 9,            /* of which C, */
-    N_S = 3,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 3,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 18,         /* numbers of a state */
+    N_C = 9,              /* of which C, */
+    N_S = 3,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_GIVEN = 4,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
-    N_PREPARED = 9,     /* the parameters, factors of constant blocks, shared constants */
-    N1 = 3,             /* psi, theta, phi */
+    N_GIVEN = 4,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_PREPARED = 9,       /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 3,               /* psi, theta, phi */
 };
 
 /* Coordinates of the blocks. */
@@ -297,20 +297,19 @@ em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                    EM_UNUSED const double *restrict c, double *restrict y);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                  double *restrict y);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -521,15 +520,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void quasi_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             EM_UNUSED const double *restrict c, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void quasi_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -750,14 +748,14 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double J1 = parameters[0];
     const double J2 = parameters[1];
     const double z_0 = J1 - J2;
-    prepared[3] = z_0;
-    prepared[4] = 2.0*z_0;
+    prepared[3] = z_0; /* c_0 */
+    prepared[4] = 2.0*z_0; /* c_1 */
     const double J3 = parameters[2];
     const double z_1 = sqrt(J3 - z_0);
-    prepared[5] = 10.0*z_1;
-    prepared[6] = sqrt(J3);
-    prepared[7] = 10.0*(sqrt(J3 + z_0));
-    prepared[8] = 0.5*z_1;
+    prepared[5] = 10.0*z_1; /* c_2 */
+    prepared[6] = sqrt(J3); /* c_3 */
+    prepared[7] = 10.0*(sqrt(J3 + z_0)); /* c_4 */
+    prepared[8] = 0.5*z_1; /* c_5 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -794,7 +792,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = J3;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:cc763851160fc349ffc8ce66978f4df588178918bfe4dbf32c6fbe1f33c99b49 */
+/* body sha256:d38f9b3c2cf5680926b1a640371ee408c3c8f2f0c08ef477c4ca4f6323faa6b8 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -28,25 +28,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 1,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 2,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 1,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 2,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 1,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 0,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 0,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 6,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 8,    /* x, v and these: what motion depends on */
-    N_PREPARED = 22,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* theta */
+    N_GIVEN = 6,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 8,      /* x, v and these: what motion depends on */
+    N_PREPARED = 22,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* theta */
 };
 
 /* Coordinates of the blocks. */
@@ -139,26 +139,23 @@ em_lanes rimless_wheel_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL}
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck);
-extern void resets(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict after);
-extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    const double *restrict u, double *restrict struck);
+extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict after);
+extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict level);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -168,7 +165,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -291,16 +287,14 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               EM_UNUSED const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
-extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void event_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -379,23 +373,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double z_0 = m*(l*l);
     M1[0][0] = z_0;
     const double g = parameters[2];
-    prepared[9] = m*l*g;
-    prepared[10] = z_0;
-    prepared[11] = 0.5*z_0;
+    prepared[9] = m*l*g; /* c_0 */
+    prepared[10] = z_0; /* c_1 */
+    prepared[11] = 0.5*z_0; /* c_2 */
     const double alpha = parameters[3];
     const double gamma = parameters[4];
-    prepared[12] = -(alpha + gamma);
-    prepared[13] = (-2.0)*alpha;
+    prepared[12] = -(alpha + gamma); /* c_3 */
+    prepared[13] = (-2.0)*alpha; /* c_4 */
     const double z_1 = 2.0*alpha;
     const double cos_z_1 = em_cos(z_1);
-    prepared[14] = cos_z_1;
-    prepared[15] = (-6.0)*alpha;
-    prepared[16] = (-4.0)*alpha;
-    prepared[17] = z_1;
-    prepared[18] = 4.0*alpha;
-    prepared[19] = 6.0*alpha;
-    prepared[20] = 8.0*alpha;
-    prepared[21] = (1.0/10.0)*l;
+    prepared[14] = cos_z_1; /* c_5 */
+    prepared[15] = (-6.0)*alpha; /* c_6 */
+    prepared[16] = (-4.0)*alpha; /* c_7 */
+    prepared[17] = z_1; /* c_8 */
+    prepared[18] = 4.0*alpha; /* c_9 */
+    prepared[19] = 6.0*alpha; /* c_10 */
+    prepared[20] = 8.0*alpha; /* c_11 */
+    prepared[21] = (1.0/10.0)*l; /* c_12 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -417,7 +411,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[0] = c_1;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -650,7 +644,6 @@ const em_model rimless_wheel_model = {
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
-    .act = em_act,
     .lanes = &rimless_wheel_lanes,
     .n_shapes = 9,
     .dimension = 2,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:4f12538f239b94e31a5a6c3554dcefce3ce0b349c9c8245e2ad85d5c90951e0c */
+/* body sha256:6ae49089e60bab9a9e3bd02380d5af084fb4c2047dfc5b5f1dda9efdc5328259 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 5,              /* coordinates */
-    N_ROWS = 2,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 40,       /* numbers of a state */
-    N_C = 25,           /* of which C, */
-    N_S = 5,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 5,                /* coordinates */
+    N_ROWS = 2,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 40,         /* numbers of a state */
+    N_C = 25,             /* of which C, */
+    N_S = 5,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 30,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 30,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_GIVEN = 4,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 14,   /* x, v and these: what motion depends on */
-    N_PREPARED = 19,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 5,             /* x, y, phi, theta, psi */
+    N_GIVEN = 4,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
+    N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 5,               /* x, y, phi, theta, psi */
 };
 
 /* Coordinates of the blocks. */
@@ -180,7 +180,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1], q1[N1];
     em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -339,7 +339,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* x, y, phi, theta, psi: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -398,18 +398,17 @@ em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -578,15 +577,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -794,25 +792,25 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double m = parameters[0];
     const double r = parameters[1];
     const double z_0 = m*r;
-    prepared[3] = z_0;
+    prepared[3] = z_0; /* c_0 */
     const double z_1 = m*(r*r);
-    prepared[4] = 2.5*z_1;
-    prepared[5] = 0.5*z_1;
-    prepared[6] = z_1;
+    prepared[4] = 2.5*z_1; /* c_1 */
+    prepared[5] = 0.5*z_1; /* c_2 */
+    prepared[6] = z_1; /* c_3 */
     const double g = parameters[2];
     const double z_2 = g*z_0;
-    prepared[7] = 4.0*z_2;
-    prepared[8] = 4.0*z_0;
-    prepared[9] = 2.0*z_0;
-    prepared[10] = 3.0*z_1;
-    prepared[11] = 1.25*z_1;
-    prepared[12] = 5.0*z_1;
-    prepared[13] = 2.0*z_1;
-    prepared[14] = z_2;
-    prepared[15] = (-4.0)*r;
-    prepared[16] = (-2.0)*r;
-    prepared[17] = 6.0*r;
-    prepared[18] = 8.0*r;
+    prepared[7] = 4.0*z_2; /* c_4 */
+    prepared[8] = 4.0*z_0; /* c_5 */
+    prepared[9] = 2.0*z_0; /* c_6 */
+    prepared[10] = 3.0*z_1; /* c_7 */
+    prepared[11] = 1.25*z_1; /* c_8 */
+    prepared[12] = 5.0*z_1; /* c_9 */
+    prepared[13] = 2.0*z_1; /* c_10 */
+    prepared[14] = z_2; /* c_11 */
+    prepared[15] = (-4.0)*r; /* c_12 */
+    prepared[16] = (-2.0)*r; /* c_13 */
+    prepared[17] = 6.0*r; /* c_14 */
+    prepared[18] = 8.0*r; /* c_15 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -858,7 +856,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[24] = c_2;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -1020,7 +1018,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

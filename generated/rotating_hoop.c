@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
-/* body sha256:81c54b39896e886f9c10b7f83f3800a8c00c9928ce001e1cddd0bdc4fb41fc9e */
+/* body sha256:2029a44308f9bafef461a08905ff911fc5ac289b412d2b14456138c35e47cbf0 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -27,25 +27,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 1,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 2,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 1,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 2,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 0,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 0,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_GIVEN = 5,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 7,    /* x, v and these: what motion depends on */
-    N_PREPARED = 16,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* theta */
+    N_GIVEN = 5,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 7,      /* x, v and these: what motion depends on */
+    N_PREPARED = 16,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* theta */
 };
 
 /* Coordinates of the blocks. */
@@ -140,17 +140,16 @@ em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL}
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
 extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
@@ -161,7 +160,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -233,13 +231,12 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               EM_UNUSED const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -315,16 +312,16 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double z_0 = m*(R*R);
     M1[0][0] = z_0;
     const double g = parameters[3];
-    prepared[8] = m*R*g;
+    prepared[8] = m*R*g; /* c_0 */
     const double Omega = parameters[2];
     const double z_1 = z_0*(Omega*Omega);
-    prepared[9] = z_1;
-    prepared[10] = z_0;
-    prepared[11] = 0.5*z_0;
-    prepared[12] = 0.5*z_1;
-    prepared[13] = (-1.25)*R;
-    prepared[14] = 1.25*R;
-    prepared[15] = (1.0/12.0)*R;
+    prepared[9] = z_1; /* c_1 */
+    prepared[10] = z_0; /* c_2 */
+    prepared[11] = 0.5*z_0; /* c_3 */
+    prepared[12] = 0.5*z_1; /* c_4 */
+    prepared[13] = (-1.25)*R; /* c_5 */
+    prepared[14] = 1.25*R; /* c_6 */
+    prepared[15] = (1.0/12.0)*R; /* c_7 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -346,7 +343,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[0] = c_2;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

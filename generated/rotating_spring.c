@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:d9d786e7a54cb990337284a414042b1653e8dfa3881be3f1c032c5dcbca3698a */
+/* body sha256:2a342f274b7cf98447d52d9a376f54abe6a714c416d64aeca2238b7b9f6e8a1c */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -29,26 +29,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 4,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 4,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 0,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 0,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_GIVEN = 5,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 9,    /* x, v and these: what motion depends on */
-    N_PREPARED = 17,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* x */
-    N2 = 1,             /* y */
+    N_GIVEN = 5,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 9,      /* x, v and these: what motion depends on */
+    N_PREPARED = 17,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* x */
+    N2 = 1,               /* y */
 };
 
 /* Coordinates of the blocks. */
@@ -169,17 +169,16 @@ em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NUL
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
 extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
@@ -190,7 +189,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -261,21 +259,19 @@ EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c,
     p[10] = p[14] = p[16] = p[19] = x_*cos_z_0 - y*sin_z_0;
     p[11] = p[15] = p[17] = p[20] = x_*sin_z_0 + y*cos_z_0;
     p[13] = 1.5*cos_z_0;
-    p[18] = (1.0/10.0);
+    p[18] = 1.0/10.0;
 }
 
 #endif
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                             EM_UNUSED const double *restrict lambda, const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -352,15 +348,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M1[0][0] = m;
     M2[0][0] = m;
     const double Omega = parameters[3];
-    prepared[12] = m*Omega;
+    prepared[12] = m*Omega; /* c_0 */
     const double k_x = parameters[1];
     const double z_0 = Omega*Omega;
     const double z_1 = m*z_0;
-    prepared[13] = k_x - z_1;
+    prepared[13] = k_x - z_1; /* c_1 */
     const double k_y = parameters[2];
-    prepared[14] = k_y - z_1;
-    prepared[15] = z_0;
-    prepared[16] = 0.5*m;
+    prepared[14] = k_y - z_1; /* c_2 */
+    prepared[15] = z_0; /* c_3 */
+    prepared[16] = 0.5*m; /* c_4 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -385,7 +381,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[3] = m;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

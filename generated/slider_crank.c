@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:a3d4ac885e984e4a083474dbc7cf3831b9723da718a0e96a1d173150752ce746 */
+/* body sha256:b203757c26de0520d2d20255fd1772701b43af90a33c62d9dc1d76a9200ce630 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -34,26 +34,26 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 3,              /* coordinates */
-    N_ROWS = 2,         /* constraint rows */
-    N_POSITIONS = 2,    /* of which holonomic */
-    N_STATE = 12,       /* numbers of a state */
-    N_C = 4,            /* of which C, */
-    N_S = 2,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 3,                /* coordinates */
+    N_ROWS = 2,           /* constraint rows */
+    N_POSITIONS = 2,      /* of which holonomic */
+    N_STATE = 12,         /* numbers of a state */
+    N_C = 4,              /* of which C, */
+    N_S = 2,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 6,
-    N_GIVEN = 7,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 13,   /* x, v and these: what motion depends on */
-    N_PREPARED = 27,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* theta, phi */
-    N2 = 1,             /* x */
+    N_GIVEN = 7,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 13,     /* x, v and these: what motion depends on */
+    N_PREPARED = 27,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* theta, phi */
+    N2 = 1,               /* x */
 };
 
 /* Coordinates of the blocks. */
@@ -176,7 +176,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -306,7 +306,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* x: B = A C^T S^-1 (28) */
     real B2[N_ROWS][N2];
     em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -366,18 +366,17 @@ em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -507,15 +506,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -726,29 +724,29 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double m_r = parameters[3];
     const double r = parameters[0];
     const double z_0 = m_r*r;
-    prepared[10] = l*z_0;
+    prepared[10] = l*z_0; /* c_0 */
     const double g = parameters[5];
     const double m_c = parameters[2];
     const double z_1 = r*m_c;
-    prepared[11] = g*z_1 + 2.0*g*z_0;
-    prepared[12] = m_r*l*g;
+    prepared[11] = g*z_1 + 2.0*g*z_0; /* c_1 */
+    prepared[12] = m_r*l*g; /* c_2 */
     const double z_2 = r*r;
     const double z_3 = 3.0*m_r*z_2 + m_c*z_2;
-    prepared[13] = (1.0/3.0)*z_3;
+    prepared[13] = (1.0/3.0)*z_3; /* c_3 */
     const double z_4 = m_r*(l*l);
-    prepared[14] = (1.0/3.0)*z_4;
-    prepared[15] = fabs(r);
-    prepared[16] = fabs(l);
-    prepared[17] = 2.0*z_3;
-    prepared[18] = 2.0*z_4;
-    prepared[19] = 6.0*m_s;
-    prepared[20] = 2.0*r;
-    prepared[21] = z_1;
-    prepared[22] = 0.5*g;
-    prepared[23] = ((-1.0/3.0))*(4.0*r - 3.0*l);
-    prepared[24] = ((-1.0/3.0))*r;
-    prepared[25] = (1.0/3.0)*(4.0*r + 3.0*l);
-    prepared[26] = (1.0/3.0)*r;
+    prepared[14] = (1.0/3.0)*z_4; /* c_4 */
+    prepared[15] = fabs(r); /* c_5 */
+    prepared[16] = fabs(l); /* c_6 */
+    prepared[17] = 2.0*z_3; /* c_7 */
+    prepared[18] = 2.0*z_4; /* c_8 */
+    prepared[19] = 6.0*m_s; /* c_9 */
+    prepared[20] = 2.0*r; /* c_10 */
+    prepared[21] = z_1; /* c_11 */
+    prepared[22] = 0.5*g; /* c_12 */
+    prepared[23] = ((-1.0/3.0))*(4.0*r - 3.0*l); /* c_13 */
+    prepared[24] = ((-1.0/3.0))*r; /* c_14 */
+    prepared[25] = (1.0/3.0)*(4.0*r + 3.0*l); /* c_15 */
+    prepared[26] = (1.0/3.0)*r; /* c_16 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -784,7 +782,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = m_s;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -932,7 +930,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B2[N_ROWS][N2], a2[N2];
         em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
         em_take(&block2, y + N, a2);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:5b624e4851268d9aec3aa51d4b145dc6c772db2d244a8171eee1e49c41d08260 */
+/* body sha256:339a20a553e1964db0ef4ccaec6b766471f8490b3593d48919e2e981d1a5f46b */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -36,28 +36,28 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 5,              /* coordinates */
-    N_ROWS = 2,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 10,       /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 5,                /* coordinates */
+    N_ROWS = 2,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 10,         /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 2,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
-    N_GIVEN = 8,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 18,   /* x, v and these: what motion depends on */
-    N_PREPARED = 33,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* x */
-    N2 = 1,             /* y */
-    N3 = 2,             /* theta, psi */
-    N4 = 1,             /* phi */
+    N_GIVEN = 8,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 18,     /* x, v and these: what motion depends on */
+    N_PREPARED = 33,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* x */
+    N2 = 1,               /* y */
+    N3 = 2,               /* theta, psi */
+    N4 = 1,               /* phi */
 };
 
 /* Coordinates of the blocks. */
@@ -220,7 +220,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a4[N4];
     em_rows_on_eta(1, N4, C4, r4, f4, a4);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -283,18 +283,17 @@ em_lanes snakeboard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -304,7 +303,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -431,15 +429,14 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -627,11 +624,11 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M3[0][1] = M3[1][0] = J_rotor;
     M3[1][1] = J_rotor;
     M4[0][0] = 2.0*J_wheels;
-    prepared[29] = J + J_rotor + 2.0*J_wheels;
-    prepared[30] = 2.0*J_wheels;
+    prepared[29] = J + J_rotor + 2.0*J_wheels; /* c_0 */
+    prepared[30] = 2.0*J_wheels; /* c_1 */
     const double l = parameters[1];
-    prepared[31] = 5.0*l;
-    prepared[32] = 0.25*l;
+    prepared[31] = 5.0*l; /* c_2 */
+    prepared[32] = 0.25*l; /* c_3 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -673,7 +670,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[24] = c_1;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -772,7 +769,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B3[N_ROWS][N3], a3[N3];
         em_rows_of_block(&block3, *mode, N_ROWS, y, c, memory, A3[0], B3[0]);
         em_take(&block3, y + N, a3);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

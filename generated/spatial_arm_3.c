@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:8ce63d3d24cb0d674ec419d36c292c1258b2c7ae24752331653c68ef28991874 */
+/* body sha256:9fb42ffd104121dd627217573eaa33dc596fa6412324b609a079006cef6f48f7 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 3,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 18,       /* numbers of a state */
-    N_C = 9,            /* of which C, */
-    N_S = 3,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 3,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 18,         /* numbers of a state */
+    N_C = 9,              /* of which C, */
+    N_S = 3,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 8,
-    N_GIVEN = 9,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 15,   /* x, v and these: what motion depends on */
-    N_PREPARED = 44,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 3,             /* q_1, q_2, q_3 */
+    N_GIVEN = 9,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 15,     /* x, v and these: what motion depends on */
+    N_PREPARED = 44,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 3,               /* q_1, q_2, q_3 */
 };
 
 /* Coordinates of the blocks. */
@@ -421,18 +421,17 @@ em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL}
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -685,13 +684,12 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -1141,59 +1139,59 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double l_3 = parameters[5];
     const double z_2 = l_3*l_3;
     const double z_3 = m_3*(3.0*z_1 + z_2);
-    prepared[8] = z_3;
+    prepared[8] = z_3; /* c_0 */
     const double z_4 = m_3*l_3;
-    prepared[9] = 3.0*z_4;
+    prepared[9] = 3.0*z_4; /* c_1 */
     const double l_1 = parameters[3];
-    prepared[10] = 2.0*l_1;
-    prepared[11] = 2.0*m_3;
-    prepared[12] = 4.0*m_3;
+    prepared[10] = 2.0*l_1; /* c_2 */
+    prepared[11] = 2.0*m_3; /* c_3 */
+    prepared[12] = 4.0*m_3; /* c_4 */
     const double m_2 = parameters[1];
     const double l_2 = parameters[4];
     const double z_5 = m_2*l_2;
-    prepared[13] = z_5;
+    prepared[13] = z_5; /* c_5 */
     const double z_6 = l_2*m_3;
-    prepared[14] = z_6;
+    prepared[14] = z_6; /* c_6 */
     const double z_7 = z_3 + 3.0*m_3*z_2;
-    prepared[15] = z_7;
+    prepared[15] = z_7; /* c_7 */
     const double z_8 = m_3*z_0;
-    prepared[16] = z_8;
-    prepared[17] = 6.0*l_1;
+    prepared[16] = z_8; /* c_8 */
+    prepared[17] = 6.0*l_1; /* c_9 */
     const double z_9 = m_2*z_0;
     const double z_10 = l_2*l_2;
     const double z_11 = m_2*(3.0*z_1 + z_10);
-    prepared[18] = 2.0*(6.0*z_9 - z_11);
+    prepared[18] = 2.0*(6.0*z_9 - z_11); /* c_10 */
     const double z_12 = z_7 - 6.0*z_8;
-    prepared[19] = z_12;
+    prepared[19] = z_12; /* c_11 */
     const double z_13 = l_3*z_6;
-    prepared[20] = z_13;
-    prepared[21] = 2.0*l_2;
-    prepared[22] = 12.0*z_8;
-    prepared[23] = 6.0*z_13;
+    prepared[20] = z_13; /* c_12 */
+    prepared[21] = 2.0*l_2; /* c_13 */
+    prepared[22] = 12.0*z_8; /* c_14 */
+    prepared[23] = 6.0*z_13; /* c_15 */
     const double g = parameters[7];
     const double z_14 = g*z_5;
-    prepared[24] = 6.0*(z_14 + 2.0*z_6*g);
-    prepared[25] = 6.0*z_9;
-    prepared[26] = 6.0*z_8;
-    prepared[27] = 6.0*(z_4*g);
-    prepared[28] = z_11;
-    prepared[29] = 3.0*l_2;
-    prepared[30] = 12.0*m_3;
-    prepared[31] = 6.0*m_3;
+    prepared[24] = 6.0*(z_14 + 2.0*z_6*g); /* c_16 */
+    prepared[25] = 6.0*z_9; /* c_17 */
+    prepared[26] = 6.0*z_8; /* c_18 */
+    prepared[27] = 6.0*(z_4*g); /* c_19 */
+    prepared[28] = z_11; /* c_20 */
+    prepared[29] = 3.0*l_2; /* c_21 */
+    prepared[30] = 12.0*m_3; /* c_22 */
+    prepared[31] = 6.0*m_3; /* c_23 */
     const double m_1 = parameters[0];
     const double z_15 = l_1*l_1;
-    prepared[32] = 3.0*m_1*z_15 + m_1*(z_15 + 3.0*z_1);
-    prepared[33] = z_11 + 3.0*m_2*z_10;
-    prepared[34] = 6.0*z_6;
-    prepared[35] = (1.0/12.0)*z_7;
-    prepared[36] = 4.0*z_6;
-    prepared[37] = 2.0*z_6;
-    prepared[38] = 2.0*z_7;
-    prepared[39] = z_12;
-    prepared[40] = 3.0*l_1;
-    prepared[41] = 0.5*z_4;
-    prepared[42] = m_3*g;
-    prepared[43] = z_14;
+    prepared[32] = 3.0*m_1*z_15 + m_1*(z_15 + 3.0*z_1); /* c_24 */
+    prepared[33] = z_11 + 3.0*m_2*z_10; /* c_25 */
+    prepared[34] = 6.0*z_6; /* c_26 */
+    prepared[35] = (1.0/12.0)*z_7; /* c_27 */
+    prepared[36] = 4.0*z_6; /* c_28 */
+    prepared[37] = 2.0*z_6; /* c_29 */
+    prepared[38] = 2.0*z_7; /* c_30 */
+    prepared[39] = z_12; /* c_31 */
+    prepared[40] = 3.0*l_1; /* c_32 */
+    prepared[41] = 0.5*z_4; /* c_33 */
+    prepared[42] = m_3*g; /* c_34 */
+    prepared[43] = z_14; /* c_35 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1258,7 +1256,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[8] = c_27;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:20a3055fbc2d226555308a882707de42c9f6b990cef2a9c5df2b27ab3185e89f */
+/* body sha256:6a4c81a00a0c23faed56b363373e97612b0ef593dc3444a12fef4dc4d38c0ed9 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -36,27 +36,27 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 5,              /* coordinates */
-    N_ROWS = 2,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 22,       /* numbers of a state */
-    N_C = 9,            /* of which C, */
-    N_S = 3,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 5,                /* coordinates */
+    N_ROWS = 2,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 22,         /* numbers of a state */
+    N_C = 9,              /* of which C, */
+    N_S = 3,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 12,      /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 12,        /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 4,
-    N_GIVEN = 5,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 15,   /* x, v and these: what motion depends on */
-    N_PREPARED = 32,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* x */
-    N2 = 1,             /* y */
-    N3 = 3,             /* p_1, p_2, p_3 */
+    N_GIVEN = 5,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 15,     /* x, v and these: what motion depends on */
+    N_PREPARED = 32,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* x */
+    N2 = 1,               /* y */
+    N3 = 3,               /* p_1, p_2, p_3 */
 };
 
 /* Coordinates of the blocks. */
@@ -232,7 +232,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a3[N3], q3[N3];
     em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -429,7 +429,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* p_1, p_2, p_3: B = A L^-T */
     real B3[N_ROWS][N3];
     em_rows_of_root(N_ROWS, N3, L3[0], r3, A3[0], B3[0]);
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -494,20 +494,19 @@ em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                    EM_UNUSED const double *restrict c, double *restrict y);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                  double *restrict y);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -752,17 +751,16 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D);
-extern void quasi_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             EM_UNUSED const double *restrict c, double *restrict D);
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
+extern void quasi_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -1173,32 +1171,32 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M2[0][0] = m;
     const double R = parameters[1];
     const double z_0 = m*(R*R);
-    prepared[12] = z_0;
-    prepared[13] = 2.0*z_0;
+    prepared[12] = z_0; /* c_0 */
+    prepared[13] = 2.0*z_0; /* c_1 */
     const double g = parameters[2];
     const double alpha = parameters[3];
     const double sin_alpha = em_sin(alpha);
-    prepared[14] = m*g*sin_alpha;
-    prepared[15] = 2.0*R;
-    prepared[16] = (8.0/5.0)*z_0;
-    prepared[17] = (32.0/5.0)*z_0;
-    prepared[18] = 4.0*z_0;
-    prepared[19] = 5.0*m;
+    prepared[14] = m*g*sin_alpha; /* c_2 */
+    prepared[15] = 2.0*R; /* c_3 */
+    prepared[16] = (8.0/5.0)*z_0; /* c_4 */
+    prepared[17] = (32.0/5.0)*z_0; /* c_5 */
+    prepared[18] = 4.0*z_0; /* c_6 */
+    prepared[19] = 5.0*m; /* c_7 */
     const double cos_alpha = em_cos(alpha);
-    prepared[20] = cos_alpha;
-    prepared[21] = sin_alpha;
+    prepared[20] = cos_alpha; /* c_8 */
+    prepared[21] = sin_alpha; /* c_9 */
     const double z_3 = R*cos_alpha;
-    prepared[22] = (-4.0)*z_3;
-    prepared[23] = (-4.0)*R;
+    prepared[22] = (-4.0)*z_3; /* c_10 */
+    prepared[23] = (-4.0)*R; /* c_11 */
     const double z_4 = R*sin_alpha;
-    prepared[24] = 4.0*z_4;
-    prepared[25] = 24.0*z_3;
-    prepared[26] = (-24.0)*z_4;
-    prepared[27] = 12.0*R;
-    prepared[28] = z_4;
-    prepared[29] = z_3;
-    prepared[30] = 2.0*sin_alpha;
-    prepared[31] = 2.0*cos_alpha;
+    prepared[24] = 4.0*z_4; /* c_12 */
+    prepared[25] = 24.0*z_3; /* c_13 */
+    prepared[26] = (-24.0)*z_4; /* c_14 */
+    prepared[27] = 12.0*R; /* c_15 */
+    prepared[28] = z_4; /* c_16 */
+    prepared[29] = z_3; /* c_17 */
+    prepared[30] = 2.0*sin_alpha; /* c_18 */
+    prepared[31] = 2.0*cos_alpha; /* c_19 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1250,7 +1248,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[24] = (8.0/5.0)*(c_0*(z_9 + z_7));
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -1424,7 +1422,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B3[N_ROWS][N3], a3[N3];
         em_rows_of_block(&block3, *mode, N_ROWS, y, c, memory, A3[0], B3[0]);
         em_take(&block3, y + N, a3);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:f350e63f8f785f6579cd3552dcfdbd0cbd2763222eb1b4f277af5df9c7717194 */
+/* body sha256:c74ab1827ba6922b2edc70d27acf3d163155806ee03f6cae2bfa5a06e361a7be */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -31,25 +31,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 2,              /* coordinates */
-    N_ROWS = 0,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 10,       /* numbers of a state */
-    N_C = 4,            /* of which C, */
-    N_S = 2,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 2,                /* coordinates */
+    N_ROWS = 0,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 10,         /* numbers of a state */
+    N_C = 4,              /* of which C, */
+    N_S = 2,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 0,
-    N_MEMORY = 6,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 3,
-    N_GIVEN = 4,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 8,    /* x, v and these: what motion depends on */
-    N_PREPARED = 6,     /* the parameters, factors of constant blocks, shared constants */
-    N1 = 2,             /* x, z */
+    N_GIVEN = 4,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 8,      /* x, v and these: what motion depends on */
+    N_PREPARED = 6,       /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 2,               /* x, z */
 };
 
 /* Coordinates of the blocks. */
@@ -222,17 +222,16 @@ em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          EM_UNUSED double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -291,13 +290,12 @@ EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                             const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -363,11 +361,11 @@ static const em_block *const blocks[] = { &block1, NULL };
 EM_INLINE void prepared_constants(const double *restrict parameters, double prepared[N_PREPARED])
 {
     const double k_x = parameters[1];
-    prepared[3] = 4.0*k_x;
+    prepared[3] = 4.0*k_x; /* c_0 */
     const double k_z = parameters[2];
-    prepared[4] = 2.0*k_z;
+    prepared[4] = 2.0*k_z; /* c_1 */
     const double gap = parameters[0];
-    prepared[5] = 2.0*gap;
+    prepared[5] = 2.0*gap; /* c_2 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -390,7 +388,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
     M[3] = 0.5*(4.0 - x_);
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 

@@ -158,3 +158,41 @@ def test_what_is_neither_true_nor_a_system_is_refused(given):
 def test_another_model_cannot_check():
     with pytest.raises(ModelError, match="differs"):
         em.simulate(system_of("pendulum"), (0, 1), estimate_error=system_of("double_pendulum"))
+
+
+FALL, G, E = 1.0, 9.81, 0.9
+"""[m], [m / s^2], restitution of models/bouncing_ball.py."""
+
+
+def of_a_ball(t: np.ndarray, after: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Height and speed at times t, where a bounce is due just before or `after` it."""
+    first = np.sqrt(2 * FALL / G)
+    strikes = np.cumsum([first, *(2 * first * E**k for k in range(1, 20))])
+    past = (t[:, None] > strikes) | (after[:, None] & (np.abs(t[:, None] - strikes) < 1e-9))
+    k = past.sum(axis=1)
+    since = t - np.where(k > 0, strikes[k - 1], -first)
+    speed = np.sqrt(2 * G * FALL) * E**k
+    return speed * since - G * since**2 / 2, speed - G * since
+
+
+@pytest.mark.parametrize("method", ["dop853", "Radau"])
+@pytest.mark.parametrize("around", [None, 0.0, 1e-12, 1e-3])
+def test_states_are_compared_on_one_side_of_an_impact(method, around):
+    """The runs strike some 1e-10 apart, and a row in between has the jump of the speed between them."""
+    first = np.sqrt(2 * FALL / G)
+    strikes = first + np.array([0, 2 * E, 2 * E + 2 * E**2]) * first
+    times = None if around is None else np.unique([strikes - around, strikes, strikes + around, [0.1, 0.5, 2.0]])
+    system = system_of("bouncing_ball", "lagrange")
+    run = system.simulate((0, 2.1), method=method, rtol=1e-8, atol=1e-8, t_eval=times, estimate_error=True)
+    estimate = run.error_estimate
+    assert estimate.v_largest.max() < 1e-5
+    assert estimate.t == run.t[-1]
+    if around is None:
+        after = np.append(False, np.diff(run.t) == 0)
+        assert after.sum() == 3
+        z, v = of_a_ball(run.t, after)
+        clear = np.array([np.abs(t - strikes).min() > 1e-6 for t in run.t])
+        true = np.abs(run.v[1] - v)[clear].max()
+        assert estimate.v_largest[1] >= 0.5 * true - 1e-12  # rounding, of which parabolas leave nothing else
+        assert np.abs(run.x[1] - z).max() < 1e-5
+        assert "3 rows at the very moment" in estimate.message

@@ -1,14 +1,12 @@
-"""The compiled stiff methods, "radau5" and "radau9": coefficients, order, L-stability, what stiff scenes ask of them.
+"""The compiled stiff methods, "radau5" and "radau9": order, L-stability, what stiff scenes ask of them.
 
-Oracles: Radau's nodes and Pade's approximants by mpmath, elliptic functions, published values of van der Pol's
-relaxation, explicit runs at tight tolerances.
+Oracles: Pade's approximants, elliptic functions, published values of van der Pol's relaxation, explicit runs at tight
+tolerances. Their coefficients: test_tableaux.py.
 """
 
 import math
-import re
 from functools import cache
 
-import mpmath
 import numpy as np
 import pytest
 from scipy.special import ellipk
@@ -19,7 +17,7 @@ import eigenmotion as em
 from eigenmotion.running.methods import METHODS
 
 from .generation import system_for, system_of
-from .stepping import FINISHED, INCLUDE, PENDULUM, Build, Mechanism, builder, pendulum_angle, simulate
+from .stepping import FINISHED, PENDULUM, Build, Mechanism, builder, pendulum_angle, simulate
 
 RADAU = ("radau5", "radau9")
 ORDER = {name: METHODS[name].order for name in RADAU}
@@ -28,47 +26,6 @@ ORDER = {name: METHODS[name].order for name in RADAU}
 @pytest.fixture(scope="module")
 def build(tmp_path_factory: pytest.TempPathFactory) -> Build:
     return builder(tmp_path_factory.mktemp("mechanisms"))
-
-
-# --- coefficients -----------------------------------------------------------------------------------------------------
-
-
-@cache
-def stated(method: str) -> dict[str, np.ndarray]:
-    """Field -> numbers, as em_radau_iia.h states them."""
-    text = (INCLUDE / "em_radau_iia.h").read_text(encoding="utf-8")
-    body = text.partition(f"EM_{method.upper()}_TABLEAU = {{")[2].partition("\n};")[0]
-    found = re.findall(r"\.(\w+) = (.*?),\n(?=    \.|\Z)", body + ",\n", re.DOTALL)
-    return {name: np.array(eval(value.rstrip(",").replace("{", "[").replace("}", "]"))) for name, value in found}
-
-
-@pytest.mark.parametrize("method", RADAU)
-def test_nodes_are_radau_s_and_stages_collocate(method):
-    t, s = stated(method), int(stated(method)["stages"])
-    c, a = t["c"], t["a"]
-    assert ORDER[method] == 2 * s - 1
-    for node in c:
-        assert abs(mpmath.legendre(s, 2 * node - 1) - mpmath.legendre(s - 1, 2 * node - 1)) < 1e-14
-    for k in range(1, s + 1):  # C(s)
-        np.testing.assert_allclose(a @ c ** (k - 1), c**k / k, atol=2e-16 * s)
-    for k in range(1, 2 * s):  # B(2 s - 1), with the last row as weights
-        assert a[-1] @ c ** (k - 1) == pytest.approx(1 / k, abs=1e-15)
-    assert abs(a[-1] @ c ** (2 * s - 1) - 1 / (2 * s)) > 1e-6
-
-
-@pytest.mark.parametrize("method", RADAU)
-def test_transformation_error_and_polynomial(method):
-    t, s = stated(method), int(stated(method)["stages"])
-    mu, to, back = (t[name] @ [1, 1j] for name in ("mu", "to", "from"))
-    inverse = np.real(np.einsum("pi,p,pj->ij", back, mu, to))
-    np.testing.assert_allclose(inverse @ t["a"], np.eye(s), atol=1e-13)
-    np.testing.assert_allclose(np.real(back.T @ to), np.eye(s), atol=1e-14)
-    assert mu[0].imag == 0 < mu[0].real
-    weights, gamma = t["e"] + t["a"][-1], 1 / mu[0].real
-    for k in range(1, s + 1):
-        assert weights @ t["c"] ** (k - 1) + gamma * (k == 1) == pytest.approx(1 / k, abs=1e-14)
-    powers = t["c"][:, None] ** np.arange(1, s + 1)
-    np.testing.assert_allclose(powers @ t["powers"], np.eye(s), atol=1e-13)
 
 
 # --- accuracy and stability of steps ----------------------------------------------------------------------------------

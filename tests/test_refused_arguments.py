@@ -6,6 +6,7 @@ from eigenmotion.codegen.model import ModelError
 from sympy import Rational, cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
+import eigenmotion as em
 from eigenmotion import Model, System
 from eigenmotion.results.summary import summary
 from eigenmotion.runtime import StopReason
@@ -93,3 +94,46 @@ def test_a_row_of_a_coordinate_that_loses_its_inertia_is_not_blamed(method, form
     found = hoop.simulate((0, 2), method=method)
     assert found.stop in (StopReason.FINISHED, StopReason.SINGULAR_MASS_MATRIX)
     assert found.success or "'y'" in found.message
+
+
+def test_what_needs_a_system_says_so(system):
+    for call in (em.find_equilibrium, em.assemble):
+        with pytest.raises(
+            ModelError, match=rf"{call.__name__}: system is .*, not a System\. Compile the model.*em\.build"
+        ):
+            call(Model(name="free", coordinates=[X], kinetic_energy=X.diff() ** 2))
+
+
+def test_a_unit_is_written_to_a_file_of_its_kind(tmp_path):
+    (tmp_path / "folder.fmu").mkdir()
+    model = Model(name="free", coordinates=[X], kinetic_energy=X.diff() ** 2)
+    for path, words in (
+        (None, "path is None"),
+        (tmp_path / "a.zip", r"ends in \.fmu"),
+        (tmp_path / "folder.fmu", "is a folder"),
+    ):
+        with pytest.raises(ModelError, match=words):
+            em.export_fmu(model, path)
+
+
+def test_runs_of_an_ensemble_are_numbered(system):
+    runs = em.simulate_ensemble(system, (0.0, 0.1), x0={system.coordinates[0]: [0.1, 0.2]})
+    for ask in (runs.__getitem__, runs.message):
+        for k in (2, -3):
+            with pytest.raises(IndexError, match=f"run {k} of an ensemble of 2: .* from 0 to 1"):
+                ask(k)
+        with pytest.raises(ModelError, match="'a' of an ensemble: runs are numbered"):
+            ask("a")
+    assert np.array_equal(runs[-1].y, runs[1].y)
+
+
+@pytest.mark.parametrize("given", ["1", None, [1.0, 2.0], 1j])
+def test_a_stepper_names_what_is_no_number(given):
+    stepper = system_of("furuta_pendulum").stepper()
+    with pytest.raises(TypeError, match=r"t is .*, not a real number"):
+        stepper.advance(given)
+    (name, *_) = stepper.model.inputs
+    with pytest.raises(TypeError, match=rf"input '{name}' is .*, not a real number"):
+        stepper.advance(0.1, {name: given})
+    stepper.advance(np.float64(0.1), {name: np.float32(0.5)})
+    assert stepper.t == 0.1

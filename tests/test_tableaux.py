@@ -1,19 +1,22 @@
-"""The Runge-Kutta coefficients of `em_tableaux.h` against Butcher's order conditions and SciPy's digits."""
+"""The coefficients of `em_tableaux.h` against Butcher's order conditions and SciPy's digits, and Radau's by mpmath."""
 
 import functools
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import mpmath
 import numpy as np
 import pytest
 from scipy.integrate import RK45
 from scipy.integrate._ivp import dop853_coefficients
 
-from eigenmotion.running.methods import COMPILED
+from eigenmotion.running.methods import COMPILED, METHODS
 
-from .stepping import PENDULUM, RUNGE_KUTTA, Array, Build, Tableau, builder
+from .stepping import INCLUDE, PENDULUM, RUNGE_KUTTA, Array, Build, Tableau, builder
 
+RADAU = ("radau5", "radau9")
 EMBEDDED = {"rk34": (3,), "dopri5": (4,), "dop853": (5, 3)}
 WITHIN = {"rk34": 3, "dopri5": 4, "dop853": 7}
 """Orders in the literature: of the embedded solutions, and of the interpolant."""
@@ -135,3 +138,44 @@ def test_every_digit_is_that_of_scipy(build: Build) -> None:
     np.testing.assert_array_equal(eight.c, dop853_coefficients.C)
     np.testing.assert_array_equal(eight.e[:, :13], [dop853_coefficients.E5, dop853_coefficients.E3])
     np.testing.assert_array_equal(eight.d, dop853_coefficients.D)
+
+
+# --- Radau IIA: em_radau_iia.h, against Radau's polynomials by mpmath ---
+
+
+@functools.cache
+def stated(method: str) -> dict[str, np.ndarray]:
+    """Field -> numbers, as em_radau_iia.h states them."""
+    text = (INCLUDE / "em_radau_iia.h").read_text(encoding="utf-8")
+    body = text.partition(f"EM_{method.upper()}_TABLEAU = {{")[2].partition("\n};")[0]
+    found = re.findall(r"\.(\w+) = (.*?),\n(?=    \.|\Z)", body + ",\n", re.DOTALL)
+    return {name: np.array(eval(value.rstrip(",").replace("{", "[").replace("}", "]"))) for name, value in found}
+
+
+@pytest.mark.parametrize("method", RADAU)
+def test_nodes_are_radau_s_and_stages_collocate(method):
+    t, s = stated(method), int(stated(method)["stages"])
+    c, a = t["c"], t["a"]
+    assert METHODS[method].order == 2 * s - 1
+    for node in c:
+        assert abs(mpmath.legendre(s, 2 * node - 1) - mpmath.legendre(s - 1, 2 * node - 1)) < 1e-14
+    for k in range(1, s + 1):  # C(s)
+        np.testing.assert_allclose(a @ c ** (k - 1), c**k / k, atol=2e-16 * s)
+    for k in range(1, 2 * s):  # B(2 s - 1), with the last row as weights
+        assert a[-1] @ c ** (k - 1) == pytest.approx(1 / k, abs=1e-15)
+    assert abs(a[-1] @ c ** (2 * s - 1) - 1 / (2 * s)) > 1e-6
+
+
+@pytest.mark.parametrize("method", RADAU)
+def test_transformation_error_and_polynomial(method):
+    t, s = stated(method), int(stated(method)["stages"])
+    mu, to, back = (t[name] @ [1, 1j] for name in ("mu", "to", "from"))
+    inverse = np.real(np.einsum("pi,p,pj->ij", back, mu, to))
+    np.testing.assert_allclose(inverse @ t["a"], np.eye(s), atol=1e-13)
+    np.testing.assert_allclose(np.real(back.T @ to), np.eye(s), atol=1e-14)
+    assert mu[0].imag == 0 < mu[0].real
+    weights, gamma = t["e"] + t["a"][-1], 1 / mu[0].real
+    for k in range(1, s + 1):
+        assert weights @ t["c"] ** (k - 1) + gamma * (k == 1) == pytest.approx(1 / k, abs=1e-14)
+    powers = t["c"][:, None] ** np.arange(1, s + 1)
+    np.testing.assert_allclose(powers @ t["powers"], np.eye(s), atol=1e-13)

@@ -30,11 +30,12 @@ class Array:
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """An assignment: the places of an array, as [0][1], that get the value of a node."""
+    """An assignment: the places of an array, as [0][1], that get the value of a node; what it is, where that helps."""
 
     array: Array
     places: tuple[str, ...]
     node: Node
+    words: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +46,7 @@ class Draft:
     actual : what the caller calls them, where that differs
     on_lanes : whether it computes with `real` (em_real.h) in place of double
     aside : whether no step calls it, so that it may be compiled beside what steps call
+    cleared : the array that is all zeros before it is assigned
     """
 
     name: str
@@ -53,6 +55,7 @@ class Draft:
     actual: Mapping[str, str] | None = None
     on_lanes: bool = False
     aside: bool = False
+    cleared: str = ""
 
     @property
     def number(self) -> str:
@@ -64,12 +67,14 @@ class Draft:
 class Kernel:
     """A straight-line function as C text.
 
-    head : its first line; declared, call : how its caller declares what it assigns (if it must), and calls it
+    head : its first line; declaration : what stands for it in units that do not hold it
+    declared, call : how its caller declares what it assigns (if it must), and calls it
     statements : in the order in which they are needed, so that a compiler keeps few values at a time
     called : names of functions that it and those written with it call
     """
 
     head: str
+    declaration: str
     declared: str
     call: str
     statements: tuple[str, ...]
@@ -122,7 +127,8 @@ class _Scope:
     def assign(self, entry: Entry) -> None:
         """Write what the kernel is for, of which all parts have their names."""
         text = self.printer.whole(self.printer.plan.roots[entry.node])
-        self.statements.append(_wrap(f"{_targets(entry)} = {text};"))
+        words = f" /* {entry.words} */" if entry.words else ""
+        self.statements.append(_wrap(f"{_targets(entry)} = {text};") + words)
 
 
 class _Writer:
@@ -223,7 +229,8 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
     names = [*read, *(array.name for array in results)]
     actual = draft.actual or {}
     return Kernel(
-        head=_head(draft, names) if draft.arguments else _inner_head(draft, read, results, handed),
+        head=_head(draft, [*names, draft.cleared]) if draft.arguments else _inner_head(draft, read, results, handed),
+        declaration=_folded(f"extern void {draft.name}(", _given(draft), ");"),
         declared=_folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=(*scope.statements, *scope.shares), cost=cost,
@@ -237,9 +244,14 @@ def _targets(entry: Entry) -> str:
 
 def _head(draft: Draft, used: Sequence[str]) -> str:
     """Of a function that others call: its arguments are given, and marked where it does not use them."""
-    given = [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
-    marked = [("" if name in used else "EM_UNUSED ") + text for name, text in zip(draft.arguments, given, strict=True)]
+    named = zip(draft.arguments, _given(draft), strict=True)
+    marked = [("" if name in used else "EM_UNUSED ") + text for name, text in named]
     return _folded(f"{'EM_ASIDE' if draft.aside else 'static'} void {draft.name}(", marked, ")")
+
+
+def _given(draft: Draft) -> list[str]:
+    """Return the arguments that others rely on."""
+    return [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
 
 
 def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:

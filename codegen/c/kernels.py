@@ -201,7 +201,7 @@ class _Writing:
         """What is not zero, since the rest is cleared before."""
         zero, square = self.terms.graph.zero, self.scene.n**2
         entries = [entry for k, M in enumerate(dM) for entry in self.whole("dM", k * square, M) if entry.node != zero]
-        return self.one(name, entries or [Entry(Array("dM", ""), ("[0]",), zero)], "t", "x", "c", "dM", aside=True)
+        return self.write(Draft(name, entries, ("t", "x", "c", "dM"), aside=True, cleared="dM"))[0]
 
     def whole(self, name: str, first: int, M: Rows) -> list[Entry]:
         """A symmetric matrix (n, n), both triangles, from the place `first` on."""
@@ -276,7 +276,7 @@ class _Writing:
         """M of the fixed blocks, then the constants that the other kernels asked for."""
         entries = self.masses([block for block in self.blocks if block.fixed], True)
         first, c = self.layout.first_constant, Array("prepared", "[N_PREPARED]")
-        entries += [Entry(c, (f"[{first + k}]",), node) for k, node in enumerate(self.constants.nodes)]
+        entries += [Entry(c, (f"[{first + k}]",), node, f"c_{k}") for k, node in enumerate(self.constants.nodes)]
         places = {name: ("parameters" if array == "c" else array, k) for name, (array, k) in self.places.items()}
         (kernel,) = written(self.terms.graph, [Draft("prepared_constants", entries, actual={"prepared": "c"})],
                             Symbols(places, first), None)  # fmt: skip

@@ -42,7 +42,11 @@ class Printer:
 
     def bare(self, value: int) -> str:
         """Return the text of a value without parentheses around it."""
-        return self.names[value] if value in self.names else self._write(self.plan.operations[value])[0]
+        if value in self.names:
+            return self.names[value]
+        operation = self.plan.operations[value]
+        text, _ = self._write(operation)
+        return text.strip("()") if operation.kind == "number" else text
 
     def _bound(self, value: int, tightness: int) -> str:
         """Return the text of a value, in parentheses where it binds less tightly than asked for."""

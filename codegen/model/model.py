@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy
 
@@ -21,6 +21,7 @@ __all__ = ["MULTIPLIER", "Event", "Model", "ModelError", "multiplier", "t"]
 
 _MOST_ROWS = 1_000_000
 Pairs = Mapping[Any, Any] | Sequence[tuple[Any, Any]]
+Value = TypeVar("Value")
 
 
 def multiplier(row: int) -> sympy.Expr:
@@ -155,11 +156,11 @@ def _normalised(given: dict[str, Any]) -> dict[str, Any]:
         "coordinates": coordinates,
         "kinetic_energy": expression(given["kinetic_energy"], "kinetic_energy"),
         "potential_energy": expression(given["potential_energy"], "potential_energy"),
-        "forces": _forces(given["forces"], coordinates),
+        "forces": _each(given["forces"], coordinates, "forces", 0, expression),
         "quasi_velocities": _expressions(given["quasi_velocities"], "quasi_velocities"),
         "outputs": _expressions(given["outputs"], "outputs"),
         "events": tuple((name, _event(entry, name)) for name, entry in pairs_of(given["events"], "events")),
-        "scales": _scales(given["scales"], coordinates),
+        "scales": _each(given["scales"], coordinates, "scales", 1.0, number),
         "drawing": drawing_of(given["drawing"]),
         "contacts": contacts_of(given["contacts"]),
         **{kind: _numbers(given[kind], kind) for kind in ("parameters", "inputs", "initial")},
@@ -179,24 +180,18 @@ def _event(given: Any, name: str) -> Event:
     return given if isinstance(given, Event) else Event(expression(given, f"events[{name}]"))
 
 
-def _forces(given: Any, coordinates: tuple[Any, ...]) -> tuple[sympy.Expr, ...]:
+def _each(
+    given: Any, coordinates: tuple[Any, ...], what: str, missing: Any, read: Callable[[Any, str], Value]
+) -> tuple[Value, ...]:
+    """Read one value for each coordinate, from a mapping of some or a sequence of all."""
     if isinstance(given, Mapping):
-        by_coordinate = _by_coordinate(given, coordinates, "forces")
-        return tuple(expression(by_coordinate.get(x, 0), f"forces[{name_of(x)}]") for x in coordinates)
-    entries = sequence_of(given, "forces") or (0,) * len(coordinates)
+        by_coordinate = _by_coordinate(given, coordinates, what)
+        entries = tuple(by_coordinate.get(x, missing) for x in coordinates)
+    else:
+        entries = sequence_of(given, what) or (missing,) * len(coordinates)
     if len(entries) != len(coordinates):
-        raise ModelError(f"forces has {len(entries)} entries for {len(coordinates)} coordinates. Give one for each.")
-    return tuple(expression(entry, f"forces[{name_of(x)}]") for x, entry in zip(coordinates, entries, strict=True))
-
-
-def _scales(given: Any, coordinates: tuple[Any, ...]) -> tuple[float, ...]:
-    if isinstance(given, Mapping):
-        by_coordinate = _by_coordinate(given, coordinates, "scales")
-        return tuple(number(by_coordinate.get(x, 1.0), f"scales[{name_of(x)}]") for x in coordinates)
-    entries = sequence_of(given, "scales") or (1.0,) * len(coordinates)
-    if len(entries) != len(coordinates):
-        raise ModelError(f"scales has {len(entries)} entries for {len(coordinates)} coordinates. Give one for each.")
-    return tuple(number(entry, f"scales[{name_of(x)}]") for x, entry in zip(coordinates, entries, strict=True))
+        raise ModelError(f"{what} has {len(entries)} entries for {len(coordinates)} coordinates. Give one for each.")
+    return tuple(read(entry, f"{what}[{name_of(x)}]") for x, entry in zip(coordinates, entries, strict=True))
 
 
 def _by_coordinate(given: Mapping[Any, Any], coordinates: tuple[Any, ...], what: str) -> Mapping[Any, Any]:

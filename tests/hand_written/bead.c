@@ -80,7 +80,7 @@ static void model_events(double t, const double *x, const double *v, const doubl
     g[1] = x[1];
 }
 
-#include "em_stepper.h"
+#include "em_handle.h"
 
 /* --- the table --- */
 
@@ -208,5 +208,8 @@ const em_model bead_model = {
     .carried = carried, .mass_matrix = mass_matrix, .mass_matrix_gradient = mass_matrix_gradient, .pfaffian = pfaffian,
     .position = position, .acceleration = acceleration, .project = project_state, .energy = energy,
     .eigenfactors = eigenfactors, .output = output, .simulate = em_simulate, .interpolate = em_interpolate,
+    .open = em_handle_open, .advance = em_handle_advance, .now = em_handle_now, .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally), .save = em_handle_save, .restore = em_handle_restore,
+    .close = em_handle_close,
     .jacobian = jacobian,
     .motion_jacobian = motion_jacobian, .release = em_release, .event = model_events};

@@ -20,6 +20,19 @@ class OptionError(ModelError, TypeError):
     """An option that `simulate` does not know: a TypeError as Python's own, and a ValueError as every other mistake."""
 
 
+def is_system(given: object) -> bool:
+    """Whether it is a compiled model, in Python's terms."""
+    return isinstance(getattr(given, "compiled", None), CompiledModel)
+
+
+def no_system(call: str, given: object, more: str = "") -> OptionError:
+    """Return what says that a call needs a System; `more` are its other arguments."""
+    return OptionError(
+        f"{call}: system is {shown(given)}, not a System. Compile the model, or the file that defines it, "
+        f"first: {call}(em.build(model){more})"
+    )
+
+
 class Task(NamedTuple):
     """One run.
 

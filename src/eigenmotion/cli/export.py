@@ -5,11 +5,10 @@ from typing import Any
 
 import click
 
-from eigenmotion.codegen.model import ModelError
 from eigenmotion.fmu.export import export_fmu
 from eigenmotion.running.methods import STEPPED
 
-from .options import ABOVE_ZERO, assignments, check_writable, model, shaping
+from .options import ABOVE_ZERO, assignments, check_file, model, shaping
 from .progress import clock
 
 
@@ -25,11 +24,7 @@ from .progress import clock
 @shaping
 def command(model: Path, fmu: Path, define: tuple[str, ...], **options: Any) -> None:
     """Write MODEL as a unit for other tools: FMI 2.0, co-simulation, with its C sources and a binary inside."""
-    if fmu.suffix != ".fmu":
-        raise ModelError(f"--fmu {fmu}: the name of a Functional Mock-up Unit ends in .fmu")
-    if not fmu.absolute().parent.is_dir():
-        raise click.UsageError(f"--fmu {fmu}: there is no folder {fmu.parent}")
-    check_writable(fmu.absolute().parent, "--fmu")
+    check_file(fmu, "--fmu")
     with clock():
         export_fmu(model, fmu, **options | assignments(define, "-D"))
     click.echo(f"wrote {fmu} ({fmu.stat().st_size / 1e3:.0f} kB); import it in any tool that speaks FMI 2.0")

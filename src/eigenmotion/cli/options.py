@@ -1,7 +1,7 @@
 """Arguments and options that commands share."""
 
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -169,6 +169,35 @@ def check_writable(folder: Path, option: str) -> None:
             pass
     except OSError as error:
         raise click.UsageError(f"{option} {folder}: nothing can be written there ({error.strerror})") from error
+
+
+def check_file(file: Path, option: str) -> None:
+    """Find out before the work whether a file can be written: into a folder that is there.
+
+    Raises
+    ------
+    UsageError
+        It cannot; names the option and says why.
+    """
+    if not file.absolute().parent.is_dir():
+        raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
+    check_writable(file.absolute().parent, option)
+
+
+def check_targets(*targets: tuple[str, Path | None, Collection[str]]) -> None:
+    """Check files that options name, where they do: each with the endings there may be.
+
+    Raises
+    ------
+    UsageError
+        As `check_file`; or an ending is unknown.
+    """
+    for option, file, endings in targets:
+        if file is None:
+            continue
+        if file.suffix not in endings:
+            raise click.UsageError(f"{option} {file}: known endings are {', '.join(endings)}")
+        check_file(file, option)
 
 
 def distinct(requests: list[Request]) -> list[Request]:

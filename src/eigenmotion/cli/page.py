@@ -12,7 +12,7 @@ from eigenmotion.files import write
 from eigenmotion.live.page import Run, page
 from eigenmotion.live.three import Three, three
 
-from .options import Finite, Shape, check_writable, ending, model, shaping
+from .options import Finite, Shape, check_file, ending, model, shaping
 from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
@@ -56,9 +56,7 @@ def _three(model: Model) -> Three | None:
 
 def _check(target: Path, t_end: float, rtol: float, atol: float) -> None:
     """Find out before the work what would fail after it."""
-    if not target.absolute().parent.is_dir():
-        raise click.UsageError(f"-o {target}: there is no folder {target.parent}")
-    check_writable(target.absolute().parent, "-o")
+    check_file(target, "-o")
     for name, value in (("--t-end", t_end), ("--rtol", rtol), ("--atol", atol)):
         if value <= 0:
             raise ModelError(f"{name} is {value:g}; a page needs a positive number")

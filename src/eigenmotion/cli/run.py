@@ -24,7 +24,7 @@ from eigenmotion.running.simulate import simulate
 from eigenmotion.runtime import StopReason
 from eigenmotion.system.system import System
 
-from .options import Finite, Shape, check_writable, ending, model, setting, shaping, values
+from .options import Finite, Shape, check_targets, ending, model, setting, shaping, values
 from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
@@ -94,14 +94,7 @@ def _check_targets(plot: Path | None, animate: Path | None, target: Path | None)
         require_matplotlib()
     if animate and animate.suffix == ".mp4":
         require_ffmpeg()
-    targets = (("--plot", plot, FORMATS), ("--animate", animate, ANIMATIONS), ("--save", target, SAVERS))
-    for option, file, endings in targets:
-        if file and file.suffix not in endings:
-            raise click.UsageError(f"{option} {file}: known endings are {', '.join(endings)}")
-        if file and not file.absolute().parent.is_dir():
-            raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
-        if file:
-            check_writable(file.absolute().parent, option)
+    check_targets(("--plot", plot, FORMATS), ("--animate", animate, ANIMATIONS), ("--save", target, SAVERS))
 
 
 def _simulated(system: System, t_end: float, **options: Any) -> Solution:

@@ -23,7 +23,7 @@ from eigenmotion.results.stores import STORES, Parts, arrays_of, require
 from eigenmotion.running.methods import AUTO, METHODS
 from eigenmotion.system.system import System
 
-from .options import Finite, Shape, check_writable, ending, model, setting, shaping, values
+from .options import Finite, Shape, check_targets, ending, model, setting, shaping, values
 from .progress import clock
 from .swept import MOST, design_of
 
@@ -188,13 +188,7 @@ def _check_targets(store: Path, plot: Path | None, workers: int | None, schedule
     """Find out before the runs what would fail after them."""
     if plot:
         require_matplotlib()
-    for option, file, endings in (("-o", store, STORES), ("--plot", plot, FORMATS)):
-        if file and file.suffix not in endings:
-            raise click.UsageError(f"{option} {file}: known endings are {', '.join(endings)}")
-        if file and not file.absolute().parent.is_dir():
-            raise click.UsageError(f"{option} {file}: there is no folder {file.parent}")
-        if file:
-            check_writable(file.absolute().parent, option)
+    check_targets(("-o", store, STORES), ("--plot", plot, FORMATS))
     if workers and scheduler:
         raise click.UsageError("--workers are threads here, --scheduler has workers of its own: give one of them")
     require(store)

@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments.members import Asked, Members
-from ..arguments.options import choice, least_norm_of, rows_at, span, step_limits, tolerances
+from ..arguments.options import choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
 from ..arguments.signals import Inputs, Signal
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.ensemble import Ensemble
 from ..running.choosing import automatic_of_many
 from ..running.methods import AUTO, METHODS, Method
-from ..running.simulate import NAMES, STABILISATIONS, is_system, refused
+from ..running.simulate import NAMES, STABILISATIONS, refused
 from ..running.start import check_direction, check_modes
 from . import memory
 from .executors import in_executor

@@ -26,7 +26,7 @@ from ..building.cache import key
 from ..building.request import Request, request
 from ..building.toolchain import INCLUDE, LINK, SHARED, STANDARD, run, toolchain
 from ..codegen.model import Model, ModelError
-from ..codegen.model.normalise import real
+from ..codegen.model.normalise import real, shown
 from ..files import write
 from ..running.methods import FIXED, STEPPED, Method
 
@@ -117,9 +117,24 @@ def export_fmu(
     """
     wanted = request(model, keywords, formulation=formulation, close_eigenvalues=close_eigenvalues, schur=schur)
     chosen: Method = choice(method, STEPPED, "method")
-    target = Path(path)
+    target = _target(path)
     options = tuple(_positive(value, name) for value, name in ((rtol, "rtol"), (atol, "atol")))
-    write(target, packed(wanted, chosen, options, _step(chosen, step)))
+    unit = packed(wanted, chosen, options, _step(chosen, step))
+    try:
+        write(target, unit)
+    except OSError as error:
+        raise ModelError(f"{target}: nothing can be written there ({error.strerror})") from error
+    return target
+
+
+def _target(path: object) -> Path:
+    if not isinstance(path, (str, PathLike)):
+        raise ModelError(f"path is {shown(path)}: give the name of a file, as {'unit.fmu'!r}")
+    target = Path(path)
+    if target.suffix != ".fmu":
+        raise ModelError(f"{target}: the name of a Functional Mock-up Unit ends in .fmu")
+    if target.is_dir():
+        raise ModelError(f"{target} is a folder: give the name of a file")
     return target
 
 

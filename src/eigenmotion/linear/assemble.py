@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from scipy.optimize import least_squares
 
 from ..arguments.names import Vector, rate_name, spelled, unknown
+from ..arguments.options import is_system, no_system
 from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
 from ..running.consistent import ConsistentState, Projection, length
@@ -76,6 +77,8 @@ def assemble(
     >>> em.assemble(system, {"q1": 1.0, "q2": 0.5, "q3": 1.5}, keep=["q1"]).message
     "q3 moved most, by -0.062; closed on the branch of the model's start"
     """
+    if not is_system(system):
+        raise no_system("assemble", system)
     c, prepared, t = system.compiled, system.prepare(parameters), number(t, "t")
     x, v = system.start(x0, v0, t, prepared)
     held = _indices(keep, c.coordinates, "keep")

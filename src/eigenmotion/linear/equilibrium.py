@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arguments.names import Vector, overlay, rate_name, spelled, unknown
+from ..arguments.options import is_system, no_system
 from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
 from .balance import Balance
@@ -88,6 +89,8 @@ def find_equilibrium(
     >>> em.find_equilibrium(system, {"theta": 0.3})
     <Equilibrium elastic_pendulum: at rest; theta=0, r=1.0981>
     """
+    if not is_system(system):
+        raise no_system("find_equilibrium", system)
     balance = _balance(system, x0, free, v0, t, inputs, parameters, constant)
     start = balance.start
     solution = balance.solved(start)

@@ -95,7 +95,7 @@ class Ensemble:
 
     def message(self, k: int) -> str:
         """Return how run k ended, where, and what to do."""
-        found, k = self._found, range(len(self))[k]
+        found, k = self._found, self._number(k)
         if k in found.words:
             return found.words[k]
         stop, model = REASONS[found.status[k]], self._model
@@ -194,9 +194,23 @@ class Ensemble:
 
     # --- one of them ---
 
+    def _number(self, k: int) -> int:
+        """Return which run k is, counted from the first; -1 is the last."""
+        if not isinstance(k, (int, np.integer)):
+            raise ModelError(f"run {k!r} of an ensemble: runs are numbered, from 0 to {len(self) - 1}")
+        if not -len(self) <= k < len(self):
+            raise IndexError(f"run {k} of an ensemble of {len(self)}: runs are numbered from 0 to {len(self) - 1}")
+        return int(k) % len(self)
+
     def __getitem__(self, k: int) -> Solution:
-        """Return run k."""
-        k = range(len(self))[k]
+        """Return run k.
+
+        Raises
+        ------
+        IndexError
+            There is no such run.
+        """
+        k = self._number(k)
         found, members, asked = self._found, self._members, self._asked
         there = ~np.isnan(found.y[k]).any(axis=1)
         t = self._times[k if asked.end_only else 0][there]

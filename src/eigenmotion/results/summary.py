@@ -67,8 +67,8 @@ def _invariants(system: "System", solution: Solution) -> list[tuple[str, str]]:
 
 def _acted(system: "System", solution: Solution) -> bool:
     """Whether an event changed the state, and so the energy."""
-    happened = zip(solution.t_events or (), system.compiled.deeds, strict=True)
-    return any(len(times) > 0 and acts for times, (acts, _) in happened)
+    happened = zip(solution.t_events or (), system.compiled.acting, strict=True)
+    return any(len(times) > 0 and acts for times, acts in happened)
 
 
 def _estimate(solution: Solution) -> list[tuple[str, str]]:

@@ -5,7 +5,7 @@ from contextlib import suppress
 from ..arguments.options import Task
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
-from ..runtime import Run
+from ..runtime import Run, StopReason
 from .methods import Method
 from .sampled import as_held, drive, opened
 
@@ -19,22 +19,23 @@ def run_compiled(task: Task, method: Method, number: int) -> Solution:
         What a controller raised, as it is; its `solution` is what was done up to there.
     """
     if not task.inputs.sampled:
-        return _solution(task, method, Run(task, number))
+        return solution_of(task, method, Run(task, number))
     task, held = opened(task)
     run = Run(task, number, False)
     try:
         drive(run, task, held)
     except BaseException as error:
-        run.close(True)
+        run.close(StopReason.INTERRUPTED)
         with suppress(AttributeError):  # of exceptions that take none
-            error.solution = _solution(as_held(task, held), method, run)  # type: ignore[attr-defined]
+            error.solution = solution_of(as_held(task, held), method, run)  # type: ignore[attr-defined]
         raise
-    run.close(False)
-    return _solution(as_held(task, held), method, run)
+    run.close()
+    return solution_of(as_held(task, held), method, run)
 
 
-def _solution(task: Task, method: Method, run: Run) -> Solution:
-    fields = run.fields(method.name)
+def solution_of(task: Task, method: Method, run: Run, counts: tuple[int | None, ...] | None = None) -> Solution:
+    """Return what came of a run; `counts` (as in COUNTS) where it is not the run that knows them."""
+    fields = run.fields(method.name, counts)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
     return Solution(Trajectory(task, fields["t"], fields["y"].T, run.legs), fields)

@@ -84,7 +84,7 @@ def _name(key: object) -> str:
 def _check_smooth(task: Task, c: CompiledModel) -> None:
     """Refuse what changes the motion by more than its forces: the derivatives of these would be left out."""
     if c.acts:
-        acting = ", ".join(repr(name) for name, (acts, _) in zip(c.events, c.deeds, strict=True) if acts)
+        acting = ", ".join(repr(name) for name, acts in zip(c.events, c.acting, strict=True) if acts)
         raise ModelError(f"{c.name}: sensitivities do not go through events that change the state ({acting})")
     if task.inputs.sampled:
         raise ModelError(f"{c.name}: sensitivities do not go through a controller (Sampled): differentiate the closed "

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import options
 from ..arguments.names import Vector, unknown
-from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, OptionError, Task, choice
+from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, OptionError, Task, choice, is_system, no_system
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..runtime import CompiledModel, EvaluationError, plain
@@ -197,19 +197,11 @@ def refused(
 ) -> OptionError:
     """Return what Python would take, or refuse in words that do not help, in words that do; `known` are the options."""
     if not is_system(system):
-        return OptionError(
-            f"{call}: system is {shown(system)}, not a System. Compile the model, or the file that defines it, "
-            f"first: {call}(em.build(model), t_span)"
-        )
+        return no_system(call, system, ", t_span")
     if positional:
         words = ", ".join(f"{name}={shown(value)}" for name, value in zip(known, positional, strict=False))
         return OptionError(f"{call}: everything after t_span is given by keyword; did you mean {words}?")
     return OptionError(f"{call}: {unknown('option', misspelt, known, SCIPY_OPTIONS)}")
-
-
-def is_system(given: object) -> bool:
-    """Whether it is a compiled model, in Python's terms."""
-    return isinstance(getattr(given, "compiled", None), CompiledModel)
 
 
 def _checker(given: Any) -> CompiledModel:

@@ -45,7 +45,7 @@ def check_direction(model: CompiledModel, start: float, end: float) -> None:
         The model has such events, and `end` is before `start`.
     """
     if model.acts and end < start:
-        acting = [name for name, (acts, _) in zip(model.events, model.deeds, strict=True) if acts]
+        acting = [name for name, acts in zip(model.events, model.acting, strict=True) if acts]
         raise ModelError(
             f"{model.name}: t_span runs backwards, but events that act ({', '.join(map(repr, acting))}) do so forwards "
             "only: what was before an impact or a reset does not follow from what is after it. Run forwards."

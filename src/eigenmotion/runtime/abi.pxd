@@ -39,6 +39,7 @@ cdef extern from "eigenmotion.h" nogil:
         EM_MIDPOINT
         EM_RADAU5
         EM_RADAU9
+        EM_TOLD
 
     ctypedef struct em_rows:
         size_t count
@@ -51,7 +52,6 @@ cdef extern from "eigenmotion.h" nogil:
         double h
 
     ctypedef struct em_deed:
-        int keeps_apart
         int acts
 
     ctypedef struct em_switch:
@@ -60,9 +60,11 @@ cdef extern from "eigenmotion.h" nogil:
         int slides
         int row
 
-    ctypedef struct em_pile:
+    ctypedef struct em_piece:
         double t
-        double count
+        double h
+        const double *y
+        int left
 
     ctypedef struct em_run:
         double t_start
@@ -85,6 +87,7 @@ cdef extern from "eigenmotion.h" nogil:
         const int *event_terminal
         int (*poll)(void *) noexcept nogil
         void *poll_argument
+        em_piece *piece
         em_fault fault
         em_rows rows
         em_rows *events
@@ -174,7 +177,6 @@ cdef extern from "eigenmotion.h" nogil:
         const em_deed *deeds
         int n_switches
         const em_switch *switches
-        int (*act)(double, double *, double *, double *, const double *, int, int *, em_pile *, em_fault *) noexcept nogil
         const em_lanes *lanes
         void *(*enter)(em_run *, em_flock *, int) noexcept nogil
         int n_shapes

@@ -37,8 +37,7 @@ class PointModel:
     left_out: tuple[str, ...]
     layout: tuple[tuple[str, int, int], ...]
     block: tuple[int, ...]
-    event_kinds: tuple[tuple[int, bool], ...]
-    deeds: tuple[tuple[bool, bool], ...]
+    acting: tuple[bool, ...]
     switches: tuple[tuple[int, int, int, int], ...]
     acts: bool
     shapes: tuple[tuple[str, int, int], ...]
@@ -71,17 +70,6 @@ class PointModel:
         self, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, u: ArrayLike, least_norm: bool
     ) -> tuple[Vector, Vector]: ...
     def project(self, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, least_norm: bool) -> tuple[Vector, Vector]: ...
-    def act(
-        self,
-        t: float,
-        x: ArrayLike,
-        v: ArrayLike,
-        c: Prepared,
-        u: ArrayLike,
-        least_norm: bool,
-        fired: ArrayLike,
-        pile: Vector,
-    ) -> tuple[Vector, Vector, Prepared, Vector]: ...
     def jacobian(self, t: float, y: ArrayLike, c: Prepared, u: ArrayLike) -> Vector: ...
     def motion_rate(self, t: float, z: ArrayLike, c: Prepared, u: ArrayLike, least_norm: bool) -> Vector: ...
     def slopes_size(self, t: float, y: ArrayLike, c: Prepared, u: ArrayLike, least_norm: bool) -> float: ...

@@ -8,7 +8,7 @@ from cpython.pycapsule cimport PyCapsule_GetPointer
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_ABI, em_fault, em_model, em_pile
+from .abi cimport EM_ABI, em_fault, em_model
 from .arrays cimport Numbers, given, takes, zeros
 from .start cimport EM_START_STEPS, em_factored_gradient, em_factored_matrix, em_start, em_start_tolerance
 
@@ -78,10 +78,8 @@ cdef class PointModel:
                              for k in range(c.n_layout)])
         self.block = tuple([c.block[k] for k in range(c.n)])
         self.carried = tuple([k for k in range(c.n) if c.carried[k]])
-        self.event_kinds = tuple([(c.event_direction[k], c.event_terminal[k] != 0) for k in range(c.n_events)])
-        self.acts = c.act != NULL
-        self.deeds = tuple([(c.deeds[k].acts != 0, c.deeds[k].keeps_apart != 0) for k in range(c.n_events)
-                            ]) if self.acts else ((False, False),) * c.n_events
+        self.acts = c.deeds != NULL
+        self.acting = tuple([self.acts and c.deeds[k].acts != 0 for k in range(c.n_events)])
         self.switches = tuple([(c.switches[k].event, c.switches[k].holds, c.switches[k].slides, c.switches[k].row)
                                for k in range(c.n_switches)])
 
@@ -215,27 +213,6 @@ cdef class PointModel:
         if self.model.project(t, q.data, w.data, c.c, least_norm, &fault) != 0:
             raise self.failure(&fault)
         return q.array, w.array
-
-    def act(self, double t, x, v, Prepared c not None, u, bint least_norm, fired, pile):
-        """x, v, Prepared after the events `fired` (n_events) at t, and (n_events) the events whose number jumps then.
-
-        pile (n_events, 2) is of the run, zero at first: how often each acted at about one time.
-        """
-        cdef em_fault fault
-        cdef Numbers q = given(np.array(x, dtype=np.float64), (self.n,), "x")
-        cdef Numbers w = given(np.array(v, dtype=np.float64), (self.n,), "v")
-        cdef Numbers s = given(u, (self.n_inputs,), "inputs"), piles = given(pile, (self.n_events, 2), "pile")
-        cdef Prepared made = Prepared.__new__(Prepared)
-        cdef int[::1] jumps = np.array(fired, dtype=np.intc)
-        made.model = self
-        made.c = <double *> calloc(self.model.n_prepared + 1, sizeof(double))
-        if made.c == NULL:
-            raise MemoryError
-        memcpy(made.c, c.c, self.model.n_prepared * sizeof(double))
-        if self.model.act(t, q.data, w.data, made.c, s.data, least_norm, &jumps[0], <em_pile *> piles.data, &fault) != 0:
-            raise self.failure(&fault)
-        made.parameters = tuple([made.c[k] for k in range(self.model.n_parameters)])
-        return q.array, w.array, made, np.asarray(jumps) != 0
 
     def jacobian(self, double t, y, Prepared c not None, u):
         """(n_state, n_state): d rhs / d y."""

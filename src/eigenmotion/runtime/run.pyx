@@ -5,8 +5,8 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_INTERRUPTED, EM_RA15
-from .abi cimport em_dense_step, em_fault, em_method, em_rows, em_run, em_signal, em_signal_kind
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_TOLD
+from .abi cimport em_dense_step, em_fault, em_method, em_piece, em_rows, em_run, em_signal, em_signal_kind, em_status
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 
@@ -16,6 +16,10 @@ from .faults import StopReason, explain, stiffness
 
 COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "n_stiff", "njev", "nlu")
 """What a `Solution` counts."""
+TOLD = <int> EM_TOLD
+"""The number of the method that makes no steps, but is told them."""
+TOLD_NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(EM_DENSE_COEFFICIENTS) / (EM_DENSE_COEFFICIENTS - 1))
+"""(10,) parts of a step that is told: those of em_told.h."""
 _REASONS = tuple(StopReason)
 _TERMINAL_EVENT = StopReason.TERMINAL_EVENT
 _FINISHED = explain(StopReason.FINISHED, ())
@@ -74,8 +78,10 @@ cdef class Run:
 
     cdef em_run run
     cdef em_signal *signals
+    cdef em_piece piece
     cdef readonly PointModel model
     cdef readonly object stop
+    cdef str said
     cdef list held
     cdef object pending
     cdef void *walk
@@ -142,6 +148,9 @@ cdef class Run:
     # --- in parts, with inputs that change in between ---
 
     cdef open(self):
+        if self.run.model.open == NULL:
+            raise TypeError(f"{self.model.name}: its table has no open: where it is written by hand, it gives what "
+                            "em_handle.h has")
         self.most_steps = self.run.max_steps
         self.walk = self.run.model.open(&self.run)
         if self.walk == NULL:
@@ -165,6 +174,27 @@ cdef class Run:
             raise self.pending
         return not ended
 
+    def tell(self, double t, double t_new, values):
+        """Go on along a step from t to t_new that the caller has made (em_told.h).
+
+        Parameters
+        ----------
+        values
+            (10, 2 n) x and v at `TOLD_NODES` of it.
+
+        Returns
+        -------
+        bool or None
+            Whether the run goes on; None: from where it stands now, as an event has acted.
+        """
+        table = np.zeros((EM_DENSE_COEFFICIENTS, self.model.n_state))
+        table[:, :2 * self.model.n] = values
+        cdef Numbers y = given(table, (EM_DENSE_COEFFICIENTS, self.model.n_state), "values")
+        self.piece = em_piece(t=t, h=t_new - t, y=y.data, left=False)
+        self.run.piece = &self.piece
+        cdef bint goes_on = self.advance(t_new)
+        return None if goes_on and self.piece.left else goes_on
+
     def set(self, Py_ssize_t place, double value):
         """An input, which is constant, from here on."""
         cdef double *held = <double *> self.signals[place].values
@@ -177,11 +207,17 @@ cdef class Run:
         self.run.model.now(self.walk, x.data, v.data)
         return x.array, v.array
 
-    def close(self, bint interrupted):
-        """The end of a run in parts, that of t_span or an earlier one."""
+    @property
+    def t(self):
+        """[s] where the run stands."""
+        return self.run.t_reached
+
+    def close(self, stop=None, str said=""):
+        """The end of a run in parts: where it got by itself, or, for a StopReason of the caller's, with what that says."""
         self.shut()
-        if interrupted:
-            self.run.fault = em_fault(status=EM_INTERRUPTED, first=-1, second=-1, size=0.0)
+        if stop is not None:
+            self.run.fault = em_fault(status=<em_status> (<int> _REASONS.index(stop)), first=-1, second=-1, size=0.0)
+            self.said = said
         self.stop = _REASONS[<int> self.run.fault.status]
 
     cdef table(self, em_rows *rows):
@@ -212,18 +248,32 @@ cdef class Run:
             found.append((int(c[legs.width - 1]), legs.t[k], parameters))
         return tuple(found)
 
-    def fields(self, str method):
-        """What came of it, as `record` has it, but `sol`."""
+    @property
+    def parameters(self):
+        """Of the mode it is in; None for a model without modes."""
+        cdef em_rows *legs = &self.run.legs
+        if legs.count == 0:
+            return None
+        return [legs.y[(legs.count - 1) * legs.width + i] for i in range(self.model.model.n_parameters)]
+
+    def fields(self, str method, tuple counts=None):
+        """What came of it, as `record` has it, but `sol`; counts as in COUNTS, where the caller knows better."""
         t, y = self.table(&self.run.rows)
         t_events, y_events = self.events(self.run.events)
         after = None
         if self.model.acts:
             _, after = self.events(self.run.after)
-            after = [now if acts else y for now, y, (acts, _) in zip(after, y_events, self.model.deeds)]
-        counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
-                  self.run.n_jacobians, self.run.n_factors)
+            after = [now if acts else y for now, y, acts in zip(after, y_events, self.model.acting)]
+        if counts is None:
+            counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
+                      self.run.n_jacobians, self.run.n_factors)
         return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after,
                       modes_of(self.model, self.legs))
+
+    @property
+    def nsteps(self):
+        """Accepted steps so far."""
+        return self.run.n_steps
 
     @property
     def n_dense(self):
@@ -236,7 +286,8 @@ cdef class Run:
         if self.stop is StopReason.FINISHED:
             return _FINISHED + stiff
         fault = self.run.fault
-        words = explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size, self.model.events)
+        words = self.said or explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size,
+                                     self.model.events)
         return f"At t = {self.run.t_reached:.9g}: {words}{stiff}"
 
     @property

@@ -107,7 +107,10 @@ cdef class Steps:
         if type(inputs) is dict:
             for name, value in (<dict> inputs).items():
                 k = self.place(name)
-                self.u[k] = value
+                try:
+                    self.u[k] = value
+                except TypeError:
+                    raise TypeError(f"input {self.model.inputs[k]!r} is {value!r}, not a real number") from None
                 self.check(k)
             return 0
         numbers = given(inputs, (self.model.n_inputs,), "inputs")
@@ -149,19 +152,24 @@ cdef class Steps:
                                "each thread needs one of its own")
         return 0
 
-    def advance(self, double t, inputs=None):
+    def advance(self, t, inputs=None):
         """Go exactly to t, forwards or back, with these inputs from here on."""
         cdef const double *u = NULL
+        cdef double there
         cdef int failed
         self.claim()
-        if not isfinite(t):
-            raise ValueError(f"t is {t}, not a finite number")
+        try:
+            there = t
+        except TypeError:
+            raise TypeError(f"t is {t!r}, not a real number") from None
+        if not isfinite(there):
+            raise ValueError(f"t is {there}, not a finite number")
         if inputs is not None:
             self.set_inputs(inputs)
             u = self.u
         self.busy = True
         with nogil:
-            failed = em_stepper_advance(self.steps, t, u)
+            failed = em_stepper_advance(self.steps, there, u)
         self.busy = False
         if failed:
             if self.pending is not None:

@@ -57,7 +57,7 @@ def _refuses(run: Solution) -> bool:
 
 def _jumps(system: System, run: Solution) -> bool:
     """Whether something acted, or holds that does not in the model's own mode."""
-    acted = any(len(times) for times, (acts, _) in zip(run.t_events or (), system.compiled.deeds, strict=False) if acts)
+    acted = any(len(times) for times, acts in zip(run.t_events or (), system.compiled.acting, strict=False) if acts)
     return acted or any(any(mode.values()) for _, mode in run.modes)
 
 

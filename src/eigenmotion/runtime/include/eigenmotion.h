@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 9 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 10 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -66,9 +66,10 @@ typedef struct em_signal {
     const double *values;      /* (count); EM_CUBIC: (count - 1, 4) coefficients, highest power first, local time */
 } em_signal;
 
-/* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error. */
+/* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error.
+ * EM_TOLD makes no steps: the caller makes them, and tells them (em_piece). */
 typedef enum em_method {
-    EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT, EM_RADAU5, EM_RADAU9
+    EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT, EM_RADAU5, EM_RADAU9, EM_TOLD
 } em_method;
 
 enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
@@ -106,6 +107,13 @@ typedef struct em_dense_step {
     size_t leg;     /* of em_run's legs */
 } em_dense_step;
 
+/* A step that the caller of EM_TOLD has made, from t on; the run is advanced to its end and no further. */
+typedef struct em_piece {
+    double t, h;
+    const double *y; /* (EM_DENSE_COEFFICIENTS, n_state) x and v at the nodes of em_told.h; the rest counts for nothing */
+    int left;        /* whether an event acted in it, and the motion goes on as another */
+} em_piece;
+
 struct em_model;
 
 /* One simulation. The caller fills the first part (zero the whole struct before), em_model.simulate the second;
@@ -131,6 +139,7 @@ typedef struct em_run {
     const int *event_terminal;   /* (n_events) */
     int (*poll)(void *);         /* called about every 20 ms; non-zero ends the run as EM_INTERRUPTED; or NULL */
     void *poll_argument;
+    em_piece *piece;             /* of EM_TOLD */
 
     /* --- what came of it --- */
     em_fault fault;              /* fault.status says how it ended */
@@ -247,10 +256,6 @@ typedef struct em_model {
     const em_deed *deeds;          /* (n_events), or NULL: events change nothing */
     int n_switches;
     const em_switch *switches;     /* (n_switches) */
-    /* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; pile (n_events) is of
-     * the run. `fired` grows by events whose number jumps then. None fired: at the start of a run. NULL: nothing acts. */
-    int (*act)(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
-               em_fault *fault);
 
     const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
     /* A run that is to go on in a lane: its start is there. NULL: it cannot, and run is as it was but for its fault. */

@@ -1,4 +1,4 @@
-/* em_acts.h: what events do to a state, em_model.act; for runs in C and for those in Python.
+/* em_acts.h: what events do to a state.
  *
  * In this order: impacts, one after the other as the model lists them, until nothing approaches what struck it; resets;
  * then contacts that would pull let go, and frictions at rest stick where they can. */
@@ -273,8 +273,8 @@ EM_COLD int em_settle_modes(em_acting *a) {
     return em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault);
 }
 
-/* em_model.act: x, v (n) and c, the mode, after the events `fired` (n_events) at t, which grow by those whose number
- * jumps with it; none fired: at the start of a run. 0, or -1 and *fault. */
+/* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
+ * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
 EM_COLD int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                    em_fault *fault) {
     em_acting a = {t, x, v, c, u, least_norm, fired, fault, 0, {0}};

@@ -20,9 +20,10 @@ static int em_keep_constraints(em_walk *w, double t, const double *x) { return (
 static int em_keep_constraints_at_start(em_walk *w) { return (void)w, 0; }
 static int em_check_dependent(em_walk *w) { return (void)w, 0; }
 static int em_check_positions(em_walk *w) { return (void)w, 0; }
-static int em_check_drift(em_walk *w) { return (void)w, 0; }
+static int em_check_drift(em_walk *w, const double *x, const double *v) { return (void)w, (void)x, (void)v, 0; }
 static int em_check_factors(em_walk *w) { return (void)w, 0; }
 static void em_begin_chart(em_walk *w) { (void)w; }
 static int em_check_chart(em_walk *w) { return (void)w, 0; }
+static int em_check_pivots(em_walk *w) { return (void)w, 0; }
 
 #endif

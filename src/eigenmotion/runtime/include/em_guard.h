@@ -75,18 +75,18 @@ static double em_apart(const double *q, const double *other, const double *weigh
     return sqrt(em_weighted_squares(N, difference, weight));
 }
 
-/* Where nothing is settled, the constraints are met up to drift. A consistent state nearby differs by as little, in x
- * and in v, except where A turns within the drift: there a motion on the drifted constraints leaves for another branch
- * than that on the constraints. 0, or -1 and w->reason. */
-static int em_check_drift(em_walk *w) {
+/* Where nothing is settled, the constraints are met up to drift by the x and v (n) that are integrated. A consistent state
+ * nearby differs by as little, in x and in v, except where A turns within the drift: there a motion on the drifted
+ * constraints leaves for another branch than that on the constraints. 0, or -1 and w->reason. */
+static int em_check_drift(em_walk *w, const double *x, const double *v) {
     const double *const weight = w->weight, still[N] = {0.0};
-    double x[N], v[N];
-    memcpy(x, w->y_new, sizeof x);
-    memcpy(v, w->f_new, sizeof v);
+    double near_x[N], near_v[N];
+    memcpy(near_x, x, sizeof near_x);
+    memcpy(near_v, v, sizeof near_v);
     w->farthest = em_max(w->farthest, em_apart(x, w->run->y_start, weight));
     w->fastest = em_max(w->fastest, em_apart(v, still, weight + N));
-    if (em_project(w->t_new, x, v, w->run->prepared, w->run->least_norm, &w->reason)) return -1;
-    const double distance = em_apart(x, w->y_new, weight), change = em_apart(v, w->f_new, weight + N);
+    if (em_project(w->t_new, near_x, near_v, w->run->prepared, w->run->least_norm, &w->reason)) return -1;
+    const double distance = em_apart(near_x, x, weight), change = em_apart(near_v, v, weight + N);
     const int lost = !(distance <= EM_DRIFTED * w->farthest + EM_FARTHEST);
     if (!lost && change <= EM_DRIFTED * w->fastest + EM_FARTHEST) return 0;
     return em_fail_weakest(w, lost ? distance : change);

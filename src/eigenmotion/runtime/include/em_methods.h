@@ -10,6 +10,7 @@
 #include "em_node_interpolant.h"
 #include "em_nodes.h"
 #include "em_runge_kutta.h"
+#include "em_told.h"
 
 #define EM_RUNGE_KUTTA(name, tableau, judge)                                                             \
     static int em_##name##_step(em_walk *w) { return em_rk_step(&tableau, w); }                          \
@@ -41,6 +42,11 @@ static em_scheme em_collocation(const em_radau_iia *rk) {
                        em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk};
 }
 
+static em_scheme em_told(void) {
+    return (em_scheme){EM_TOLD_ORDER, 1.0, 0.0, INFINITY, EM_TOLD_DEGREE, 0, em_told_step, NULL, em_told_interpolate,
+                       em_told_sketch, em_told_evaluate, EM_MOTION, 0, NULL};
+}
+
 /* The table. */
 static em_scheme em_scheme_of(em_method method) {
     switch (method) {
@@ -51,6 +57,7 @@ static em_scheme em_scheme_of(em_method method) {
         case EM_RADAU9: return em_collocation(&EM_RADAU9_TABLEAU);
         case EM_RK4: return em_rk4();
         case EM_MIDPOINT: return em_midpoint();
+        case EM_TOLD: return em_told();
         case EM_DOP853: break;
     }
     return em_dop853();

@@ -108,6 +108,7 @@ static int em_resume(em_walk *w) {
 /* One accepted step. */
 static int em_go_on(em_walk *w) {
     if (em_step_forward(w)) return EM_END;
+    if (em_is_told(w->run) && em_check_told(w)) return em_end_with(w, w->reason);
     if (w->run->least_norm && em_keep_constraints(w, w->t_new, w->y_new)) return em_end_with(w, w->reason);
     double t_stop = w->t_new;
     int terminal = 0;
@@ -135,7 +136,7 @@ static em_walk *em_open(em_run *run) {
 static int em_advance(em_walk *w, double t_goal) {
     w->t_goal = t_goal;
     if (!w->ended && !w->begun && w->t != t_goal) w->ended = em_begin(w);
-    while (!w->ended && w->t != t_goal) w->ended = em_go_on(w);
+    while (!w->ended && w->t != w->t_goal) w->ended = em_go_on(w);
     return w->ended;
 }
 

@@ -15,7 +15,8 @@
 
 /* Whether there is an energy to look at: what drifts off constraints does work against them. */
 static int em_has_witness(const em_run *run) {
-    return (run->stabilise || N_ROWS == 0) && run->model != NULL && run->model->conserves_energy;
+    const int drifts = N_ROWS > 0 && (!run->stabilise || em_is_told(run));
+    return !drifts && run->model != NULL && run->model->conserves_energy;
 }
 
 static double em_jacobi_integral(const em_walk *w, double t, const double *x, const double *v) {
