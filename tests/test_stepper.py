@@ -1,29 +1,20 @@
 """Steppers: a mechanism that goes on as far as it is told, against runs in one go and motions on paper."""
 
 import pickle
-import re
-import shutil
-import signal
-import subprocess
-import threading
-import time
 from functools import cache, partial
-from pathlib import Path
 
 import numpy as np
 import pytest
-from eigenmotion.codegen import compiler
 from numpy.polynomial import Polynomial
 from sympy import log, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion import Model, ModelError, Signal, StopReason
-from eigenmotion.building.toolchain import INCLUDE, toolchain
+from eigenmotion import Model, Signal, StopReason
 from eigenmotion.running.methods import COMPILED, FIXED, STEPPED
 from eigenmotion.runtime import EvaluationError
 
-from .generation import FORMULATIONS, STRICT, model_of, relative, system_for, system_of
+from .generation import FORMULATIONS, relative, system_for, system_of
 from .test_inputs import TIGHT, forced, oscillator
 
 TIMES = np.linspace(0.0, 3.0, 31)
@@ -170,34 +161,6 @@ def test_signals_go_on_by_themselves_forwards_and_back():
         stepper.advance(1.0, {"u": 3.0})
 
 
-@pytest.mark.parametrize(
-    ("t", "inputs", "words"),
-    [
-        (np.nan, None, "t is nan, not a finite number"),
-        (np.inf, None, "t is inf, not a finite number"),
-        (1.0, {"u": np.nan}, "input 'u' is nan, not a finite number"),
-        (1.0, [np.inf], "input 'u' is inf, not a finite number"),
-        (1.0, {"w": 1.0}, "unknown input 'w'; known: u"),
-        (1.0, [1.0, 2.0], "inputs has shape"),
-    ],
-)
-def test_what_is_no_time_or_input_is_refused_and_nothing_moves(t, inputs, words):
-    stepper = oscillator().stepper()
-    stepper.advance(0.5)
-    before = stepper.save()
-    with pytest.raises(ValueError, match=re.escape(words)):
-        stepper.advance(t, inputs)
-    assert stepper.save() == before
-
-
-@pytest.mark.parametrize("inputs", [{"u": "fast"}, {"u": None}, 3, {"u": 1j}])
-def test_what_is_no_number_is_refused(inputs):
-    stepper = oscillator().stepper()
-    with pytest.raises((TypeError, ValueError)):
-        stepper.advance(1.0, inputs)
-    assert stepper.t == 0.0
-
-
 @cache
 def fragile():
     """x'' = log(1 - x) + u, which has no value from x = 1 on; an event at x = 1/2."""
@@ -291,164 +254,3 @@ def test_where_it_stands():
     driven = oscillator().stepper(inputs={"u": 2.0})
     assert driven.u == [2.0]
     assert driven.outputs == {"u": 2.0}
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        ({"method": "Radau"}, "unknown method 'Radau'"),
-        ({"method": "rk4"}, "method 'rk4' needs step"),
-        ({"step": 0.1}, "step is for methods of fixed step"),
-        ({"method": "rk4", "step": 0.0}, "step is 0.0, but must be above 0"),
-        ({"t0": 1.0}, "unknown option 't0'"),
-        ({"x0": {"theta": 0.0}}, "theta"),
-        ({"start": (0.0, np.zeros(3)), "x0": np.zeros(4)}, "start= says all of t, x0 and v0"),
-        ({"start": (0.0, np.zeros(3))}, "has shape (3,)"),
-        ({"start": 3}, "neither a Solution nor a pair"),
-    ],
-)
-def test_what_no_stepper_can_be_opened_with(options, words):
-    with pytest.raises(ModelError, match=re.escape(words)):
-        system_of("dual_link").stepper(**options)
-
-
-def test_two_at_once_know_nothing_of_each_other():
-    system, times = system_of("dual_link"), np.linspace(0, 20, 2001)[1:]
-    alone = stepped(system.stepper(), times)
-    found: dict[int, np.ndarray] = {}
-
-    def work(k):
-        found[k] = stepped(system.stepper(), times)
-
-    threads = [threading.Thread(target=work, args=(k,)) for k in range(3)]
-    [thread.start() for thread in threads]
-    [thread.join() for thread in threads]
-    assert all(np.array_equal(rows, alone) for rows in found.values())
-
-
-def test_one_stepper_is_one_threads():
-    stepper = system_of("dual_link").stepper(rtol=1e-9, max_steps=10**9)
-    thread = threading.Thread(target=stepper.advance, args=(3000.0,))
-    thread.start()
-    refused = []
-    while thread.is_alive():
-        try:
-            stepper.save()
-        except RuntimeError as error:
-            refused.append(str(error))
-            break
-    thread.join()
-    assert "each thread needs one of its own" in refused[0]
-    assert stepper.t == 3000.0
-
-
-class AlarmError(Exception):
-    pass
-
-
-def test_a_signal_ends_an_advance_which_can_go_on():
-    def ring(*_):
-        raise AlarmError
-
-    stepper = system_of("dual_link").stepper(max_steps=10**12)
-    before = signal.signal(signal.SIGALRM, ring)
-    try:
-        signal.setitimer(signal.ITIMER_REAL, 0.1)
-        start = time.perf_counter()
-        with pytest.raises(AlarmError):
-            stepper.advance(1e7)
-        assert time.perf_counter() - start < 30.0
-    finally:
-        signal.signal(signal.SIGALRM, before)
-    t = stepper.t
-    assert 0.0 < t < 1e7
-    stepper.advance(t + 1.0)
-    assert stepper.t == t + 1.0
-
-
-def test_goes_on_from_a_solution_or_a_state():
-    system = system_of("dual_link")
-    first = system.simulate((0, 2), **TIGHT)
-    whole = system.simulate((0, 4), **TIGHT)
-    for start in (first, (first.t[-1], first.y[:, -1])):
-        second = system.simulate((2, 4), start=start, **TIGHT)
-        assert relative(second.x[:, -1], whole.x[:, -1]) < 1e-9
-        assert np.abs(second.y[:, 0] - first.y[:, -1]).max() < 1e-12  # signs and order of eigenvectors, too
-        stepper = system.stepper(start=start, **TIGHT)
-        stepper.advance(4.0)
-        assert relative(stepper.x, whole.x[:, -1]) < 1e-9
-    other = system_of("dual_link", "lagrange").simulate((2, 4), start=first, **TIGHT)
-    assert relative(other.x[:, -1], whole.x[:, -1]) < 1e-9
-
-
-@pytest.mark.parametrize("formulation", FORMULATIONS)
-def test_goes_on_with_other_parameters_from_the_same_motion(formulation):
-    """eta, C and s of the run before are of another M: the coordinates and their rates go on."""
-    system = system_of("dual_link", formulation)
-    first, heavier = system.simulate((0, 2), **TIGHT), {"m2": 2.5, "K1": 3.0}
-    whole = system.simulate((2, 3), x0=first.x[:, -1], v0=first.v[:, -1], parameters=heavier, **TIGHT)
-    found = system.simulate((2, 3), start=first, parameters=heavier, **TIGHT)
-    assert np.abs(found.v[:, 0] - first.v[:, -1]).max() < 1e-12
-    assert relative(found.x[:, -1], whole.x[:, -1]) < 1e-9
-
-
-def test_a_start_that_is_none_is_refused():
-    system = system_of("dual_link")
-    y = system.state()
-    spoilt = y.copy()
-    spoilt[system.layout["s"]] *= 1.5
-    for start, words in (
-        ((1.0, y), "start is a state at t = 1.0, but t_span begins at 0.0"),
-        ((0.0, np.full_like(y, np.nan)), "not finite"),
-        ((0.0, spoilt), "C and s are not the eigenfactors"),
-        (system_of("pendulum").simulate((0, 1)), "start is a Solution of pendulum"),
-    ):
-        with pytest.raises(ModelError, match=re.escape(words)):
-            system.simulate((0, 1), start=start)
-    with pytest.raises(ModelError, match="give one of them"):
-        system.simulate((0, 1), start=(0.0, y), x0=np.zeros(4))
-
-
-# --- in C ---
-
-COUNTED = r"""
-void *__real_malloc(size_t); void *__real_calloc(size_t, size_t); void *__real_realloc(void *, size_t);
-void *__wrap_malloc(size_t a); void *__wrap_calloc(size_t a, size_t b); void *__wrap_realloc(void *p, size_t a);
-int allocations;
-void *__wrap_malloc(size_t a) { ++allocations; return __real_malloc(a); }
-void *__wrap_calloc(size_t a, size_t b) { ++allocations; return __real_calloc(a, b); }
-void *__wrap_realloc(void *p, size_t a) { ++allocations; return __real_realloc(p, a); }
-"""
-
-
-def compiled(folder: Path, program: str, *flags: str) -> list[str]:
-    for file in compiler.generate(model_of("furuta_pendulum")).files:
-        (folder / file.name).write_text(file.text)
-    (folder / "control.c").write_text(program)
-    command = [*toolchain().command, *STRICT, "-O1", "-ffp-contract=fast", f"-I{INCLUDE}", *flags]
-    subprocess.run([*command, "control.c", "furuta_pendulum.c", "-lm", "-o", "plain"], cwd=folder, check=True)
-    done = subprocess.run(["./plain"], cwd=folder, capture_output=True, text=True, check=True, env={})
-    return done.stdout.splitlines()
-
-
-PROGRAM = (Path(__file__).parent / "plain" / "control.c").read_text(encoding="utf-8")
-
-
-@pytest.mark.skipif(shutil.which("ld") is None, reason="counts calls with the linker's help")
-def test_in_c_without_python_nor_memory_taken_on_the_way(tmp_path):
-    """The example program, the same motion in Python; between opening and closing nothing is allocated."""
-    loop, said = "for (int k = 1; k <= 1000; ++k) {", 'printf("%s: %ld steps'
-    counted = PROGRAM.replace("int main(void)", COUNTED + "int main(void)")
-    counted = counted.replace(loop, "allocations = 0;\n    " + loop).replace(
-        said, "if (allocations) return 6;\n    " + said
-    )
-    lines = compiled(
-        tmp_path, counted, "-D_GNU_SOURCE", *(f"-Wl,--wrap={name}" for name in ("malloc", "calloc", "realloc"))
-    )
-    stepper = system_of("furuta_pendulum").stepper(rtol=1e-9, atol=1e-9)
-    for k in range(1, 1001):
-        x, v = stepper.x, stepper.v
-        stepper.advance(1e-3 * k, {"u": 0.083 * x[0] + 1.036 * x[1] + 0.057 * v[0] + 0.105 * v[1]})
-    assert lines[0] == f"furuta_pendulum: {stepper.nsteps} steps, {stepper.nfev} right-hand sides"
-    found = np.array([line.split()[1:] for line in lines[1:]], dtype=float)
-    assert np.abs(found - np.column_stack([stepper.x, stepper.v])).max() < 1e-12

@@ -35,6 +35,12 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
     "drawing": lambda rows: rows.drawing,
 }
 
+_UNSAID: dict[str, Any] = {
+    "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "error_estimate": None,
+    "error_cost": None,
+}  # fmt: skip
+"""What a run that says nothing of it says: most do not, and a table of twice as many fields takes twice the time."""
+
 
 class DenseOutput:
     """y(t) between the accepted steps of a run, each value projected like an accepted step.
@@ -131,6 +137,8 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         return None if self._rows is None else self._rows.model
 
     def __missing__(self, name: str) -> Any:
+        if name in _UNSAID:
+            return _UNSAID[name]
         if self._rows is None or name not in _DERIVED:
             raise KeyError(self._place(name))
         self[name] = value = _DERIVED[name](self._rows)
@@ -153,12 +161,12 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         return f"{name!r} is an output: outputs[{name!r}]" if name in model.outputs else name
 
     def __contains__(self, name: object) -> bool:
-        return super().__contains__(name) or (self._rows is not None and name in _DERIVED)
+        return super().__contains__(name) or name in _UNSAID or (self._rows is not None and name in _DERIVED)
 
     def __iter__(self) -> Iterator[str]:
-        yield from list(super().__iter__())
-        if self._rows is not None:
-            yield from (name for name in _DERIVED if not super(Solution, self).__contains__(name))
+        found = list(super().__iter__())
+        yield from found
+        yield from (name for name in (*_UNSAID, *(_DERIVED if self._rows is not None else ())) if name not in found)
 
     def __len__(self) -> int:
         return sum(1 for _ in self)

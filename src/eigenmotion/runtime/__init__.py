@@ -9,9 +9,9 @@ from .faults import stiffness as stiffness
 from .model import CompiledModel as CompiledModel
 from .point import Prepared as Prepared
 from .point import forgiven as forgiven
-from .run import COUNTS as COUNTS
+from .record import COUNTS as COUNTS
+from .record import record as record
 from .run import TOLD as TOLD
 from .run import TOLD_NODES as TOLD_NODES
 from .run import Run as Run
-from .run import record as record
 from .stepper import Steps as Steps

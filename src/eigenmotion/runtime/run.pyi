@@ -1,29 +1,10 @@
-from collections.abc import Sequence
 from typing import Any
 
 from .faults import StopReason
-from .point import PointModel, Prepared, Vector
+from .point import Prepared, Vector
 
-COUNTS: tuple[str, ...]
 TOLD: int
 TOLD_NODES: Vector
-
-def record(
-    t: Vector,
-    y: Vector,
-    t_events: list[Vector] | None,
-    y_events: list[Vector] | None,
-    stop: StopReason,
-    message: str,
-    method: str,
-    counts: tuple[int | None, ...],
-    sol: Any = None,
-    y_after_events: list[Vector] | None = None,
-    modes: tuple[tuple[float, dict[str, float]], ...] = (),
-) -> dict[str, Any]: ...
-def modes_of(
-    model: PointModel, legs: Sequence[tuple[int, float, tuple[float, ...]]]
-) -> tuple[tuple[float, dict[str, float]], ...]: ...
 
 class Run:
     stop: StopReason

@@ -9,42 +9,18 @@ from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_TOLD
 from .abi cimport em_dense_step, em_fault, em_method, em_piece, em_rows, em_run, em_signal, em_signal_kind, em_status
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
+from .record cimport modes_of, record
 
 import numpy as np
 
 from .faults import StopReason, explain, stiffness
 
-COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "n_stiff", "njev", "nlu")
-"""What a `Solution` counts."""
 TOLD = <int> EM_TOLD
 """The number of the method that makes no steps, but is told them."""
 TOLD_NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(EM_DENSE_COEFFICIENTS) / (EM_DENSE_COEFFICIENTS - 1))
 """(10,) parts of a step that is told: those of em_told.h."""
 _REASONS = tuple(StopReason)
-_TERMINAL_EVENT = StopReason.TERMINAL_EVENT
 _FINISHED = explain(StopReason.FINISHED, ())
-
-
-cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=None,
-                  y_after_events=None, tuple modes=()):
-    """The fields that every `Solution` has (results/solution.py), whatever made it; counts as in COUNTS."""
-    nfev, nsteps, nrejected, n_bounded, n_stiff, njev, nlu = counts
-    cdef int status = -1 if not stop.success else 1 if stop is _TERMINAL_EVENT else 0
-    return {
-        "t": t, "y": y, "sol": sol, "t_events": t_events, "y_events": y_events,
-        "y_after_events": y_events if y_after_events is None else y_after_events, "modes": modes, "nfev": nfev, "njev": njev, "nlu": nlu,
-        "status": status, "message": message, "success": status >= 0, "nsteps": nsteps, "nrejected": nrejected,
-        "n_bounded": n_bounded, "n_stiff": n_stiff, "stop": stop, "method": method, "error_estimate": None,
-        "error_cost": None,
-    }
-
-
-def modes_of(model, legs):
-    """For each leg, as of `Run.legs`, since when, and the parameters of the mode by name."""
-    places = [k for _, holds, slides, _ in model.switches for k in (holds, slides) if k >= 0]
-    found = [(t, {model.parameters[k]: parameters[k] for k in places}) for _, t, parameters in legs]
-    last = [mode for k, mode in enumerate(found) if k + 1 == len(found) or mode[0] != found[k + 1][0]]
-    return tuple([mode for k, mode in enumerate(last) if k == 0 or mode[1] != last[k - 1][1]])
 
 
 cdef int poll(void *argument) noexcept with gil:
@@ -241,6 +217,8 @@ cdef class Run:
         cdef em_rows *legs = &self.run.legs
         cdef const double *c
         cdef Py_ssize_t k, i
+        if legs.count == 0:
+            return ()
         found = []
         for k in range(legs.count):
             c = legs.y + k * legs.width
@@ -282,7 +260,7 @@ cdef class Run:
 
     cdef message(self):
         """How the run ended, where, and what to do."""
-        stiff = stiffness(self.run.n_stiff, self.run.n_steps, self.run.method == EM_RA15)
+        stiff = stiffness(self.run.n_stiff, self.run.n_steps, self.run.method == EM_RA15) if self.run.n_stiff > 0 else ""
         if self.stop is StopReason.FINISHED:
             return _FINISHED + stiff
         fault = self.run.fault

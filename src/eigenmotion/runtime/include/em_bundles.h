@@ -29,15 +29,29 @@ EM_INLINE double em_sum_of(em_bundle a) {
 #endif
 }
 
-/* Bundle b of sum_j column_j a_jk: what a linear map (8, 8), column by column, makes of row k. */
-EM_INLINE em_bundle em_mapped(const double (*column)[EM_NODE_COUNT], em_bundle (*a)[N_STATE], int k, int b) {
-    em_bundle even = {0.0}, odd = {0.0};
+/* Rows of a linear map's images that are made together: they share its numbers, which come from memory. */
+enum { EM_TOGETHER = EM_LANES == 1 ? 1 : 2 };
+
+/* out_(to + r) <- base_r + factor sum_j column_j a_(from + r)j for r below `rows`: a linear map (8, 8), column by column. */
+EM_INLINE void em_map_rows(int rows, const double (*column)[EM_NODE_COUNT], em_bundle (*a)[N_STATE], int from,
+                           const double *base, double factor, em_bundle (*out)[N_STATE], int to) {
+    em_bundle sum[EM_TOGETHER][EM_BUNDLES] = {{{0.0}}};
     EM_UNROLL
-    for (int j = 0; j < EM_NODE_COUNT; j += 2) {
-        even += em_bundle_at(column[j] + b * EM_LANES) * em_number_at(a, k, j);
-        odd += em_bundle_at(column[j + 1] + b * EM_LANES) * em_number_at(a, k, j + 1);
-    }
-    return even + odd;
+    for (int j = 0; j < EM_NODE_COUNT; ++j)
+        for (int r = 0; r < rows; ++r)
+            for (int b = 0; b < EM_BUNDLES; ++b)
+                sum[r][b] += em_bundle_at(column[j] + b * EM_LANES) * em_number_at(a, from + r, j);
+    for (int r = 0; r < rows; ++r)
+        for (int b = 0; b < EM_BUNDLES; ++b) out[b][to + r] = base[r] + factor * sum[r][b];
+}
+
+/* The same for any number of rows. */
+EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_bundle (*a)[N_STATE], int from,
+                      const double *base, double factor, em_bundle (*out)[N_STATE], int to) {
+    int r = 0;
+    for (; r + EM_TOGETHER <= rows; r += EM_TOGETHER)
+        em_map_rows(EM_TOGETHER, column, a, from + r, base + r, factor, out, to + r);
+    if (r < rows) em_map_rows(1, column, a, from + r, base + r, factor, out, to + r);
 }
 
 #endif

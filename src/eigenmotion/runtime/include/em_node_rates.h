@@ -55,8 +55,7 @@ static int em_rates_at_nodes(em_walk *w) {
 /* Y's x <- as Y's velocities make it, which need not wait for their forces; velocities that want x take what was there. */
 static void em_drift(em_walk *w) {
     em_nodes *q = &w->nodes;
-    for (int k = 0; k < N; ++k)
-        for (int b = 0; b < EM_BUNDLES; ++b) q->Y[b][k] = w->y[k] + w->h * em_mapped(em_integral, q->a, k, b);
+    em_map(N, em_integral, q->a, 0, w->y, w->h, q->Y, 0);
 }
 
 /* a <- the velocities at the nodes, and the places that they lead to, where those are had for little. */

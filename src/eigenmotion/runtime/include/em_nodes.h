@@ -11,12 +11,11 @@
 #include "em_blame.h"
 #include "em_bundles.h"
 #include "em_node_rates.h"
+#include "em_node_start.h"
 #include "em_norm.h"
 
 enum {
-    EM_AIMED = 5,        /* iterations that a step is made for, */
-    EM_MOST = 9,         /* that it may take, */
-    EM_MOST_AT_START = 14, /* and where nothing is known of the rates */
+    EM_AIMED = 5,        /* iterations that a step is made for */
     EM_SIZES_ORDER = 13  /* after EM_AIMED the error falls with the power 1 + 8 + 5 of the step's size */
 };
 
@@ -26,57 +25,6 @@ enum {
 #define EM_SMOOTH 1e3 /* in tolerances: what has changed by less in the first iteration was known well, */
 #define EM_SLOW 0.25  /* and ought to converge faster than by this factor */
 #define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
-
-/* --- the rates a step begins with --- */
-
-/* P (8, 8) <- P_l(start + ratio z) at the nodes z, l first. */
-EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT]) {
-    for (int b = 0; b < EM_BUNDLES; ++b) {
-        const em_bundle x = 2.0 * ratio * em_bundle_at(em_node_place + b * EM_LANES) + (2.0 * start - 1.0);
-        em_bundle before = x - x + 1.0, here = x;
-        EM_UNROLL
-        for (int l = 0; l < EM_NODE_COUNT; ++l) {
-            *(em_bundle *)&P[l][b * EM_LANES] = before;
-            const em_bundle next = (2.0 * l + 3.0) / (l + 2.0) * x * here - (l + 1.0) / (l + 2.0) * before;
-            before = here, here = next;
-        }
-    }
-}
-
-/* a <- the polynomial of `series` at start + ratio nodes, in units of its step, moved so that it begins with the rate there. */
-static void em_continue(em_walk *w, em_bundle (*series)[N_STATE], double start, double ratio) {
-    double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED;
-    em_legendre(start, ratio, P);
-    for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
-        for (int b = 0; b < EM_BUNDLES; ++b) w->nodes.a[b][k] = em_mapped((const double (*)[EM_NODE_COUNT])P, series, k, b);
-        const double jump = w->K[0][k] - em_number_at(w->nodes.a, k, 0);
-        for (int b = 0; b < EM_BUNDLES; ++b) w->nodes.a[b][k] += jump;
-    }
-}
-
-/* What is known of the step before, once it has been accepted. */
-static void em_remember(em_walk *w) {
-    em_nodes *q = &w->nodes;
-    if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
-    memcpy(q->before, q->series, sizeof q->before);
-    q->before_h = q->h;
-    q->before_t_new = q->t_new;
-    q->before_mode = q->mode;
-    q->known = 1;
-    q->converged = 0;
-}
-
-/* Returns how many iterations there may be. */
-static int em_predict(em_walk *w) {
-    em_nodes *q = &w->nodes;
-    em_remember(w);
-    if (q->converged && q->t == w->t && q->mode == w->mode) return em_continue(w, q->series, 0.0, w->h / q->h), EM_MOST;
-    if (q->known && q->before_t_new == w->t && q->before_mode == w->mode)
-        return em_continue(w, q->before, 1.0, w->h / q->before_h), EM_MOST;
-    for (int k = EM_FIRST_RATE; k < N_STATE; ++k)
-        for (int b = 0; b < EM_BUNDLES; ++b) q->a[b][k] = (em_bundle){0.0} + w->K[0][k];
-    return EM_MOST_AT_START;
-}
 
 /* --- the iteration --- */
 
@@ -106,17 +54,25 @@ static void em_weigh_rates(em_walk *w) {
 
 static double em_rates_count(const em_walk *w) { return EM_SECOND_ORDER ? N : em_count(w); }
 
+/* What rests, within the step. */
+static void em_rest(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    for (int b = 0; b < EM_BUNDLES; ++b)
+        for (int k = em_rates_end(w); k < N_STATE; ++k) {
+            q->Y[b][k] = (em_bundle){0.0} + w->y[k];
+            q->F[b][k] = q->a[b][k] = q->series[b][k] = (em_bundle){0.0};
+        }
+}
+
 /* Y <- the states that the rates make. */
 static void em_node_states(em_walk *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
-    for (int b = 0; b < EM_BUNDLES; ++b) {
-        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) q->Y[b][k] = w->y[k] + h * em_mapped(em_integral, q->a, k, b);
-        for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
-            const em_bundle drift = em_bundle_at(em_node_place + b * EM_LANES) * w->y[N + k];
-            q->Y[b][k] = w->y[k] + h * (drift + h * em_mapped(em_integral_twice, q->a, N + k, b));
-        }
-    }
+    const int first = EM_FIRST_RATE;
+    em_map(em_rates_end(w) - first, em_integral, q->a, first, w->y + first, h, q->Y, first);
+    if (EM_SECOND_ORDER) em_map(N, em_integral_twice, q->a, N, w->y, h * h, q->Y, 0);
+    for (int b = 0; EM_SECOND_ORDER && b < EM_BUNDLES; ++b)
+        for (int k = 0; k < N; ++k) q->Y[b][k] += em_bundle_at(em_node_place + b * EM_LANES) * (h * w->y[N + k]);
 }
 
 /* The size in tolerances of something at the nodes, of which `square` is the sum of squares over the rates. */
@@ -130,8 +86,9 @@ EM_INLINE double em_over_nodes(const em_walk *w, const em_bundle *square) {
 EM_INLINE double em_take_rates(em_walk *w) {
     em_nodes *q = &w->nodes;
     em_bundle square[EM_BUNDLES] = {{0.0}};
+    const int end = em_rates_end(w);
     for (int b = 0; b < EM_BUNDLES; ++b)
-        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+        for (int k = EM_FIRST_RATE; k < end; ++k) {
             const em_bundle change = (q->F[b][k] - q->a[b][k]) * q->weight[k];
             square[b] += change * change;
             q->a[b][k] = q->F[b][k];
@@ -142,8 +99,9 @@ EM_INLINE double em_take_rates(em_walk *w) {
 /* How large they are. */
 EM_COLD double em_rates_size(const em_walk *w) {
     em_bundle square[EM_BUNDLES] = {{0.0}};
+    const int end = em_rates_end(w);
     for (int b = 0; b < EM_BUNDLES; ++b)
-        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+        for (int k = EM_FIRST_RATE; k < end; ++k) {
             const em_bundle rate = w->nodes.a[b][k] * w->nodes.weight[k];
             square[b] += rate * rate;
         }
@@ -184,7 +142,7 @@ static double em_power(double base, int times) {
 /* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
  * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates. */
 static double em_solve_nodes(em_walk *w, int most, double *aimed) {
-    double first = 0.0, before = 0.0, left = EM_DIVERGES;
+    double first = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
     *aimed = EM_DIVERGES;
     for (int k = 1; k <= most; ++k) {
         const double change = em_iterate(w), factor = k == 1 ? 1.0 : before > 0.0 ? change / before : 0.0;
@@ -194,7 +152,8 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
         w->nodes.slow = k >= EM_AIMED && first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
         if (k <= EM_AIMED) *aimed = k == 1 ? left : left * em_power(em_max(factor, 1e-3), EM_AIMED - k);
         if (k >= 2 && left < EM_LEFT) return left;
-        if (k >= EM_AIMED && change <= EM_ITERATED * em_rates_size(w)) return EM_ROUNDED;
+        if (k == EM_AIMED) rounding = EM_ITERATED * em_rates_size(w);
+        if (k >= EM_AIMED && change <= rounding) return EM_ROUNDED;
         if (k > 2 && factor > 1.0) return EM_DIVERGES;
         before = change;
     }
@@ -207,10 +166,11 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
 static void em_finish_nodes(em_walk *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
-    for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
-        for (int b = 0; b < EM_BUNDLES; ++b) q->series[b][k] = em_mapped(em_series_of, q->a, k, b);
+    static const double zeros[N_STATE] = {0.0};
+    const int first = EM_FIRST_RATE, end = em_rates_end(w);
+    em_map(end - first, em_series_of, q->a, first, zeros, 1.0, q->series, first);
+    for (int k = first; k < end; ++k)
         w->y_new[k] = w->y[k] + h * em_number_at(q->series, k, 0); /* the others' integrals vanish */
-    }
     for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
         const double twice = em_number_at(q->series, N + k, 0) / 2.0 - em_number_at(q->series, N + k, 1) / 6.0;
         w->y_new[k] = w->y[k] + h * (w->y[N + k] + h * twice);
@@ -237,6 +197,7 @@ static int em_nodes_step(em_walk *w) {
     q->blind = most == EM_MOST_AT_START; /* how long that took says nothing of the next step */
     q->converged = 0;
     em_weigh_rates(w);
+    em_rest(w);
     em_begin_nodes(w);
     const double left = em_solve_nodes(w, most, &q->aimed);
     w->end_rate = NULL;
@@ -254,8 +215,9 @@ static int em_nodes_step(em_walk *w) {
 static double em_truncation(const em_walk *w, const double *f) {
     const em_nodes *const q = &w->nodes;
     em_bundle squares[EM_BUNDLES] = {{0.0}};
+    const int behind = em_rates_end(w);
     double missed = 0.0;
-    for (int k = EM_FIRST_RATE; k < N_STATE; ++k) {
+    for (int k = EM_FIRST_RATE; k < behind; ++k) {
         em_bundle end = {0.0};
         for (int b = 0; b < EM_BUNDLES; ++b) {
             const em_bundle weighed = q->series[b][k] * q->weight[k];

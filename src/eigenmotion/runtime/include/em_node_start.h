@@ -1,0 +1,66 @@
+/* em_node_start.h: the rates at nodes that the iteration of a step begins with: the polynomial of the step before, extrapolated. */
+#ifndef EM_NODE_START_H
+#define EM_NODE_START_H
+
+#include "em_bundles.h"
+
+enum {
+    EM_MOST = 9,          /* iterations that a step may take, */
+    EM_MOST_AT_START = 14 /* and where nothing is known of the rates */
+};
+
+/* Behind the last number whose rate is found: with the triangular root eigenfactors rest. */
+EM_INLINE int em_rates_end(const em_walk *w) { return w->mode == 1 ? 2 * N : N_STATE; }
+
+/* P (8, 8) <- P_l(start + ratio z) at the nodes z, l first. */
+EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT]) {
+    for (int b = 0; b < EM_BUNDLES; ++b) {
+        const em_bundle x = 2.0 * ratio * em_bundle_at(em_node_place + b * EM_LANES) + (2.0 * start - 1.0);
+        em_bundle before = x - x + 1.0, here = x;
+        EM_UNROLL
+        for (int l = 0; l < EM_NODE_COUNT; ++l) {
+            *(em_bundle *)&P[l][b * EM_LANES] = before;
+            const em_bundle next = (2.0 * l + 3.0) / (l + 2.0) * x * here - (l + 1.0) / (l + 2.0) * before;
+            before = here, here = next;
+        }
+    }
+}
+
+/* a <- the polynomial of `series` at start + ratio nodes, in units of its step, moved so that it begins with the rate there. */
+static void em_continue(em_walk *w, em_bundle (*series)[N_STATE], double start, double ratio) {
+    double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED, jump[N_STATE];
+    const int end = em_rates_end(w);
+    em_legendre(start, ratio, P);
+    for (int k = EM_FIRST_RATE; k < end; ++k) {
+        jump[k] = w->K[0][k];
+        for (int l = 0; l < EM_NODE_COUNT; ++l) jump[k] -= P[l][0] * em_number_at(series, k, l);
+    }
+    em_map(end - EM_FIRST_RATE, (const double (*)[EM_NODE_COUNT])P, series, EM_FIRST_RATE, jump + EM_FIRST_RATE, 1.0,
+           w->nodes.a, EM_FIRST_RATE);
+}
+
+/* What is known of the step before, once it has been accepted. */
+static void em_remember(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
+    memcpy(q->before, q->series, sizeof q->before);
+    q->before_h = q->h;
+    q->before_t_new = q->t_new;
+    q->before_mode = q->mode;
+    q->known = 1;
+    q->converged = 0;
+}
+
+/* Returns how many iterations there may be. */
+static int em_predict(em_walk *w) {
+    em_nodes *q = &w->nodes;
+    em_remember(w);
+    if (q->converged && q->t == w->t && q->mode == w->mode) return em_continue(w, q->series, 0.0, w->h / q->h), EM_MOST;
+    if (q->known && q->before_t_new == w->t && q->before_mode == w->mode)
+        return em_continue(w, q->before, 1.0, w->h / q->before_h), EM_MOST;
+    for (int b = 0; b < EM_BUNDLES; ++b)
+        for (int k = EM_FIRST_RATE; k < N_STATE; ++k) q->a[b][k] = (em_bundle){0.0} + w->K[0][k];
+    return EM_MOST_AT_START;
+}
+
+#endif

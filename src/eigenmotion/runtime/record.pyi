@@ -1,0 +1,24 @@
+from collections.abc import Sequence
+from typing import Any
+
+from .faults import StopReason
+from .point import PointModel, Vector
+
+COUNTS: tuple[str, ...]
+
+def record(
+    t: Vector,
+    y: Vector,
+    t_events: list[Vector] | None,
+    y_events: list[Vector] | None,
+    stop: StopReason,
+    message: str,
+    method: str,
+    counts: tuple[int | None, ...],
+    sol: Any = None,
+    y_after_events: list[Vector] | None = None,
+    modes: tuple[tuple[float, dict[str, float]], ...] = (),
+) -> dict[str, Any]: ...
+def modes_of(
+    model: PointModel, legs: Sequence[tuple[int, float, tuple[float, ...]]]
+) -> tuple[tuple[float, dict[str, float]], ...]: ...

@@ -1,0 +1,38 @@
+# cython: language_level=3
+"""What every run says of itself, whatever made it: the fields of a Solution (results/solution.py)."""
+
+from .faults import StopReason
+
+COUNTS = ("nfev", "nsteps", "nrejected", "n_bounded", "n_stiff", "njev", "nlu")
+"""What a `Solution` counts."""
+cdef object _FINISHED = StopReason.FINISHED, _TERMINAL_EVENT = StopReason.TERMINAL_EVENT
+
+
+cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple counts, sol=None,
+                  y_after_events=None, tuple modes=()):
+    """The fields, but those that say nothing; counts as in COUNTS."""
+    nfev, nsteps, nrejected, n_bounded, n_stiff, njev, nlu = counts
+    cdef int status = 0 if stop is _FINISHED else 1 if stop is _TERMINAL_EVENT else -1
+    cdef dict fields = {
+        "t": t, "y": y, "nfev": nfev, "njev": njev, "nlu": nlu, "status": status, "message": message,
+        "success": status >= 0, "nsteps": nsteps, "nrejected": nrejected, "n_bounded": n_bounded, "n_stiff": n_stiff,
+        "stop": stop, "method": method,
+    }
+    if sol is not None:
+        fields["sol"] = sol
+    if t_events is not None:
+        fields["t_events"], fields["y_events"] = t_events, y_events
+        fields["y_after_events"] = y_events if y_after_events is None else y_after_events
+    if modes:
+        fields["modes"] = modes
+    return fields
+
+
+cpdef tuple modes_of(model, legs):
+    """For each leg, as of `Run.legs`, since when, and the parameters of the mode by name."""
+    if not legs:
+        return ()
+    places = [k for _, holds, slides, _ in model.switches for k in (holds, slides) if k >= 0]
+    found = [(t, {model.parameters[k]: parameters[k] for k in places}) for _, t, parameters in legs]
+    last = [mode for k, mode in enumerate(found) if k + 1 == len(found) or mode[0] != found[k + 1][0]]
+    return tuple([mode for k, mode in enumerate(last) if k == 0 or mode[1] != last[k - 1][1]])
