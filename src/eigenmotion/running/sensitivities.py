@@ -12,6 +12,7 @@ from ..results.solution import Solution
 from ..runtime import CompiledModel, EvaluationError
 from ..runtime.variations import quasi_partials, tangent, vary
 from .methods import Method
+from .path import Path, path_of
 
 if TYPE_CHECKING:
     from ..system.system import System
@@ -21,10 +22,17 @@ _LOOSEST = 1e-6
 
 
 class Sensitivity(NamedTuple):
-    """d x / d p and d xdot / d p at the rows of a run, each (n, k), at fixed time."""
+    """How a run changes with one number p.
+
+    dx, dv : (n, k), d x / d p and d xdot / d p at its rows, at fixed time: of rows at an event that acts, those of the
+        motion before it and of the motion after it; at a terminal event, of the motion up to there
+    dt_events : for each event of the model (e,), d t_events / d p; None where it has none. With it, dx + v dt is how
+        the place of an event changes
+    """
 
     dx: Vector
     dv: Vector
+    dt_events: list[Vector] | None
 
 
 class Directions(NamedTuple):
@@ -48,7 +56,7 @@ def directions(system: "System", asked: Sequence[Any], task: Task, method: Metho
     Raises
     ------
     ModelError
-        A name that is none of these; a sampled input; an implicit method; events that act; a controller.
+        A name that is none of these; a sampled input; an implicit method; a controller.
     """
     c = system.compiled
     _check_smooth(task, c)
@@ -82,10 +90,7 @@ def _name(key: object) -> str:
 
 
 def _check_smooth(task: Task, c: CompiledModel) -> None:
-    """Refuse what changes the motion by more than its forces: the derivatives of these would be left out."""
-    if c.acts:
-        acting = ", ".join(repr(name) for name, (acts, _) in zip(c.events, c.deeds, strict=True) if acts)
-        raise ModelError(f"{c.name}: sensitivities do not go through events that change the state ({acting})")
+    """Refuse what changes the motion by more than its forces and events: its derivatives would be left out."""
     if task.inputs.sampled:
         raise ModelError(f"{c.name}: sensitivities do not go through a controller (Sampled): differentiate the closed "
                          "loop by a run with its control law in the model's forces")  # fmt: skip
@@ -124,54 +129,38 @@ def sensitivity(task: Task, solution: Solution, asked: Directions) -> dict[str, 
     Raises
     ------
     ModelError
-        A force jumps where no event of the model says so: what depends on when it does is not known.
+        A force jumps where no event of the model says so, or events act whose times have no derivative: two at
+        once, or one that only touches zero.
     """
-    n = task.model.n
-    t, z, at = _rows(task, solution)
-    found, fault = _varied(task, asked, t, z, at)
+    n, path = task.model.n, path_of(task, solution)
+    found, shifts, fault = _varied(task, asked, path)
     if fault is not None and solution.success:  # else the run has ended for a reason of its own, and says it
         remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
                   "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
         raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
-    rows = found[_of_solution(t, solution.t)]
-    return {name: Sensitivity(rows[:, :n, column].T, rows[:, n:, column].T) for column, name in enumerate(asked.names)}
+    rows = found[path.of_rows]
+    times = [[shifts[marks, column] for marks in path.of_events] for column in range(len(asked.names))]
+    return {
+        name: Sensitivity(rows[:, :n, k].T, rows[:, n:, k].T, times[k] if task.model.events else None)
+        for k, name in enumerate(asked.names)
+    }
 
 
-def _varied(task: Task, asked: Directions, t: Vector, z: Vector, at: Vector) -> tuple[Vector, EvaluationError | None]:
-    """Return directions (k, 2 n, columns) at all rows, NaN from where they end, and why they do."""
-    c, n = task.model, task.model.n
+def _varied(task: Task, asked: Directions, path: Path) -> tuple[Vector, Vector, EvaluationError | None]:
+    """Return directions (k, 2 n, columns) at all nodes, changes (marks, columns) of event times, and why they end.
+
+    They are NaN from there on.
+    """
+    c, n, columns = task.model, task.model.n, len(asked.names)
+    prepared, t, z = path.prepared, path.t, path.z
+    nothing = np.full((len(t), 2 * n, columns), np.nan), np.full((len(path.mark_row), columns), np.nan)
     try:
-        S = tangent(c, t[0], z[0, :n], z[0, n:], task.prepared, task.least_norm, asked.S, asked.P)
+        S = tangent(c, t[0], z[0, :n], z[0, n:], prepared, task.least_norm, asked.S, asked.P)
     except EvaluationError as error:
-        return np.full((len(t), 2 * n, len(asked.names)), np.nan), error
-    if len(t) == 1:
-        return S[None], None
+        return *nothing, error
     rtol = min(max(task.rtol, 1e-14), _LOOSEST)
-    found, fault, _, _ = vary(c, task.prepared, task.inputs.compiled, t, z, at, S, asked.P, asked.sizes, rtol,
-                              task.atol, task.max_steps, task.stabilise, task.least_norm)  # fmt: skip
-    return found, fault
-
-
-def _rows(task: Task, solution: Solution) -> tuple[Vector, Vector, Vector]:
-    """Return times, states (k, 2 n) and events (-1: none) of the start, the rows and what happened between them."""
-    c, n = task.model, task.model.n
-    times, rows, events = (
-        [np.array([task.t_start]), solution.t],
-        [task.y[None], solution.y.T],
-        [[-1], [-1] * len(solution.t)],
-    )
-    for event, (when, state) in enumerate(zip(solution.t_events or (), solution.y_events or (), strict=True)):
-        times.append(np.asarray(when))
-        rows.append(np.asarray(state).reshape(-1, c.n_state))
-        events.append([event] * len(when))
-    t, y, at = np.concatenate(times), np.concatenate(rows), np.concatenate(events).astype(int)
-    order = np.lexsort((-at, t if task.t_end >= task.t_start else -t))
-    keep = np.concatenate([[True], np.diff(t[order]) != 0.0])
-    t, y, at = t[order][keep], y[order][keep], at[order][keep]
-    v = c.velocity_rows(t, np.ascontiguousarray(y), task.prepared)
-    return t, np.ascontiguousarray(np.hstack([y[:, :n], v])), at
-
-
-def _of_solution(t: Vector, wanted: Vector) -> Vector:
-    place = {time: k for k, time in enumerate(t.tolist())}
-    return np.array([place[time] for time in wanted.tolist()], dtype=int)
+    found, shifts, fault, _, _ = vary(
+        c, prepared, task.inputs.compiled, t, z, path.mark_row, path.mark_event, S, asked.P, asked.sizes, rtol,
+        task.atol, task.max_steps, task.stabilise, task.least_norm,
+    )  # fmt: skip
+    return found, shifts, fault

@@ -200,3 +200,5 @@ cdef extern from "eigenmotion.h" nogil:
                             const double *, const double *, double *, double *, double *, em_fault *) noexcept nogil
         int (*tangent)(double, const double *, const double *, const double *, int, int, double *, const double *,
                        em_fault *) noexcept nogil
+        int (*act_along)(double, double *, double *, double *, const double *, int, int *, em_pile *, int, double *,
+                         const double *, em_fault *) noexcept nogil
