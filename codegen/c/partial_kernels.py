@@ -53,10 +53,10 @@ class _Writing:
         nodes = {name: [self.terms.node(entry) for row in given for entry in row] for name, given in rows.items()}
         of_state = "t", "x", "v", "c", "u"
         blow = self.dense("blow_partials", partials.blow, arguments, "t", "x", "a", "lambda", "c")
-        given = (
-            (name, self.dense(f"{name[:-1]}_partials", roots, arguments, *of_state)) for name, roots in nodes.items()
-        )
-        return {"blow": blow, **others}
+        of_each = {
+            name: self.dense(f"{name[:-1]}_partials", roots, arguments, *of_state) for name, roots in nodes.items()
+        }
+        return {"blow": blow, **of_each}
 
     def if_any(self, name: str, roots: Sequence[Node], columns: Sequence[str], *arguments: str) -> Kernel | None:
         return self.dense(name, roots, columns, *arguments) if roots else None
