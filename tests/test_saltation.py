@@ -227,3 +227,12 @@ def test_the_end_at_a_terminal_event():
     assert found.dx[0, -1] == pytest.approx(1.0)
     assert found.dt_events[0] == pytest.approx([0.5])
     assert found.dx[0, -1] + run.v[0, -1] * found.dt_events[0][0] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_ensembles_through_events():
+    heights = [1.0, 2.0]
+    runs = em.simulate_ensemble(ball(), (0.0, 2.0), x0={"z": heights}, sensitivities=["e"], **TIGHT)
+    for k, height in enumerate(heights):
+        one = ball().simulate((0.0, 2.0), x0={"z": height}, sensitivities=["e"], **TIGHT)
+        assert runs.sensitivity["e"].dx[k, :, 0] == pytest.approx(one.sensitivity["e"].dx[:, -1], rel=1e-9)
+        assert runs[k].sensitivity["e"].dt_events[0] == pytest.approx(one.sensitivity["e"].dt_events[0], rel=1e-9)

@@ -1,38 +1,22 @@
 """How a motion changes with parameters, inputs and its start."""
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from ..arguments.names import Vector, by_spelling, rate_name, spelled, unknown
+from ..arguments.differentiated import Differentiated, names_of, rates_of
+from ..arguments.names import Vector
 from ..arguments.options import OptionError, Task
-from ..codegen.model.normalise import ModelError, shown
+from ..codegen.model.normalise import ModelError
+from ..results.sensitivity import Sensitivity
 from ..results.solution import Solution
-from ..runtime import CompiledModel, EvaluationError
+from ..runtime import EvaluationError
 from ..runtime.variations import quasi_partials, tangent, vary
 from .methods import Method
 from .path import Path, path_of
 
-if TYPE_CHECKING:
-    from ..system.system import System
-
 _LOOSEST = 1e-6
 """Relative tolerance of sensitivities where that of the run is larger."""
-
-
-class Sensitivity(NamedTuple):
-    """How a run changes with one number p.
-
-    dx, dv : (n, k), d x / d p and d xdot / d p at its rows, at fixed time: of rows at an event that acts, those of the
-        motion before it and of the motion after it; at a terminal event, of the motion up to there
-    dt_events : for each event of the model (e,), d t_events / d p; None where it has none. With it, dx + v dt is how
-        the place of an event changes
-    """
-
-    dx: Vector
-    dv: Vector
-    dt_events: list[Vector] | None
 
 
 class Directions(NamedTuple):
@@ -48,76 +32,62 @@ class Directions(NamedTuple):
     sizes: Vector
 
 
-def directions(system: "System", asked: Sequence[Any], task: Task, method: Method, v0: Any) -> Directions:
-    """Read what a run is to be differentiated by: parameters ("K1"), constant inputs, initial x ("theta") and v.
-
-    Initial rates are "theta'", or quasi-velocities by their names.
+def check_method(method: Method) -> None:
+    """Refuse methods whose rows are not the motion's to the last digit.
 
     Raises
     ------
     ModelError
-        A name that is none of these; a sampled input; an implicit method; a controller.
+        A method that is not compiled.
     """
-    c = system.compiled
-    _check_smooth(task, c)
-    if isinstance(asked, str) or not isinstance(asked, Sequence):
-        raise OptionError(f"sensitivities is {shown(asked)}: give a list of names")
-    if method.implicit:
-        raise OptionError("sensitivities come by explicit steps, of which stiff scenes take too many: "
-                          f"method={method.name!r} gives none; use a method that is not implicit")  # fmt: skip
-    rates = tuple(f"{name}'" for name in c.coordinates)
-    known = (*c.coordinates, *rates, *c.quasi_velocities, *c.inputs, *c.parameters)
-    names = tuple(dict.fromkeys(_name(one) for one in asked))
-    if wrong := set(names) - set(known):
-        raise ModelError(unknown("name in sensitivities", wrong, known))
-    S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
-    for column, name in enumerate(names):
-        if name in c.coordinates + rates:
-            S[(c.coordinates + rates).index(name), column] = 1.0
-        elif name in c.inputs + c.parameters:
-            P[(c.inputs + c.parameters).index(name), column] = 1.0
-            _check_constant(task, c, name)
-    _quasi(system, task, v0, names, S, P)
-    v = c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
-    z = np.concatenate([task.y[: c.n], v, np.ones(len(c.quasi_velocities)), task.inputs.at(task.t_start),
-                        task.prepared.parameters])  # fmt: skip
-    sizes = np.abs(z[[known.index(name) for name in names]])
-    return Directions(names, S, P, np.where(sizes > 0.0, sizes, 1.0))
+    if method.number is None:
+        raise OptionError(f"sensitivities are of compiled methods, which {method.name!r} is not; for stiff scenes take "
+                          "'radau5' or 'radau9'")  # fmt: skip
 
 
-def _name(key: object) -> str:
-    return f"{rate_name(key)}'" if rate_name(key) != spelled(key) else spelled(key)
+def directions(asked: Differentiated, task: Task) -> Directions:
+    """Return the directions in which a run begins.
 
-
-def _check_smooth(task: Task, c: CompiledModel) -> None:
-    """Refuse what changes the motion by more than its forces and events: its derivatives would be left out."""
+    Raises
+    ------
+    ModelError
+        A sampled input is named, or a controller is asked on the way.
+    """
+    c, names = task.model, asked.names
     if task.inputs.sampled:
         raise ModelError(f"{c.name}: sensitivities do not go through a controller (Sampled): differentiate the closed "
                          "loop by a run with its control law in the model's forces")  # fmt: skip
+    S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
+    state, given = (*c.coordinates, *rates_of(c)), (*c.inputs, *c.parameters)
+    for column, name in enumerate(names):
+        if name in state:
+            S[state.index(name), column] = 1.0
+        elif name in given:
+            P[given.index(name), column] = 1.0
+            _check_constant(task, name)
+    if asked.from_quasi:
+        _quasi(task, names, S, P)
+    v = c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
+    z = np.concatenate([task.y[: c.n], v, np.ones(len(c.quasi_velocities)), task.inputs.at(task.t_start),
+                        task.prepared.parameters])  # fmt: skip
+    sizes = np.abs(z[[names_of(c).index(name) for name in names]])
+    return Directions(names, S, P, np.where(sizes > 0.0, sizes, 1.0))
 
 
-def _check_constant(task: Task, c: CompiledModel, name: str) -> None:
+def _check_constant(task: Task, name: str) -> None:
+    c = task.model
     if name in c.inputs and not isinstance(task.inputs.signals[c.inputs.index(name)], int | float):
         raise ModelError(f"sensitivities: input {name!r} is sampled; only inputs that are constant can be named")
 
 
-def _quasi(system: "System", task: Task, v0: Any, names: tuple[str, ...], S: Vector, P: Vector) -> None:
+def _quasi(task: Task, names: tuple[str, ...], S: Vector, P: Vector) -> None:
     """Where the start is given in quasi-velocities y = P v, these stay: P dv = dy - (dP v)."""
-    c = system.compiled
-    quasi = [name for name in names if name in c.quasi_velocities]
-    given = set(by_spelling(v0, "v0", rate_name)) if isinstance(v0, Mapping) else set()
-    from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
-    if quasi and not from_quasi:
-        raise ModelError(f"sensitivities: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
-    if isinstance(v0, Mapping) and (c.initial_y is not None) != from_quasi and len(given) < c.n:
-        raise ModelError("sensitivities: the start mixes rates and quasi-velocities; give all of one kind in v0")
-    if not from_quasi:
-        return
+    c = task.model
     x, v = task.y[: c.n], c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
     D = quasi_partials(c, task.t_start, x, v, task.prepared)
     moved = D[:, : c.n] @ S[: c.n] + D[:, 2 * c.n :] @ P
     for column, name in enumerate(names):
-        if name in quasi:
+        if name in c.quasi_velocities:
             moved[c.quasi_velocities.index(name), column] -= 1.0
     free = [column for column, name in enumerate(names) if not name.endswith("'")]
     S[c.n :, free] = -np.linalg.solve(D[:, c.n : 2 * c.n], moved[:, free])
