@@ -64,7 +64,7 @@ def oscillator() -> em.Model:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "ra15"])
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "ra15", "radau5", "radau9"])
 @pytest.mark.parametrize("end", [3.0, -3.0])
 def test_closed_form(method, end):
     """x = cos 2t: dx/dk = -t sin(2 t) / 4, dx/dx0 = cos 2t, dx/dv0 = sin(2 t) / 2, dx/du = (1 - cos 2 t) / 4."""
@@ -139,3 +139,37 @@ def test_nothing_to_do():
     system = system_for(oscillator(), "lagrange")
     assert system.simulate((0, 1), sensitivities=[]).sensitivity == {}
     np.testing.assert_array_equal(system.simulate((1, 1), sensitivities=["x", "k"]).sensitivity["x"].dx, [[1.0]])
+
+
+def test_ensembles():
+    """Members as runs of their own; events, which are few or none, and members that fail."""
+    system, by, times = system_for(thrust(True), "lagrange"), ["x", "F"], [0.2, 0.8]
+    heights = [2.25, 1.8, float("nan"), 9.0]
+    runs = em.simulate_ensemble(system, (0, 0.8), x0={"x": heights}, t_eval=times, sensitivities=by, **TIGHT)
+    assert runs.sensitivity["F"].dx.shape == (4, 1, 2)
+    assert runs.failed.tolist() == [2]
+    assert np.isnan(runs.sensitivity["x"].dx[2]).all()
+    for k in (0, 1, 3):
+        one = system.simulate((0, 0.8), x0={"x": heights[k]}, t_eval=times, sensitivities=by, **TIGHT)
+        for name in by:
+            np.testing.assert_array_equal(runs.sensitivity[name].dx[k], one.sensitivity[name].dx)
+            np.testing.assert_array_equal(runs[k].sensitivity[name].dv, one.sensitivity[name].dv)
+            np.testing.assert_array_equal(runs[k].sensitivity[name].dt_events[0], one.sensitivity[name].dt_events[0])
+    ends = em.simulate_ensemble(system, (0, 0.8), x0={"x": heights[:2]}, sensitivities=by, **TIGHT)
+    np.testing.assert_allclose(ends.sensitivity["x"].dx[:, 0, 0], runs.sensitivity["x"].dx[:2, 0, 1], rtol=1e-9)
+
+
+def test_members_without_sensitivities_say_why():
+    system = system_for(thrust(False), "lagrange")
+    runs = em.simulate_ensemble(system, (0, 0.8), x0={"x": [2.25, 9.0]}, sensitivities=["x"])
+    assert runs.success.all()
+    assert "no sensitivities: thrust0: a force jumps" in runs.message(0)
+    assert np.isnan(runs.sensitivity["x"].dx[0]).all()
+    assert runs.sensitivity["x"].dx[1] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("wrong", [{"sensitivities": ["q"]}, {"sensitivities": ["k"], "method": "Radau"},
+                                   {"sensitivities": ["u"], "inputs": {"u": ([0, 1], [0, 1])}}])  # fmt: skip
+def test_mistakes_of_ensembles(wrong):
+    with pytest.raises(ModelError, match="sensitivities"):
+        em.simulate_ensemble(system_for(oscillator(), "lagrange"), (0, 1), x0={"x": [1, 2]}, **wrong)

@@ -36,7 +36,27 @@ class _Writing:
             outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
             quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
+            **self.deeds(),
         )
+
+    def deeds(self) -> dict[str, Kernel | None]:
+        """Those of what events do, where any does something."""
+        mechanics, partials = self.terms.mechanics, self.partials
+        rows = {
+            "impacts": [(*one.N, one.rate, one.restitution) for one in mechanics.impacts],
+            "resets": [one.after for one in mechanics.resets],
+            "levels": mechanics.levels,
+        }
+        arguments = (*partials.state, *partials.given)
+        if not any(rows.values()):
+            return dict.fromkeys((*rows, "blow"))
+        nodes = {name: [self.terms.node(entry) for row in given for entry in row] for name, given in rows.items()}
+        of_state = "t", "x", "v", "c", "u"
+        blow = self.dense("blow_partials", partials.blow, arguments, "t", "x", "a", "lambda", "c")
+        of_each = {
+            name: self.dense(f"{name[:-1]}_partials", roots, arguments, *of_state) for name, roots in nodes.items()
+        }
+        return {"blow": blow, **of_each}
 
     def if_any(self, name: str, roots: Sequence[Node], columns: Sequence[str], *arguments: str) -> Kernel | None:
         return self.dense(name, roots, columns, *arguments) if roots else None

@@ -152,6 +152,8 @@ class PartialKernels:
     state, forcing : of the residuals of motion at fixed a, lambda: by x, v; by inputs, parameters, time
     constraints, events, quasi : of phi and A v + b, of events, of quasi-velocities: by x, v, inputs, parameters, time
     outputs : by a, lambda and these
+    impacts, resets, levels : of what events do, as Kernels has them
+    blow : of M a + A^T lambda and A a at fixed a, lambda
     """
 
     state: Kernel
@@ -160,6 +162,10 @@ class PartialKernels:
     outputs: Kernel | None
     events: Kernel | None
     quasi: Kernel | None
+    impacts: Kernel | None
+    resets: Kernel | None
+    levels: Kernel | None
+    blow: Kernel | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -56,6 +56,18 @@ class Partials:
         return *balance, *(graph.add(terms.dot(terms.A[row], a), terms.gamma[row]) for row in range(m))
 
     @cached_property
+    def blow(self) -> tuple[Node, ...]:
+        """(n + m,) M a + A^T lambda, then A a: what a change a of the velocities takes of impulses lambda."""
+        terms, graph = self.terms, self.terms.graph
+        n, m = terms.scene.n, terms.scene.m
+        a, multipliers = (list(map(graph.symbol, names)) for names in (self.solved[:n], self.solved[n:]))
+        balance = [
+            graph.add(terms.dot(terms.factored[k], a), terms.dot((terms.A[row][k] for row in range(m)), multipliers))
+            for k in range(n)
+        ]
+        return *balance, *(terms.dot(row, a) for row in terms.A)
+
+    @cached_property
     def constraints(self) -> tuple[Node, ...]:
         """(h + m,) phi, then A v + b."""
         terms, graph = self.terms, self.terms.graph

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..runtime import CompiledModel
+from .differentiated import Differentiated
 from .names import Vector
 from .options import Task
 from .signals import Inputs, Signal
@@ -21,6 +22,7 @@ class Asked:
     method : em_method of eigenmotion.h; None where the method is not compiled
     iterates : whether its steps are found by iteration
     end_only : the one row of a run is where it ends
+    differentiated : by what, or None
     """
 
     model: CompiledModel
@@ -38,6 +40,7 @@ class Asked:
     max_steps: int
     stabilise: bool
     least_norm: bool
+    differentiated: Differentiated | None = None
 
     def task(self, prepared: Any, inputs: Inputs, y: Vector) -> Task:
         """Return the run of one member."""

@@ -19,10 +19,12 @@ def check(asked: Asked, count: int) -> None:
         More than there is.
     """
     model = asked.model
-    numbers = len(asked.t_eval) * model.n_state + 10 + model.n_events
+    columns = len(asked.differentiated.names) if asked.differentiated else 0
+    width = model.n_state + 2 * model.n * columns
+    numbers = len(asked.t_eval) * width + 10 + model.n_events
     needed = 8 * numbers * count
     there = available() if needed > _LITTLE else None
-    words = f"{count} runs with {len(asked.t_eval)} rows of {model.n_state} numbers take {needed / 1e9:.3g} GB"
+    words = f"{count} runs with {len(asked.t_eval)} rows of {width} numbers take {needed / 1e9:.3g} GB"
     _log.info("%s: %s", model.name, words)
     if there is not None and needed > there:
         raise ModelError(

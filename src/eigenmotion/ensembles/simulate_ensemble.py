@@ -1,6 +1,6 @@
 """Many runs of one system: their options, who runs them, and their result."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import nullcontext
 from typing import TYPE_CHECKING, Any, Never
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Never
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arguments.differentiated import Differentiated, differentiated
 from ..arguments.members import Asked, Members
 from ..arguments.options import choice, is_system, least_norm_of, rows_at, span, step_limits, tolerances
 from ..arguments.signals import Inputs, Signal
@@ -15,6 +16,7 @@ from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.ensemble import Ensemble
 from ..running.choosing import automatic_of_many
 from ..running.methods import AUTO, METHODS, Method
+from ..running.sensitivities import check_method
 from ..running.simulate import NAMES, STABILISATIONS, refused
 from ..running.start import check_direction, check_modes
 from . import memory
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
 _OPTIONS = (
     *("x0", "v0", "parameters", "inputs", "t_eval", "method", "rtol", "atol", "first_step", "max_step", "max_steps"),
     *("stabilisation", "dependent_constraints", "workers", "executor", "progress"),
+    "sensitivities",
 )
 
 
@@ -52,6 +55,7 @@ def simulate_ensemble(
     workers: int | None = None,
     executor: Executor | None = None,
     progress: bool = False,
+    sensitivities: Sequence[Any] | None = None,
     **misspelt: Any,
 ) -> Ensemble:
     """Integrate K motions of one system, each as `simulate` does.
@@ -73,6 +77,9 @@ def simulate_ensemble(
     executor
         Any `concurrent.futures.Executor`, as `dask.distributed.Client.get_executor()`; gets chunks of about a second.
         A chunk that is lost with its worker is run again.
+    sensitivities
+        As of `simulate`: `Ensemble.sensitivity[name]` has `dx`, `dv` (K, n, nt). Where a run has none they are NaN, and
+        `message` says why.
     progress
         Write how many are done, at what rate, and the time left, to standard error.
 
@@ -113,9 +120,11 @@ def simulate_ensemble(
         np.array([end]) if times is None else times, times is None,
         *step_limits(first_step, max_step, max_steps, abs(end - start)),
         choice(stabilisation, STABILISATIONS, "stabilisation"), least_norm,
+        _differentiated(system, sensitivities, v0, chosen),
     )  # fmt: skip
     members = gather(system, start, x0, v0, parameters, inputs)
     _check_signals(system, members, start, end)
+    _check_constant(system, asked, members)
     memory.check(asked, members.count)
     with Progress(members.count) if truth(progress, "progress") else nullcontext() as shown_progress:
         report = shown_progress.add if shown_progress else _silent
@@ -128,6 +137,21 @@ def chosen_method(system: "System", method: object, rtol: float, least_norm: boo
     """Return the method of that name; of "auto" the one that ensembles take on this machine."""
     name = choice(method, NAMES, "method")
     return automatic_of_many(system.compiled, rtol, least_norm) if name == AUTO else METHODS[name]
+
+
+def _differentiated(system: "System", given: Any, v0: Any, method: Method) -> Differentiated | None:
+    if given is None:
+        return None
+    check_method(method)
+    return differentiated(system.compiled, given, v0)
+
+
+def _check_constant(system: "System", asked: Asked, members: Members) -> None:
+    """Refuse to differentiate by inputs that are sampled."""
+    names = asked.differentiated.names if asked.differentiated else ()
+    for name, column in zip(system.inputs, members.signals, strict=True):
+        if name in names and any(isinstance(one, Signal) for one in (column if isinstance(column, list) else [column])):
+            raise ModelError(f"sensitivities: input {name!r} is sampled; only inputs that are constant can be named")
 
 
 def _silent(_: int) -> None:

@@ -1,7 +1,5 @@
 """A chunk of members, in this thread: compiled, or one by one in Python."""
 
-from typing import Any
-
 import numpy as np
 
 from ..arguments.members import Asked, Members
@@ -10,9 +8,10 @@ from ..results.found import REASONS, Found
 from ..results.solution import Solution
 from ..running.methods import METHODS
 from ..running.simulate import run_task
-from ..running.start import start_state
 from ..runtime import COUNTS, EvaluationError, StopReason
 from ..runtime.ensemble import Chunk, Stop
+from .start import task_of
+from .vary import vary_members
 
 _REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFUSED, StopReason.INTERRUPTED))
 _OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event_times", "events", "event_counts")
@@ -26,7 +25,8 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
         doubtful = list(range(members.count))
     else:
         chunk = Chunk(asked, members, stop)
-        found = Found(**{name: getattr(chunk, name) for name in _OF_CHUNK})
+        none = {name: getattr(Found.none(asked, members.count), name) for name in ("S", "dt_events")}
+        found = Found(**{name: getattr(chunk, name) for name in _OF_CHUNK}, **none)
         found.counts = np.pad(found.counts, ((0, 0), (0, len(COUNTS) - found.counts.shape[1])))
         doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
@@ -34,13 +34,15 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
     for k in doubtful:
         if not stop:
             _look_again(asked, members, k, found, stop)
+    if asked.differentiated is not None:
+        vary_members(asked, asked.differentiated, members, found, stop)
     return found
 
 
 def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop) -> None:
     """Start a member as `simulate` does, in words where it cannot; and run it unless that is done."""
     try:
-        task = _task(asked, members, k)
+        task = task_of(asked, members, k)
     except (ModelError, EvaluationError) as error:
         found.status[k], found.words[k] = _REFUSED, str(error)
         found.y[k], found.t_end[k] = np.nan, asked.t_start
@@ -49,15 +51,6 @@ def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop
         _keep(asked, k, run_task(task, METHODS[asked.name]), found)
         if found.status[k] == _INTERRUPTED:
             stop.set()
-
-
-def _task(asked: Asked, members: Members, k: int) -> Any:
-    if k in members.reasons:
-        raise ModelError(f"{asked.model.name}: {members.reasons[k]}")
-    prepared = asked.model.prepare(members.row("parameters", k))
-    start = members.row("x", k), members.row("v", k)
-    y = start_state(asked.model, prepared, asked.t_start, *start, asked.rtol, asked.atol)
-    return asked.task(prepared, members.inputs_of(k), y)
 
 
 def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:

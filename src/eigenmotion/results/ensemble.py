@@ -13,7 +13,9 @@ from ..arguments.names import Vector
 from ..codegen.model.normalise import ModelError
 from ..runtime import COUNTS, StopReason, explain, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
+from .dataset import dataset
 from .found import REASONS, Found
+from .sensitivity import Sensitivity
 from .solution import Solution
 from .trajectory import Trajectory
 
@@ -31,6 +33,7 @@ class Ensemble:
     success : (K,); stop : (K,) of StopReason; failed : indices of runs that failed; message(k) : how run k ended
     nfev, nsteps : (K,); method : the name of the one that ran
     swept : name -> (K,): what differs from run to run
+    sensitivity : name -> (dx, dv), each (K, n, nt), of what `sensitivities` asked for
 
     ensemble[k] is run k as a Solution, without dense output.
 
@@ -166,6 +169,16 @@ class Ensemble:
         return {name: self._reactions[2][:, :, k] for k, name in enumerate(self._model.outputs)}
 
     @property
+    def sensitivity(self) -> dict[str, Sensitivity]:
+        """Name -> dx, dv (K, n, nt); NaN where a run did not come, or has none."""
+        n, S = self._model.n, np.moveaxis(self._found.S, 1, 2)
+        return {name: Sensitivity(S[:, :n, :, k], S[:, n:, :, k], None) for k, name in enumerate(self._differentiated)}
+
+    @property
+    def _differentiated(self) -> tuple[str, ...]:
+        return self._asked.differentiated.names if self._asked.differentiated else ()
+
+    @property
     def _times(self) -> Vector:
         """(K or 1, nt): of the rows."""
         return self._found.t_end[:, None] if self._asked.end_only else self._asked.t_eval[None]
@@ -219,6 +232,8 @@ class Ensemble:
         t_events, y_events = self._events(k)
         counts = tuple(None if count < 0 else count for count in found.counts[k].tolist())
         fields = record(t, rows.T, t_events, y_events, stop, self.message(k), asked.name, counts)
+        if asked.differentiated is not None:
+            fields["sensitivity"] = self._sensitivity(k, there)
         if stop is StopReason.START_REFUSED:
             return Solution(None, fields | self._nothing)
         prepared = self._model.prepare(members.row("parameters", k))
@@ -239,16 +254,26 @@ class Ensemble:
             "quasi_velocities": dict.fromkeys(self._model.quasi_velocities, empty),
         }
 
+    def _sensitivity(self, k: int, there: NDArray[np.bool_]) -> dict[str, Sensitivity]:
+        n, S, pieces = self._model.n, self._found.S[k][there].T, self._event_pieces(k)
+        shifts = [self._found.dt_events[piece].T for piece in pieces]
+        return {
+            name: Sensitivity(S[i, :n], S[i, n:], [shift[i] for shift in shifts] if pieces else None)
+            for i, name in enumerate(self._differentiated)
+        }
+
     def _events(self, k: int) -> tuple[list[Vector], list[Vector]] | tuple[None, None]:
         """Return t (e,) and y (e, n_state) of each event of run k."""
         found = self._found
         if self._model.n_events == 0:
             return None, None
-        ends = self._event_ends[k]
-        pieces = [
-            slice(end - count, end) for end, count in zip(ends.tolist(), found.event_counts[k].tolist(), strict=True)
-        ]
+        pieces = self._event_pieces(k)
         return [found.event_times[piece] for piece in pieces], [found.events[piece] for piece in pieces]
+
+    def _event_pieces(self, k: int) -> list[slice]:
+        """Where each event of run k is in the table of all."""
+        ends, counts = self._event_ends[k].tolist(), self._found.event_counts[k].tolist()
+        return [slice(end - count, end) for end, count in zip(ends, counts, strict=True)]
 
     @cached_property
     def _event_ends(self) -> NDArray[Any]:
@@ -270,31 +295,4 @@ class Ensemble:
             raise ModelError("to_xarray needs xarray: pip install 'eigenmotion[xarray]'")
         import xarray  # noqa: PLC0415, an optional package
 
-        return xarray.Dataset(
-            *_dataset(self), attrs={"model": self._model.name, "formulation": self._model.formulation}
-        )
-
-
-def _dataset(runs: Ensemble) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return data variables and coordinates, each (dimensions, values)."""
-    along = ("run", "coordinate", "time")
-    data: dict[str, Any] = {
-        "x": (along, runs.x), "v": (along, runs.v), "energy": (("run", "time"), runs.energy),
-        "t_end": ("run", runs.t_end), "success": ("run", runs.success), "nfev": ("run", runs.nfev),
-        "stop": ("run", np.array([str(reason) for reason in runs.stop], dtype=np.str_)),
-    }  # fmt: skip
-    model = runs._model
-    if model.m:
-        data["multipliers"] = (("run", "row", "time"), runs.multipliers)
-    places: dict[str, Any] = {"time": runs.t, "coordinate": np.array(model.coordinates), "run": np.arange(len(runs))}
-    if model.outputs:
-        data |= {
-            _free(name, "output", data, places): (("run", "time"), values) for name, values in runs.outputs.items()
-        }
-    places |= {_free(name, "swept", data, places): ("run", values) for name, values in runs.swept.items()}
-    return data, places
-
-
-def _free(name: str, kind: str, *taken: dict[str, Any]) -> str:
-    """Return a name that is not taken: of the user's names some may be those of dimensions."""
-    return f"{kind}_{name}" if any(name in names for names in (*taken, {"row": 0})) else name
+        return xarray.Dataset(*dataset(self), attrs={"model": self._model.name, "formulation": self._model.formulation})

@@ -11,7 +11,7 @@ from ..arguments.names import Vector
 from ..runtime import COUNTS, StopReason
 
 REASONS = tuple(StopReason)
-_EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts")
+_EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts", "S")
 
 
 @dataclass(eq=False)
@@ -19,6 +19,7 @@ class Found:
     """What came of some members: as `Chunk` has it, and the words for ends that its numbers do not tell.
 
     counts : (K, 7), the COUNTS of a Solution; -1 where a method does not say
+    S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
     """
 
     y: Vector
@@ -31,12 +32,14 @@ class Found:
     event_times: Vector
     events: Vector
     event_counts: NDArray[Any]
+    S: Vector
+    dt_events: Vector
     words: dict[int, str] = field(default_factory=dict)
 
     @classmethod
     def none(cls, asked: Asked, count: int) -> "Found":
         """Return members none of which has run."""
-        model = asked.model
+        model, columns = asked.model, len(asked.differentiated.names) if asked.differentiated else 0
         interrupted = REASONS.index(StopReason.INTERRUPTED)
         return cls(
             y=np.full((count, len(asked.t_eval), model.n_state), np.nan),
@@ -49,6 +52,8 @@ class Found:
             event_times=np.empty(0),
             events=np.empty((0, model.n_state)),
             event_counts=np.zeros((count, model.n_events), dtype=np.int_),
+            S=np.full((count, len(asked.t_eval), 2 * model.n, columns), np.nan),
+            dt_events=np.empty((0, columns)),
         )
 
 
@@ -56,20 +61,20 @@ class Collection:
     """What comes of members, part by part in any order: room for all is taken at once."""
 
     def __init__(self, asked: Asked, count: int) -> None:
-        self._whole, self._events = Found.none(asked, count), dict[int, tuple[Vector, Vector]]()
+        self._whole, self._events = Found.none(asked, count), dict[int, tuple[Vector, ...]]()
 
     def put(self, start: int, part: Found) -> None:
         """Take over the members from `start` on."""
         for name in _EACH:
             getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
         self._whole.words |= {start + k: text for k, text in part.words.items()}
-        self._events[start] = part.event_times, part.events
+        self._events[start] = part.event_times, part.events, part.dt_events
 
     @property
     def whole(self) -> Found:
         """All of them."""
         parts = [self._events[start] for start in sorted(self._events)]
         if parts:
-            times, rows = zip(*parts, strict=True)
-            self._whole.event_times, self._whole.events = np.concatenate(times), np.concatenate(rows)
+            of_all = map(np.concatenate, zip(*parts, strict=True))
+            self._whole.event_times, self._whole.events, self._whole.dt_events = of_all
         return self._whole

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import options
+from ..arguments.differentiated import differentiated
 from ..arguments.names import Vector, unknown
 from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, OptionError, Task, choice, is_system, no_system
 from ..codegen.model.normalise import ModelError, shown, truth
@@ -18,7 +19,7 @@ from .compiled import run_compiled
 from .error_estimate import with_error_estimate
 from .methods import AUTO, METHODS, Method
 from .restart import given_start
-from .sensitivities import directions, sensitivity
+from .sensitivities import check_method, directions, sensitivity
 from .start import check_direction, start_state
 from .stiff import simulate_stiff
 
@@ -100,7 +101,7 @@ def simulate(
     sensitivities
         Names of parameters ("K1"), constant inputs, initial positions ("theta1") and rates ("theta1'"), or
         quasi-velocities: `Solution.sensitivity[name]` has `dx`, `dv` (n, k), the exact derivatives of the rows, with a
-        start that the constraints move, and through events at which forces jump. For compiled methods.
+        start that the constraints move, and through events, whose times have `dt_events`. For compiled methods.
 
     Returns
     -------
@@ -133,18 +134,19 @@ def simulate(
             system, t_span, x0, v0, start, parameters, inputs, rtol, atol, t_eval, dense_output, first_step, max_step,
             max_steps, stabilisation, dependent_constraints,
         )  # fmt: skip
-    return _answered(system, task, named, v0, estimate_error, sensitivities)
+    return _answered(task, named, v0, estimate_error, sensitivities)
 
 
-def _answered(
-    system: "System", task: Task, named: str, v0: Any, estimate_error: "bool | System", sensitivities: Any
-) -> Solution:
+def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", sensitivities: Any) -> Solution:
     """Run a task by the method of that name, with what was asked about its motion."""
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
         _check_sampled(task, chosen, estimate_error)
     check_direction(task.model, task.t_start, task.t_end)
-    asked = None if sensitivities is None else directions(system, sensitivities, task, chosen, v0)
+    asked = None
+    if sensitivities is not None:
+        check_method(chosen)
+        asked = directions(differentiated(task.model, sensitivities, v0), task)
     if estimate_error is False:
         solution = run_task(task, chosen)
     else:

@@ -60,6 +60,9 @@ cdef extern from "eigenmotion.h" nogil:
         int slides
         int row
 
+    ctypedef struct em_pile:
+        pass
+
     ctypedef struct em_piece:
         double t
         double h
@@ -202,3 +205,5 @@ cdef extern from "eigenmotion.h" nogil:
                             const double *, const double *, double *, double *, double *, em_fault *) noexcept nogil
         int (*tangent)(double, const double *, const double *, const double *, int, int, double *, const double *,
                        em_fault *) noexcept nogil
+        int (*act_along)(double, double *, double *, double *, const double *, int, int *, em_pile *, int, double *,
+                         const double *, em_fault *) noexcept nogil

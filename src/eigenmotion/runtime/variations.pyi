@@ -24,13 +24,26 @@ def quasi_partials(model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: P
 def tangent(
     model: PointModel, t: float, x: ArrayLike, v: ArrayLike, c: Prepared, least_norm: bool, S: Vector, P: Vector
 ) -> Vector: ...
+def act_along(
+    model: PointModel,
+    t: float,
+    x: ArrayLike,
+    v: ArrayLike,
+    c: Prepared,
+    u: ArrayLike,
+    least_norm: bool,
+    fired: ArrayLike,
+    S: Vector,
+    P: Vector,
+) -> Vector: ...
 def vary(
     model: PointModel,
     c: Prepared,
     inputs: tuple[Any, ...],
     t: Vector,
     z: Vector,
-    events: ArrayLike,
+    mark_row: ArrayLike,
+    mark_event: ArrayLike,
     S: Vector,
     P: Vector,
     size: Vector,
@@ -39,4 +52,4 @@ def vary(
     max_steps: int,
     stabilise: bool,
     least_norm: bool,
-) -> tuple[Vector, EvaluationError | None, int, int]: ...
+) -> tuple[Vector, Vector, EvaluationError | None, int, int]: ...

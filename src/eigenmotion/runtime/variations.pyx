@@ -3,10 +3,10 @@
 run (em_variations.h)."""
 
 from cpython.exc cimport PyErr_CheckSignals
-from libc.math cimport isinf
 from libc.stdlib cimport calloc, free
+from libc.string cimport memcpy
 
-from .abi cimport em_fault, em_model, em_signal, em_signal_kind
+from .abi cimport em_fault, em_model, em_pile, em_signal, em_signal_kind
 from .arrays cimport Numbers, given, zeros
 from .point cimport PointModel, Prepared
 
@@ -29,14 +29,18 @@ cdef extern from "em_variations.h" nogil:
         const double *size
         long max_steps
         size_t n_rows
+        size_t n_marks
         const double *t
         const double *z
         const double *P
-        const int *event
+        const long *mark_row
+        const int *mark_event
         double *S
+        double *dt
         int (*poll)(void *) noexcept nogil
         void *poll_argument
         em_fault fault
+        int why
         double t_reached
         long n_rhs
         long n_steps
@@ -45,6 +49,11 @@ cdef extern from "em_variations.h" nogil:
 
 
 _REASONS = tuple(StopReason)
+_ENDS = (
+    "", "a force jumps", "{} and {} act at once, and which of them is first depends on what is varied",
+    "{} only touches zero, so that whether it happens depends on what is varied",
+    "the directions went through other events than the run",
+)  # of em_variation_steps.h
 
 
 cdef int poll(void *argument) noexcept with gil:
@@ -125,10 +134,29 @@ def tangent(PointModel model not None, double t, x, v, Prepared c not None, bint
     return made.array
 
 
-def vary(PointModel model not None, Prepared c not None, tuple inputs, t, z, events, S, P, size, double rtol, atol,
-         long max_steps, bint stabilise, bint least_norm):
-    """S (k, 2 n, columns) at the rows t (k,), z (k, 2 n), of which `events` (k,) says which are at one; from S (2 n,
-    columns) at the first. NaN where a pass did not get; and what ended it, None where nothing did; steps, evaluations."""
+def act_along(PointModel model not None, double t, x, v, Prepared c not None, u, bint least_norm, fired, S, P):
+    """S (2 n, columns) after the events `fired` (n_events) at t, of directions S, P as they happen."""
+    cdef em_fault fault
+    cdef int columns = S.shape[1]
+    cdef Numbers q = given(np.array(x, dtype=np.float64), (model.n,), "x")
+    cdef Numbers w = given(np.array(v, dtype=np.float64), (model.n,), "v")
+    cdef Numbers s = given(u, (model.n_inputs,), "inputs"), pile = zeros((model.n_events, 2))
+    cdef Numbers made = given(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
+    cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
+    cdef Numbers constants = zeros((model.model.n_prepared + 1,))
+    cdef int[::1] jumps = np.array(fired, dtype=np.intc)
+    memcpy(constants.data, c.c, model.model.n_prepared * sizeof(double))
+    if model.model.act_along(t, q.data, w.data, constants.data, s.data, least_norm, &jumps[0], <em_pile *> pile.data,
+                             columns, made.data, rest.data, &fault) != 0:
+        raise model.failure(&fault)
+    return made.array
+
+
+def vary(PointModel model not None, Prepared c not None, tuple inputs, t, z, mark_row, mark_event, S, P, size,
+         double rtol, atol, long max_steps, bint stabilise, bint least_norm):
+    """S (k, 2 n, columns) at the rows t (k,), z (k, 2 n), from S (2 n, columns) at the first, and dt (marks, columns),
+    how the times of events change: events mark_event happen at rows mark_row; where some act, the next row is what they
+    make of that one. NaN where a pass did not get; and what ended it, None where nothing did; steps, evaluations."""
     cdef em_variations pass_
     cdef Py_ssize_t k = len(t), j
     cdef int columns = S.shape[1], status
@@ -136,7 +164,10 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, t, z, eve
     cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
     cdef Numbers made = given(np.full((k, 2 * model.n, columns), np.nan), (k, 2 * model.n, columns), "S")
     cdef Numbers sizes = given(size, (columns,), "size"), absolute = given(atol, (model.n,), "atol")
-    cdef int[::1] at = np.ascontiguousarray(events, dtype=np.intc)
+    cdef Py_ssize_t marks = len(mark_row)
+    cdef long[::1] at = np.append(mark_row, -1).astype(np.int_)
+    cdef int[::1] happens = np.append(mark_event, -1).astype(np.intc)
+    cdef Numbers shifts = given(np.full((marks, columns), np.nan), (marks, columns), "dt")
     cdef em_signal *signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
     cdef list held = []
     if signals == NULL:
@@ -151,7 +182,8 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, t, z, eve
         pass_.least_norm, pass_.stabilise, pass_.rtol, pass_.n_rows = least_norm, stabilise, rtol, k
         pass_.atol, pass_.size, pass_.max_steps = absolute.data, sizes.data, max_steps
         pass_.n_given = model.n_arguments - 2 * model.n
-        pass_.t, pass_.z, pass_.P, pass_.S, pass_.event = T.data, Z.data, rest.data, made.data, &at[0]
+        pass_.t, pass_.z, pass_.P, pass_.S = T.data, Z.data, rest.data, made.data
+        pass_.n_marks, pass_.mark_row, pass_.mark_event, pass_.dt = marks, &at[0], &happens[0], shifts.data
         pass_.poll, pass_.poll_argument, pass_.n_rhs, pass_.n_steps = poll, NULL, 0, 0
         pass_.t_reached = T.data[0]
         with nogil:
@@ -159,11 +191,11 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, t, z, eve
     finally:
         free(signals)
     if status == 0:
-        return made.array, None, pass_.n_steps, pass_.n_rhs
+        return made.array, shifts.array, None, pass_.n_steps, pass_.n_rhs
     if _REASONS[<int> pass_.fault.status] is StopReason.INTERRUPTED:
         raise KeyboardInterrupt
-    if isinf(pass_.fault.size):
-        said = EvaluationError(f"{model.name}: a force jumps at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
-    else:
-        said = model.failure(&pass_.fault)
-    return made.array, said, pass_.n_steps, pass_.n_rhs
+    said = model.failure(&pass_.fault)
+    if pass_.why:
+        words = _ENDS[pass_.why].format(*(repr(model.events[k]) for k in (pass_.fault.first, pass_.fault.second) if k >= 0))
+        said = EvaluationError(f"{model.name}: {words} at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
+    return made.array, shifts.array, said, pass_.n_steps, pass_.n_rhs

@@ -5,21 +5,20 @@
 #ifndef EM_ACTS_H
 #define EM_ACTS_H
 
-#include "em_modes.h"
-
-enum { EM_SOME_IMPACTS = N_IMPACTS > 0 ? N_IMPACTS : 1, EM_SOME_RESETS = N_RESETS > 0 ? N_RESETS : 1 };
+#include "em_saltation.h"
 
 #define EM_AT_ONCE 4096.0 /* times the spacing of t: what follows sooner happens at the same time */
 #define EM_PARTED 1e-13   /* the part of the terms of a speed below which nothing approaches */
 #define EM_RESTS 1e-12    /* the same of a slip */
 #define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may leave a constraint */
 
-/* What acts at one time, and the state and the mode that it acts on. */
+/* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL. */
 typedef struct em_acting {
     double t, *x, *v, *c;
     const double *u;
     int least_norm, *fired;
     em_fault *fault;
+    const em_directions *along;
     int slipped, rests[EM_SOME_SWITCHES];
 } em_acting;
 
@@ -51,7 +50,8 @@ EM_COLD int em_pulled(const em_acting *a, const double *impulse) {
 }
 
 /* One impact; contacts that it pulls apart let go. 0, or -1 and *fault. */
-EM_COLD int em_strike_once(em_acting *a, int event, const double *struck, double e) {
+EM_COLD int em_strike_once(em_acting *a, int event, const double *struck, int lands) {
+    const double e = lands ? 0.0 : struck[N + 1];
     double v[N], impulse[EM_STRUCK_ROWS];
     for (;;) {
         em_root root;
@@ -63,6 +63,8 @@ EM_COLD int em_strike_once(em_acting *a, int event, const double *struck, double
         if (em_hold(&switches[pulled], a->c, 0, a->fault)) return -1;
         a->fired[switches[pulled].event] = 1;
     }
+    if (a->along && em_strike_along(a->along, a->t, a->x, a->v, a->c, a->u, deeds[event].impact, struck, e, lands, v, a->fault))
+        return -1;
     memcpy(a->v, v, sizeof v);
     return 0;
 }
@@ -91,7 +93,7 @@ EM_COLD int em_strike_event(em_acting *a, int event, const double *struck, doubl
     if (!nears && !lands) return 0;
     if (lands && em_is_blocked(&root, struck)) return em_close_too(a, &switches[deeds[event].held]);
     if (!(e >= 0.0 && e <= 1.0)) return em_fail(a->fault, EM_IMPACT_UNDEFINED, event, 1, e);
-    if (em_strike_once(a, event, struck, lands ? 0.0 : e)) return -1;
+    if (em_strike_once(a, event, struck, lands)) return -1;
     return lands && em_hold(&switches[deeds[event].held], a->c, 1, a->fault) ? -1 : 1;
 }
 
@@ -140,53 +142,6 @@ EM_COLD int em_strike_all(em_acting *a) {
 
 /* --- resets --- */
 
-#ifdef EM_QUASI
-/* v (n) <- P^-1 v by elimination, the largest pivot of each column first. 0, or -1: P (n, n) is singular. */
-EM_COLD int em_eliminate(double *P, double *v) {
-    for (int k = 0; k < N; ++k) {
-        int best = k;
-        for (int i = k + 1; i < N; ++i)
-            if (fabs(P[i * N + k]) > fabs(P[best * N + k])) best = i;
-        if (!(fabs(P[best * N + k]) > 0.0)) return -1;
-        for (int j = 0; j < N && best != k; ++j) {
-            const double kept = P[k * N + j];
-            P[k * N + j] = P[best * N + j], P[best * N + j] = kept;
-        }
-        const double last = v[k];
-        v[k] = v[best];
-        if (best != k) v[best] = last;
-        for (int i = k + 1; i < N; ++i) {
-            const double part = P[i * N + k] / P[k * N + k];
-            for (int j = k; j < N; ++j) P[i * N + j] -= part * P[k * N + j];
-            v[i] -= part * v[k];
-        }
-    }
-    for (int k = N - 1; k >= 0; --k) {
-        for (int j = k + 1; j < N; ++j) v[k] -= P[k * N + j] * v[j];
-        v[k] /= P[k * N + k];
-    }
-    return 0;
-}
-#endif
-
-/* v (n) <- with P(x, t) v = y (3). 0, or -1: P is singular. */
-EM_COLD int em_rates_of_quasi(const em_acting *a, const double *x, const double *y, double *v) {
-#ifdef EM_QUASI
-    double P[N * N], unit[N] = {0.0}, column[N];
-    for (int j = 0; j < N; ++j) {
-        unit[j] = 1.0;
-        quasi(a->t, x, unit, a->c, column);
-        unit[j] = 0.0;
-        for (int i = 0; i < N; ++i) P[i * N + j] = column[i];
-    }
-    memcpy(v, y, N * sizeof *v);
-    return em_eliminate(P, v);
-#else
-    (void)a, (void)x;
-    return memcpy(v, y, N * sizeof *v), 0;
-#endif
-}
-
 /* What a reset leaves of the constraints. 0, or -1 and *fault. */
 EM_COLD int em_check_reset(const em_acting *a, int event) {
     double phi[EM_SOME_POSITIONS], terms[EM_SOME_POSITIONS], A[EM_SOME_ROWS * N], b[EM_SOME_ROWS];
@@ -210,9 +165,14 @@ EM_COLD int em_reset(em_acting *a, int event) {
     const double *const at = after + number * 2 * N;
     for (int k = 0; k < 2 * N; ++k)
         if (!isfinite(at[k])) return em_fail(a->fault, EM_NON_FINITE_STATE, k % N, -1, NAN);
+    if (a->along) em_reset_along(a->along, a->t, a->x, a->v, a->c, a->u, number);
     memcpy(a->x, at, N * sizeof *at);
     if (!resets_quasi[number]) memcpy(a->v, at + N, N * sizeof *at);
-    else if (em_rates_of_quasi(a, a->x, at + N, a->v)) return em_fail(a->fault, EM_RESET_OFF, event, -1, NAN);
+    else if (em_rates_of_quasi(a->t, a->x, at + N, a->c, a->v)) return em_fail(a->fault, EM_RESET_OFF, event, -1, NAN);
+#ifdef EM_QUASI
+    if (a->along && resets_quasi[number] && em_quasi_along(a->along, a->t, a->x, a->v, a->c))
+        return em_fail(a->fault, EM_RESET_OFF, event, -1, NAN);
+#endif
     a->slipped = 1;
     return em_check_reset(a, event);
 }
@@ -273,19 +233,36 @@ EM_COLD int em_settle_modes(em_acting *a) {
     return em_project(a->t, a->x, a->v, a->c, a->least_norm, a->fault);
 }
 
+EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
+    int some = 0;
+    if (em_check_pile(a, pile) || em_release_fired(a) || em_strike_all(a)) return -1;
+    for (int i = 0; i < N_EVENTS; ++i) {
+        some |= a->fired[i];
+        if (a->fired[i] && deeds[i].reset >= 0 && em_reset(a, i)) return -1;
+    }
+    a->slipped |= !some;
+    return em_settle_modes(a);
+}
+
 /* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
  * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
 EM_COLD int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                    em_fault *fault) {
-    em_acting a = {t, x, v, c, u, least_norm, fired, fault, 0, {0}};
-    int some = 0;
-    if (em_check_pile(&a, pile) || em_release_fired(&a) || em_strike_all(&a)) return -1;
-    for (int i = 0; i < N_EVENTS; ++i) {
-        some |= fired[i];
-        if (fired[i] && deeds[i].reset >= 0 && em_reset(&a, i)) return -1;
-    }
-    a.slipped |= !some;
-    return em_settle_modes(&a);
+    em_acting a = {t, x, v, c, u, least_norm, fired, fault, NULL, 0, {0}};
+    return em_act_on_all(&a, pile);
+}
+
+/* em_model.act_along: the same, with directions. */
+EM_COLD int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
+                         em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
+    const em_directions along = {columns, S, P};
+    em_acting a = {t, x, v, c, u, least_norm, fired, fault, &along, 0, {0}};
+    if (em_act_on_all(&a, pile)) return -1;
+#ifdef EM_TANGENT_H
+    return em_tangent(t, x, v, c, least_norm, columns, S, P, fault);
+#else
+    return 0;
+#endif
 }
 
 #endif

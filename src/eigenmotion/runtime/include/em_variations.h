@@ -8,282 +8,104 @@
 #ifndef EM_VARIATIONS_H
 #define EM_VARIATIONS_H
 
-#include <stdlib.h>
+#include "em_variation_events.h"
 
-#include "em_signals.h"
-#include "em_tableaux.h"
-
-#define EM_JUMP 1e-3  /* of an acceleration, relative to what it was: a force has jumped */
-#define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
-#define EM_BESIDE 1e-9 /* of the length of a step: how far beside an event both sides are looked at */
-
-/* t, z (n_rows): rows of a run, z (2 n) = x, v. S (n_rows, 2 n, columns): row 0 is given. P (n_given, columns). */
-typedef struct em_variations {
-    const em_model *model;
-    const double *c;
-    const em_signal *inputs;
-    int columns, least_norm, stabilise, n_given;
-    double rtol;
-    const double *atol, *size; /* (n), and (columns), how large what is differentiated by is itself */
-    long max_steps;
-    size_t n_rows;
-    const double *t, *z, *P;
-    const int *event; /* (n_rows) the event at a row, or -1 */
-    double *S;
-    int (*poll)(void *);
-    void *poll_argument;
-    em_fault fault;
-    double t_reached;
-    long n_rhs, n_steps;
-} em_variations;
-
-/* What a pass works with: y (2 n + 2 n (columns + 1)): x, v, and directions, the last the witness. */
-typedef struct em_pass {
-    em_variations *of;
-    int n, m, columns, size, renew; /* renew: the witness is none any more */
-    double direction, *y, *next, *P, *u, *W, *a, *lambda, *K[EM_STAGES];
-    long *piece;
-} em_pass;
-
-static double em_signal_rate(const em_signal *u, long piece, double t) {
-    const long last = (long)u->count - 1;
-    if (u->kind == EM_LINEAR && piece >= 0 && piece < last)
-        return (u->values[piece + 1] - u->values[piece]) / (u->times[piece + 1] - u->times[piece]);
-    if (u->kind != EM_CUBIC || t < u->times[0] || t > u->times[last]) return 0.0;
-    long at = em_signal_piece(u, t, 1.0);
-    if (at > last - 1) at = last - 1;
-    const double *b = u->values + 4 * at, x = t - u->times[at];
-    return (3.0 * b[0] * x + 2.0 * b[1]) * x + b[2];
-}
-
-static int em_variation_rate(em_pass *p, double t, const double *y, double *dy) {
-    em_variations *const w = p->of;
-    const int n = p->n, k = p->columns, n_inputs = w->model->n_inputs;
-    const double *const S = y + 2 * n;
-    for (int i = 0; i < n_inputs; ++i) {
-        p->u[i] = em_signal_at(&w->inputs[i], p->piece[i], t);
-        p->P[i * k + k - 1] = em_signal_rate(&w->inputs[i], p->piece[i], t);
-    }
-    ++w->n_rhs;
-    if (w->model->motion_along(t, y, y + n, w->c, p->u, w->least_norm, k, S, p->P, p->a, p->lambda, p->W, &w->fault))
-        return -1;
-    memcpy(dy, y + n, n * sizeof *dy);
-    memcpy(dy + n, p->a, n * sizeof *dy);
-    memcpy(dy + 2 * n, S + n * k, (size_t)n * k * sizeof *dy);
-    memcpy(dy + 2 * n + n * k, p->W, (size_t)n * k * sizeof *dy);
-    return 0;
-}
-
-/* The error beside the tolerances: of a direction relative to itself, or to a hundredth of the largest of its kind, and
- * what the absolute tolerance of a coordinate is for a change as large as what is differentiated by. */
-static double em_variation_error(const em_pass *p, double h) {
-    const em_tableau *const T = &EM_DOP853_TABLEAU;
+static void em_keep_directions(const em_pass *p, size_t row) {
     const int n = p->n, k = p->columns;
-    double fifth = 0.0, third = 0.0;
-    long count = 0;
-    for (int part = 0; part < 2; ++part)
-        for (int column = -1; column < k; ++column) {
-            const int start = column < 0 ? part * n : 2 * n + part * n * k + column, stride = column < 0 ? 1 : k;
-            double largest = 0.0;
-            for (int i = 0; i < n; ++i) {
-                const int at = start + i * stride;
-                largest = fmax(largest, fmax(fabs(p->y[at]), fabs(p->next[at])));
-            }
-            for (int i = 0; i < n; ++i, ++count) {
-                const int at = start + i * stride;
-                const double size = fmax(fmax(fabs(p->y[at]), fabs(p->next[at])), 0.01 * largest);
-                double e[2] = {0.0, 0.0};
-                for (int stage = 0; stage < T->stages; ++stage)
-                    for (int row = 0; row < 2; ++row) e[row] += T->e[row][stage] * p->K[stage][at];
-                const double least = p->of->atol[i] / (column < 0 || column + 1 == k ? 1.0 : p->of->size[column]);
-                const double weight = 1.0 / (p->of->rtol * size + least + DBL_MIN);
-                fifth += e[0] * weight * (e[0] * weight), third += e[1] * weight * (e[1] * weight);
-            }
-        }
-    const double both = fifth + 0.01 * third;
-    return both > 0.0 ? fabs(h) * fifth / sqrt(both * count) : 0.0;
+    for (int i = 0; i < 2 * n; ++i)
+        memcpy(p->of->S + (row * 2 * n + i) * (k - 1), p->y + 2 * n + i * k, (k - 1) * sizeof *p->y);
 }
 
-/* next <- y after a step; its error, or infinity where there is none. */
-static double em_variation_step(em_pass *p, double t, double h) {
-    const em_tableau *const T = &EM_DOP853_TABLEAU;
-    for (int stage = 1; stage <= T->stages; ++stage) {
-        memcpy(p->next, p->y, p->size * sizeof *p->next);
-        for (int j = 0; j < stage; ++j) {
-            const double factor = h * T->a[stage][j];
-            if (factor != 0.0)
-                for (int i = 0; i < p->size; ++i) p->next[i] += factor * p->K[j][i];
-        }
-        if (stage < T->stages && em_variation_rate(p, t + T->c[stage] * h, p->next, p->K[stage])) return INFINITY;
-    }
-    const double error = em_variation_error(p, h);
-    return isfinite(error) ? error : INFINITY;
-}
-
-/* The witness <- (v, a), of which K_0 knows a. */
-static void em_renew_witness(em_pass *p) {
-    const int n = p->n, k = p->columns;
-    for (int i = 0; i < 2 * n; ++i) {
-        p->y[2 * n + i * k + k - 1] = p->K[0][i];
-    }
-}
-
-/* Whether a force has jumped: the witness is not (v, a), relative to the largest acceleration. */
-static int em_has_jumped(const em_pass *p, const double *rate, double h) {
-    const int n = p->n, k = p->columns;
-    double apart = 0.0, size = 0.0;
-    for (int i = 0; i < n; ++i) size = fmax(size, EM_UNIFORM * fabs(rate[i] / h));
-    for (int i = n; i < 2 * n; ++i) {
-        const double witness = p->y[2 * n + i * k + k - 1];
-        apart = fmax(apart, fabs(witness - rate[i]));
-        size = fmax(size, fmax(fabs(witness), fabs(rate[i])));
-    }
-    return !(apart <= EM_JUMP * size);
-}
-
-/* K_0 <- the rate at y, with the pieces of inputs that begin there, and a witness of its own where they are others. */
-static int em_begin_piece(em_pass *p, double t) {
-    int other = p->renew;
-    for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        const long piece = em_signal_piece(&p->of->inputs[i], t, p->direction);
-        other |= piece != p->piece[i];
-        p->piece[i] = piece;
-    }
-    p->renew = 0;
+/* All of y <- as far on as `ahead` says, by its rates: beyond an event, or to it. */
+static int em_move_beside(em_pass *p, double t, double ahead) {
     if (em_variation_rate(p, t, p->y, p->K[0])) return -1;
-    if (!other) return 0;
-    em_renew_witness(p);
-    return em_variation_rate(p, t, p->y, p->K[0]);
-}
-
-static double em_piece_end(const em_pass *p, double end) {
-    for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        const double next = em_signal_end(&p->of->inputs[i], p->piece[i], p->direction, 0);
-        if (p->direction * (next - end) < 0.0) end = next;
-    }
-    return end;
-}
-
-/* From t to `end`, with steps about *h long. */
-static int em_variation_leg(em_pass *p, double t, double end, double *h) {
-    em_variations *const w = p->of;
-    while (t != end) {
-        if (em_begin_piece(p, t)) return -1;
-        const double stop = em_piece_end(p, end);
-        while (t != stop) {
-            const int last = fabs(*h) >= fabs(stop - t) * (1.0 - 1e-9);
-            const double step = last ? stop - t : *h, error = em_variation_step(p, t, step);
-            const double factor = error > 0.0 ? 0.9 * pow(error, -0.125) : 6.0;
-            if (++w->n_steps > w->max_steps) return em_fail(&w->fault, EM_TOO_MANY_STEPS, -1, -1, 0.0);
-            if (w->poll && w->n_steps % 64 == 0 && w->poll(w->poll_argument))
-                return em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0);
-            if (!(error <= 1.0)) {
-                *h = step * fmax(0.2, fmin(factor, 0.9));
-                if (!(fabs(*h) > 16.0 * DBL_EPSILON * fabs(t)) || *h == 0.0)
-                    return em_fail(&w->fault, w->fault.status ? w->fault.status : EM_STEP_SIZE_UNDERFLOW, -1, -1, 0.0);
-                continue;
-            }
-            t = last ? stop : t + step;
-            w->t_reached = t;
-            if (!last || fabs(*h) < 6.0 * fabs(step)) *h = fmax(fabs(*h), fabs(step)) * fmin(factor, 6.0) * p->direction;
-            memcpy(p->y, p->next, p->size * sizeof *p->y);
-            if (w->stabilise && w->model->m) {
-                if (w->model->project(t, p->y, p->y + p->n, w->c, w->least_norm, &w->fault) < 0) return -1;
-                if (w->model->tangent(t, p->y, p->y + p->n, w->c, w->least_norm, p->columns, p->y + 2 * p->n, p->P,
-                                      &w->fault)) return -1;
-            }
-            if (em_variation_rate(p, t, p->y, p->K[0])) return -1;
-            if (em_has_jumped(p, p->K[0], step)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, INFINITY);
-        }
-    }
+    for (int i = 0; i < p->size; ++i) p->y[i] += ahead * p->K[0][i];
     return 0;
 }
 
-/* At an event: where accelerations jump, directions jump by (f- - f+) dt, dt the change of the time of the event. */
-static int em_variation_jump(em_pass *p, double t, int event, double beside) {
+/* From one row to the next, `beside` each that is at an event. */
+static int em_variation_between(em_pass *p, size_t row, int leaves, int meets, double beside, double *h) {
     em_variations *const w = p->of;
-    const int n = p->n, k = p->columns, width = w->model->n_arguments;
-    double *const before = p->K[1], *const after = p->K[2], *const there = p->next;
-    double G[width * w->model->n_events], rate = 0.0;
-    if (em_variation_rate(p, t, p->y, p->K[0])) return -1;
-    for (int side = 0; side < 2; ++side) {
-        const double ahead = side ? beside : -beside;
-        memcpy(there, p->y, p->size * sizeof *there);
-        for (int i = 0; i < 2 * n; ++i) there[i] += ahead * p->K[0][i];
-        if (em_variation_rate(p, t + ahead, there, side ? after : before)) return -1;
+    double start = w->t[row - 1], end = w->t[row];
+    memcpy(p->y, w->z + (row - 1) * 2 * p->n, 2 * p->n * sizeof *p->y);
+    if (start == end) return 0;
+    if (leaves) {
+        if (em_move_beside(p, start, beside)) return -1;
+        start += beside;
     }
-    w->model->event_partials(t, p->y, p->y + n, w->c, p->u, G);
-    const double *const g = G + event * width;
-    for (int i = 0; i < 2 * n; ++i) rate += g[i] * before[i];
-    for (int i = 0; i < w->n_given; ++i) rate += g[2 * n + i] * p->P[i * k + k - 1];
-    for (int column = 0; column + 1 < k; ++column) {
-        double change = 0.0;
-        for (int i = 0; i < 2 * n; ++i) change += g[i] * p->y[2 * n + i * k + column];
-        for (int i = 0; i < w->n_given; ++i) change += g[2 * n + i] * p->P[i * k + column];
-        for (int i = n; i < 2 * n && rate != 0.0; ++i) {
-            const double jump = after[i] - before[i];
-            if (fabs(jump) > 1e-6 * fmax(fabs(after[i]), fabs(before[i])))
-                p->y[2 * n + i * k + column] += jump * change / rate;
-        }
-    }
-    return 0;
+    if (meets) end -= beside;
+    if (*h == 0.0) *h = end - start;
+    if (em_variation_leg(p, start, end, h)) return -1;
+    return meets ? em_move_beside(p, end, beside) : 0;
 }
 
 static int em_variation_rows(em_pass *p) {
     em_variations *const w = p->of;
-    const int n = p->n, k = p->columns;
-    double h = w->t[1] - w->t[0];
-    for (size_t row = 1; row < w->n_rows; ++row) {
-        const double length = w->t[row] - w->t[row - 1], beside = EM_BESIDE * length;
-        const double start = w->t[row - 1] + (row > 1 && w->event[row - 1] >= 0 ? beside : 0.0);
-        const double end = w->t[row] - (w->event[row] >= 0 ? beside : 0.0);
-        memcpy(p->y, w->z + (row - 1) * 2 * n, 2 * n * sizeof *p->y);
-        if (start != w->t[row - 1]) { /* beyond the event */
-            if (em_variation_rate(p, start, p->y, p->K[0])) return -1;
-            for (int i = 0; i < 2 * n; ++i) p->y[i] += beside * p->K[0][i];
+    size_t mark = 0;
+    double h = w->n_rows > 1 ? w->t[1] - w->t[0] : 0.0, length = h;
+    int leaves = 0, acted = 0;
+    for (size_t row = 0; row < w->n_rows; ++row) {
+        const int meets = mark < w->n_marks && w->mark_row[mark] == (long)row;
+        if (row > 0 && !acted) {
+            length = w->t[row] - w->t[row - 1];
+            if (em_variation_between(p, row, leaves, meets, EM_BESIDE * length, &h)) return -1;
         }
-        if (h == 0.0) h = length;
-        if (length != 0.0 && em_variation_leg(p, start, end, &h)) return -1;
-        memcpy(p->y, w->z + row * 2 * n, 2 * n * sizeof *p->y);
-        if (w->event[row] >= 0) {
-            if (em_variation_jump(p, w->t[row], w->event[row], beside)) return -1;
-            p->renew = 1;
-        }
-        for (int i = 0; i < 2 * n; ++i)
-            memcpy(w->S + (row * 2 * n + i) * (k - 1), p->y + 2 * n + i * k, (k - 1) * sizeof *w->S);
+        memcpy(p->y, w->z + row * 2 * p->n, 2 * p->n * sizeof *p->y);
+        leaves = meets || acted;
+        em_keep_directions(p, row);
+        acted = meets ? em_variation_marks(p, row, &mark, EM_BESIDE * length) : 0;
+        if (acted < 0) return -1;
+        if (meets && !acted && row + 1 < w->n_rows) em_keep_directions(p, row);
     }
     return 0;
 }
 
-/* S <- all rows. 0, or -1 and w->fault; rows from where it failed on are untouched. */
+/* The memory of a pass, and where its parts are. 0, or -1. */
+static int em_pass_open(em_pass *p, em_variations *w) {
+    const int n = w->model->n, m = w->model->m, k = w->columns + 1, size = 2 * n * (k + 1), n_inputs = w->model->n_inputs;
+    const int n_c = w->model->n_prepared + 1, n_events = w->model->n_events;
+    const size_t numbers = (size_t)size * (2 + EM_STAGES) + (size_t)(w->n_given + n + m) * k + n_inputs + n + m + n_c;
+    double *next = calloc(numbers + 1, sizeof *next);
+    *p = (em_pass){.of = w, .n = n, .m = m, .columns = k, .size = size, .renew = 1, .y = next};
+    p->piece = calloc(n_inputs + 1, sizeof *p->piece);
+    p->pile = calloc(n_events + 1, sizeof *p->pile);
+    if (!next || !p->piece || !p->pile) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
+    p->direction = w->t[w->n_rows - 1] < w->t[0] ? -1.0 : 1.0;
+    next += size;
+    p->next = next, next += size;
+    for (int i = 0; i < EM_STAGES; ++i) p->K[i] = next, next += size;
+    p->P = next, next += w->n_given * k;
+    p->W = next, next += (n + m) * k;
+    p->u = next, next += n_inputs;
+    p->a = next, next += n;
+    p->lambda = next, next += m;
+    p->c = next;
+    return 0;
+}
+
+static void em_pass_close(em_pass *p) {
+    free(p->y);
+    free(p->piece);
+    free(p->pile);
+}
+
+/* S <- all rows. 0, or -1 and w->fault, w->why; rows from where it failed on are untouched. */
 static int em_vary(em_variations *w) {
-    const int n = w->model->n, m = w->model->m, k = w->columns + 1, size = 2 * n * (k + 1);
-    const int n_inputs = w->model->n_inputs;
-    const size_t numbers = (size_t)size * (2 + EM_STAGES) + (size_t)(w->n_given + n + m) * k + 2 * n_inputs + n + m + 1;
-    double *const memory = calloc(numbers, sizeof *memory), *next = memory;
-    long *const piece = calloc(n_inputs + 1, sizeof *piece);
+    em_pass pass;
     w->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
-    int status = -1;
-    if (memory && piece) {
-        em_pass pass = {.of = w, .n = n, .m = m, .columns = k, .size = size, .renew = 1, .piece = piece};
-        pass.direction = w->t[w->n_rows - 1] < w->t[0] ? -1.0 : 1.0;
-        pass.y = next, next += size;
-        pass.next = next, next += size;
-        for (int i = 0; i < EM_STAGES; ++i) pass.K[i] = next, next += size;
-        pass.P = next, next += w->n_given * k;
-        pass.W = next, next += (n + m) * k;
-        pass.u = next, next += n_inputs;
-        pass.a = next, next += n;
-        pass.lambda = next;
+    w->why = EM_BY_FAULT;
+    int status = em_pass_open(&pass, w);
+    if (status == 0) {
+        const int n = pass.n, k = pass.columns;
+        for (int i = 0; i < w->model->n_inputs; ++i)
+            pass.piece[i] = em_signal_piece(&w->inputs[i], w->t[0], pass.direction);
+        memcpy(pass.c, w->c, w->model->n_prepared * sizeof *w->c);
         for (int i = 0; i < w->n_given; ++i) memcpy(pass.P + i * k, w->P + i * (k - 1), (k - 1) * sizeof *w->P);
         pass.P[(w->n_given - 1) * k + k - 1] = 1.0; /* the witness goes with the time */
         for (int i = 0; i < 2 * n; ++i) memcpy(pass.y + 2 * n + i * k, w->S + i * (k - 1), (k - 1) * sizeof *w->S);
         status = em_variation_rows(&pass);
-    } else {
-        em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
     }
-    free(memory);
-    free(piece);
+    em_pass_close(&pass);
     return status;
 }
 

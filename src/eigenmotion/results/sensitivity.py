@@ -1,0 +1,19 @@
+"""How runs change with what they are given."""
+
+from typing import NamedTuple
+
+from ..arguments.names import Vector
+
+
+class Sensitivity(NamedTuple):
+    """How a run changes with one number p; an ensemble has these with the K runs first, and no dt_events.
+
+    dx, dv : (n, k), d x / d p and d xdot / d p at its rows, at fixed time: of rows at an event that acts, those of the
+        motion before it and of the motion after it; at a terminal event, of the motion up to there
+    dt_events : for each event of the model (e,), d t_events / d p; None where it has none. With it, dx + v dt is how
+        the place of an event changes
+    """
+
+    dx: Vector
+    dv: Vector
+    dt_events: list[Vector] | None
