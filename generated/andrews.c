@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:5c9f192818aa18d108e18b0acd1df0df6971c274406ad9709adcadd41bc04a3e */
+/* body sha256:360ce4dc3bce4f63d690c9f2dd6d4d9661a1e06034addbd9add55219e6cc6bb5 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -2772,6 +2772,7 @@ const em_model andrews_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &andrews_lanes,
     .n_shapes = 13,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:b9f2bab6bccc6d9e4a74cf32e82a2a0cc8c98cf645ddb8fe83d0f67e1df38c7e */
+/* body sha256:5886bc2c4a9779e7899d034d3031335b43e8d400bd5d6433bc87168838965e63 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -10963,6 +10963,7 @@ const em_model bicycle_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &bicycle_lanes,
     .n_shapes = 8,

@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:bd772f81790727a94cb4700334338b77f74143370a383ef593a2b69d5ac183cf */
+/* body sha256:03b6dcf7207d0c574d1c0d502e63bdca60769ac11023aeb3a99689627f9414e6 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -681,6 +681,7 @@ const em_model block_on_incline_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

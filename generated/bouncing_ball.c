@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:63ccadc52daf6a0152a8b407ecf273bb6643d02eb58e94339511144359cbee48 */
+/* body sha256:efe6d96aa445eff834c0debee318783d008f1c2491374fcaf68c7d2a0999e932 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -693,6 +693,7 @@ const em_model bouncing_ball_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:69dec51a9cb860ea60f76ba82724d1e266d681d10c7d2635ede28decbba0b187 */
+/* body sha256:27976fe888a8fc8da1d4d1167702ac82797f847aa4206ad4b4921be99716e8d2 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -6050,6 +6050,7 @@ const em_model bricard_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &bricard_lanes,
     .n_shapes = 14,

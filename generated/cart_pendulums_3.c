@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:3ec1c60d626d379426c44e5b68f3a7266324aef828884bd24406cb2db1d5830a */
+/* body sha256:73becd9afc5875e8d5fedfc2e70b342c2b1544f4f3b97788a60c64b17e25a758 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1235,6 +1235,7 @@ const em_model cart_pendulums_3_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

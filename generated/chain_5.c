@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:d77c8f2dd66f0d8019c78e8c43ec03f38d0652164aa3abb110209013962be58a */
+/* body sha256:19214d291477b3e2678dac9d9df04212069db27590813fc677507d85044bbb34 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1696,6 +1696,7 @@ const em_model chain_5_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &chain_5_lanes,
     .n_shapes = 12,

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:0726955b15b3ab9c59b83f2120d4d9e92cff34ea29b67ae0e30efe0cde10987f */
+/* body sha256:80d3bf25e64fc02f2d643249d1d901d972a6e60e3e1e4e0485dd5e0be289edaa */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -855,6 +855,7 @@ const em_model chaplygin_sleigh_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &chaplygin_sleigh_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:0af3da104d197f46c04a392d8f660651ffbacd730671463d8d8eafca78fb8e73 */
+/* body sha256:0ba603268e8f4cffaa30b9dba627de42a90d2c8da96330325f3428503ea1c204 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -1005,6 +1005,7 @@ const em_model compass_gait_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:8d1ce2534590c2ff2b0b59ef470ff8f3b77e85273c7b5daeda221654eff9e1e0 */
+/* body sha256:05fca2aa44fd1a9188904dd13634318b3878a65280ab8a06146b3ecd3d6a45ab */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -826,6 +826,7 @@ const em_model double_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &double_pendulum_lanes,
     .n_shapes = 6,

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:1ce7b9bff8dcb8c34d343ac526f456008fd9b8b5bde295d256ca673e57232757 */
+/* body sha256:3ac1f462b469101d1e4cde5d0aba0e3e7c52ad1eb5b01642c24744aa248bdfb6 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -763,6 +763,7 @@ const em_model driven_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
     .n_shapes = 5,

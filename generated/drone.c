@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:3a4c7ccd2b38abded8250f4924a5d28430fe38194c62695a9adf193c8c106360 */
+/* body sha256:9d8d46a969c28f173094095b58451dee471c8d7cc155002299b0dc88457423c2 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -1727,6 +1727,7 @@ const em_model drone_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &drone_lanes,
     .n_shapes = 9,

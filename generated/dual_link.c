@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:a3dbfa5928f2528ae36ff9527cf05bde26bfac6c6537f41ae1ca4079020c138f */
+/* body sha256:998a201488f2be3f4fdfee7bbc5d2190a5f9373c12982ecea10925c46f256f8f */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1243,6 +1243,7 @@ const em_model dual_link_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &dual_link_lanes,
     .n_shapes = 10,

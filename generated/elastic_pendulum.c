@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:ad39ff008fdabfaf24a74d7e98969ba2cd1d827d325ded57e353fce999970320 */
+/* body sha256:aebd60c50e9933e64a4047d9cf72be3424e05cc900c56026492d163137b53bd1 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -623,6 +623,7 @@ const em_model elastic_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &elastic_pendulum_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:0faf4e37cef2149dcffdaa2002e17a3077f0d2dd84b22e45b96332afc8127bc5 */
+/* body sha256:f7df836e313a345235cf4e9f0fd2267d621d46b13885277d2514eab17ce7bd2a */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1229,6 +1229,7 @@ const em_model four_bar_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &four_bar_lanes,
     .n_shapes = 7,

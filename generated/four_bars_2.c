@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:a79d9776a1d4ddacb033b287955d13153b17b848bb5e0e353bb12a4a3775bfb8 */
+/* body sha256:f07323db155c6abec6786fe9bc0571241941b68bc70dab7470160588e13ce5cd */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1593,6 +1593,7 @@ const em_model four_bars_2_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &four_bars_2_lanes,
     .n_shapes = 12,

@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:782f1e53ebda16e94df9d16c50923cd74cf10c2ec66ae25724267f40d4e8865d */
+/* body sha256:3b0522949ee4260acb2e3f4674ec9d2b4277e655916550b959d78e8e8b4e0ec4 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -799,6 +799,7 @@ const em_model furuta_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &furuta_pendulum_lanes,
     .n_shapes = 5,

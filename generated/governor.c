@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:fa865224546891d9285a80b1f17d2cb1231bcb8232fe4018ae637d78f876fb44 */
+/* body sha256:4a07109e13d183558a6c7a26d0f178c0a71b9030cc94824fcf93ca7af51cd939 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -1092,6 +1092,7 @@ const em_model governor_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &governor_lanes,
     .n_shapes = 10,

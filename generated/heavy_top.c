@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:62ef55ca6fc0dcb1848ac79e90b4bd85b879351b969351ed5eee3c7f3ea8adc1 */
+/* body sha256:fb48cfdd9956aa364b050975a45aaad3ea600b5c6fc117f6f0b767b0b6f26968 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -813,6 +813,7 @@ const em_model heavy_top_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &heavy_top_lanes,
     .n_shapes = 4,

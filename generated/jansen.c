@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:6f54f1e0c32845eb8c4741e18056f48dfd00a5a3a7cce3bb9a720b60594b624d */
+/* body sha256:9dabe776cf7a5329cb9495d4a4537aa82aaeb669ef20e6fe60db150624e05780 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -3707,6 +3707,7 @@ const em_model jansen_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:6d60c6349f08f704134964e8af72962d656b577c9ea50fa6947958f5eb9157cb */
+/* body sha256:3bd14bf9d4f5cae9eea4f9dd1e70f9ad868dfa1217bb8236cd6679a826d5a9d1 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -801,6 +801,7 @@ const em_model newtons_cradle_4_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

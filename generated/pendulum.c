@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
-/* body sha256:2b0137be3f686a6db35d9f3564953fc6ad421a5e02830800a7502017f05e3721 */
+/* body sha256:22cc1129520cd9a11e0d39771348bae98213d634172324d65d833f1baa131d21 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -514,6 +514,7 @@ const em_model pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &pendulum_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:49665a391d951e4e23e59b0b4515eadfc857873aff54d756b50d8a60930249c0 */
+/* body sha256:1e706a27ba230176e514c3d3f8e21e45a4456f9c756602792de6cb616af4464e */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -702,6 +702,7 @@ const em_model pendulum_with_stop_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

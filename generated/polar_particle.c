@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:b64eab1fcb03aa59da43dec92e39036083cf8830c1d5fa47932dc541757e4a1a */
+/* body sha256:53db6d797bf8cfaa223b5794b150b937f18c84a44533a4740e49c843d1508772 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -595,6 +595,7 @@ const em_model polar_particle_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &polar_particle_lanes,
     .n_shapes = 3,

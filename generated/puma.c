@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:35aa6ec3d6bb8b85a1556638e8fc1dfe14760a13869df5fbe723b5ae9dea5ecc */
+/* body sha256:604027584826f5a894d1c6f946893aae9846cacc804b7546405a393d8e1eefbf */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -4063,6 +4063,7 @@ const em_model puma_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &puma_lanes,
     .n_shapes = 11,

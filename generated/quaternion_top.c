@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:89f80aac4a275343d302a00ea4fefe41e3cdaa2c312eb1f7f160e0c136458407 */
+/* body sha256:08073bbcf26a181a8b3395e09ed8f6fa548de9af2731cfa66499bb9ffbaf7f62 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1407,6 +1407,7 @@ const em_model quaternion_top_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

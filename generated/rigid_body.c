@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
-/* body sha256:5493c113dac86e45f222bf9d18407c97dff1ae48f4f032ade5c6c892415a7a31 */
+/* body sha256:763954cc32f1645eb5ea039b41d1c721707a10890431f1d29c7f8fb0ce85570d */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1092,6 +1092,7 @@ const em_model rigid_body_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:cc763851160fc349ffc8ce66978f4df588178918bfe4dbf32c6fbe1f33c99b49 */
+/* body sha256:2de0f60cbb8e0bd7c8a952f63fb5189db227fa78ee0272d1047508db53fb1064 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -646,6 +646,7 @@ const em_model rimless_wheel_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:4f12538f239b94e31a5a6c3554dcefce3ce0b349c9c8245e2ad85d5c90951e0c */
+/* body sha256:b8da9c66ca66d057c2924d0be923772a68995dd6ff72f0ae24c9980fe3aff167 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1213,6 +1213,7 @@ const em_model rolling_disk_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
     .n_shapes = 3,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
-/* body sha256:81c54b39896e886f9c10b7f83f3800a8c00c9928ce001e1cddd0bdc4fb41fc9e */
+/* body sha256:2709553abca825264f9d1d42a51573cf40a0568948920dbbc5db9d1f1835fe75 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -546,6 +546,7 @@ const em_model rotating_hoop_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &rotating_hoop_lanes,
     .n_shapes = 4,

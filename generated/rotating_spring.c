@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:d9d786e7a54cb990337284a414042b1653e8dfa3881be3f1c032c5dcbca3698a */
+/* body sha256:4c8eb0940036460d47182a415e966828a01917914376e36d00603f88c2464711 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -589,6 +589,7 @@ const em_model rotating_spring_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &rotating_spring_lanes,
     .n_shapes = 5,

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:a3d4ac885e984e4a083474dbc7cf3831b9723da718a0e96a1d173150752ce746 */
+/* body sha256:20008af804e47ed20942d3bd8e042f19bfb94258eedeb71c84e3d1168f8ddd7a */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1136,6 +1136,7 @@ const em_model slider_crank_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &slider_crank_lanes,
     .n_shapes = 6,

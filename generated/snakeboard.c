@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:5b624e4851268d9aec3aa51d4b145dc6c772db2d244a8171eee1e49c41d08260 */
+/* body sha256:66d145f805e0855cb9ee213b8c6b0ae019e05da3344dc362754585d750e8046e */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -975,6 +975,7 @@ const em_model snakeboard_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &snakeboard_lanes,
     .n_shapes = 6,

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:8ce63d3d24cb0d674ec419d36c292c1258b2c7ae24752331653c68ef28991874 */
+/* body sha256:1a03700d7c5f4a60e1d0646b9228a006a017dfa7cfa60a39202c8147a8a79f5a */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1619,6 +1619,7 @@ const em_model spatial_arm_3_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &spatial_arm_3_lanes,
     .n_shapes = 8,

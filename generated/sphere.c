@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:20a3055fbc2d226555308a882707de42c9f6b990cef2a9c5df2b27ab3185e89f */
+/* body sha256:3308ddab952877d4e9ce2a92abc7984ac998ec529c86c171bacec11fe18de545 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1637,6 +1637,7 @@ const em_model sphere_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:f350e63f8f785f6579cd3552dcfdbd0cbd2763222eb1b4f277af5df9c7717194 */
+/* body sha256:1f733cb40326ad6266ad9a1d39c3ac92dbcda7fabcf86f8c91c54671ff2a02cd */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -638,6 +638,7 @@ const em_model veering_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &veering_lanes,
 };

@@ -14,3 +14,4 @@ from .run import Run as Run
 from .run import modes_of as modes_of
 from .run import record as record
 from .stepper import Steps as Steps
+from .steppers import ManySteps as ManySteps

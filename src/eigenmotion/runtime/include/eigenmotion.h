@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 9 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 10 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -266,6 +266,7 @@ typedef struct em_model {
     void (*save)(const void *walk, void *saved);
     void (*restore)(void *walk, const void *saved);
     void (*close)(void *walk);
+    int (*again)(void *walk); /* at the start that its run says now, as after open, with no memory taken: the status */
 
     int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
     const em_shape *shapes;  /* (n_shapes) */
