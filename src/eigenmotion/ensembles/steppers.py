@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -103,14 +103,18 @@ class Steppers(ManySteps):
         """
         self._claim()
         try:
-            goals = numbers(t, self.count, "t")
-            if inputs is not None:
+            if not (isinstance(t, float) and self.set_goal(t)):
+                self.goals[...] = numbers(t, self.count, "t")
+            if inputs is not None and not (self._simple(inputs) and self.set_inputs(cast("Vector", inputs))):
                 self.set_inputs(columns(inputs, self.model.inputs, self.u))
-            self.goals[...] = goals
             self._go()
         finally:
             self._busy = False
         self.settle()
+
+    def _simple(self, inputs: Any) -> bool:
+        """Whether they are just what C takes, which needs no look in Python unless one is not finite."""
+        return isinstance(inputs, np.ndarray) and inputs.dtype == np.float64 and inputs.shape == self.u.shape
 
     def _claim(self) -> None:
         if self._busy:

@@ -5,7 +5,7 @@ from hashlib import blake2b
 
 from cpython.bytes cimport PyBytes_AS_STRING, PyBytes_FromStringAndSize
 from cpython.exc cimport PyErr_CheckSignals
-from libc.math cimport NAN
+from libc.math cimport NAN, isfinite
 from libc.string cimport memcpy
 
 from .abi cimport em_fault, em_method, em_model, em_rows
@@ -158,12 +158,23 @@ cdef class ManySteps:
             raise MemoryError
 
     def set_inputs(self, u):
-        """u (K, n_inputs), of members that have not ended."""
+        """u (K, n_inputs), of members that have not ended; False where one is not finite, and nothing is set."""
         cdef Py_ssize_t k
         cdef Numbers U = given(u, (self.count, self.model.n_inputs), "inputs")
+        for k in range(self.count * U.width):
+            if not isfinite(U.data[k]):
+                return False
         for k in range(self.count):
             if not self.e.ended[k]:
                 memcpy(self.e.u + k * U.width, U.row(k), U.width * sizeof(double))
+        return True
+
+    def set_goal(self, double t):
+        """One t for all; False where it is not finite."""
+        cdef Py_ssize_t k
+        for k in range(self.count):
+            self.goal.data[k] = t
+        return isfinite(t) != 0
 
     def go(self, Py_ssize_t first, Py_ssize_t last, int worker):
         """Members first ... last - 1 to `goals`. Each worker, and each range, is one thread's."""

@@ -27,9 +27,11 @@ static void em_steppers_save(const em_steppers *s, char *saved) {
     em_fault fault;
     memset(saved, 0, s->count * size);
     for (size_t k = 0; k < s->count; ++k, saved += size) {
-        const em_steppers_member kept = {s->t[k], s->n_rhs[k], s->n_steps[k], s->ended[k], s->fault[k]};
-        double *const numbers = (double *)(saved + sizeof kept);
-        memcpy(saved, &kept, sizeof kept);
+        em_steppers_member *const kept = (em_steppers_member *)saved; /* number by number: what pads them stays 0 */
+        double *const numbers = (double *)(kept + 1);
+        kept->t = s->t[k], kept->n_rhs = s->n_rhs[k], kept->n_steps = s->n_steps[k], kept->ended = s->ended[k];
+        kept->fault.status = s->fault[k].status, kept->fault.first = s->fault[k].first;
+        kept->fault.second = s->fault[k].second, kept->fault.size = s->fault[k].size;
         if (s->steppers != NULL && c > 0) memcpy(numbers, s->steppers[k]->c, c * sizeof *numbers);
         else em_steppers_constants(s, k, numbers);
         if (u > 0) memcpy(numbers + c, s->u + k * u, u * sizeof *numbers);
