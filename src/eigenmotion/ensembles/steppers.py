@@ -93,7 +93,7 @@ class Steppers(ManySteps):
 
     # --- on their way ---
 
-    def advance(self, t: ArrayLike, inputs: Mapping[Any, ArrayLike] | ArrayLike | None = None) -> None:
+    def advance(self, t: float | ArrayLike, inputs: Mapping[Any, ArrayLike] | ArrayLike | None = None) -> None:
         """Take all to t, a number or (K,) numbers [s], exactly, forwards or back; inputs hold from here on.
 
         Raises
