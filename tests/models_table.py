@@ -109,6 +109,7 @@ HEAVY = frozenset(name for one in SCENARIOS if one.heavy for name in (one.file, 
 ACTING = (
     "block_on_incline",
     "bouncing_ball",
+    "clock",
     "compass_gait",
     "newtons_cradle",
     "pendulum_with_stop",
