@@ -5,6 +5,9 @@ steps' time goes what as many right-hand sides cost in C. The motion is compared
 values. Then microseconds of each of a million steps of 1 ms in C (common/control.c): medians, 99.9th percentiles, the
 most, and the right-hand sides of a step. A right-hand side by itself costs more than one inside a step, where compilers
 see both: what is besides them may be less than nothing. `most` is when the system took the processor away.
+
+Last: K environments that one call advances by 10 ms (`System.steppers`), in one thread, beside a Python loop over K
+single steppers that do the same: how many of them a second of the processor takes on, each with its start and torque.
 """
 
 from __future__ import annotations
@@ -12,8 +15,10 @@ from __future__ import annotations
 import subprocess
 import tempfile
 import time
+from collections.abc import Callable
 from math import cos, sin
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from common.plain import compiled, generated, right_hand_side
@@ -26,6 +31,7 @@ MODELS = Path(__file__).parents[1] / "models"
 ROUNDS, COUNT, PERIOD, TOLERANCE = 31, 1000, 0.01, 1e-9
 GAINS = np.array([0.083, 1.036, 0.057, 0.105])  # of a linear-quadratic regulator about upright
 MILLION = 1_000_000
+ENVIRONMENTS = 4096  # advanced between two looks at the clock, at the least
 STEPPED = (("furuta_pendulum", "lagrange"), ("furuta_pendulum", "eigenfactor"), ("dual_link", "eigenfactor"))
 
 
@@ -87,6 +93,39 @@ def show_fixed(name: str, formulation: str, folder: Path) -> None:
         print(f"  {name}, {formulation}, {method:<9} {rhs:3g}  {median:6.3f}  {late:6.3f}  {most:8.3f}")
 
 
+def rate(advance: Callable[[int], None], done: int, count: int) -> float:
+    """Return how many environments are advanced in a second of the processor: the most of ROUNDS."""
+    times, most = max(1, ENVIRONMENTS // count), 0.0
+    for _ in range(ROUNDS):
+        begin = time.process_time()
+        for k in range(done + 1, done + times + 1):
+            advance(k)
+        most, done = max(most, count * times / (time.process_time() - begin)), done + times
+    return most
+
+
+def show_many(system: em.System, count: int, **options: Any) -> None:
+    """Print the rate of `count` of them as one, and in a loop, each with its own start and torque."""
+    angles, torques = np.linspace(-3.0, 3.0, count), np.linspace(-0.01, 0.01, count)[:, None]
+    many = system.steppers(count, x0={"phi": angles}, workers=1, **options)
+    single = [system.stepper(x0={"phi": angle}, **options) for angle in angles]
+
+    def as_one(k: int) -> None:
+        many.advance(k * PERIOD, torques)
+
+    def in_a_loop(k: int) -> None:
+        for stepper, torque in zip(single, torques[:, 0].tolist(), strict=True):
+            stepper.advance(k * PERIOD, {"u": torque})
+
+    for k in range(1, 51):
+        as_one(k)
+        in_a_loop(k)
+    off = max(float(np.abs(many.x[k] - stepper.x).max()) for k, stepper in enumerate(single))
+    one, loop = rate(as_one, 50, count), rate(in_a_loop, 50, count)
+    rates = f"{one / 1e3:9.0f} {loop / 1e3:9.0f}  {one / loop:5.1f}"
+    print(f"  {options['method']:<8} {count:5} {rates}  {many.lanes}  {off:.0e}")
+
+
 def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         for formulation, method in (("lagrange", "dop853"), ("lagrange", "dopri5"), ("eigenfactor", "dop853")):
@@ -94,6 +133,13 @@ def main() -> None:
         print("steps of 1 ms of fixed-step methods: right-hand sides; microseconds: median, 99.9th percentile, most")
         for name, formulation in STEPPED:
             show_fixed(name, formulation, Path(folder))
+    print(
+        "K furuta_pendulums by 10 ms: thousands a second as one, in a loop, ratio; lanes; apart after 0.5 s"
+    )
+    system = em.build(MODELS / "furuta_pendulum.py", formulation="lagrange")
+    for options in ({"method": "rk4", "step": 0.005}, {"method": "dop853", "rtol": 1e-6}):
+        for count in (1, 64, 1024):
+            show_many(system, count, **options)
 
 
 if __name__ == "__main__":

@@ -115,6 +115,7 @@ DAILY = {
 ACTING = (
     "block_on_incline",
     "bouncing_ball",
+    "clock",
     "compass_gait",
     "newtons_cradle",
     "pendulum_with_stop",

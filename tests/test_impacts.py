@@ -5,6 +5,7 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy
+from scipy.optimize import brentq
 from sympy import symbols
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -226,6 +227,26 @@ def test_a_rimless_wheel_comes_to_its_closed_form_speed():
     alpha, gamma = (dict(model.parameters)[symbols(name, positive=True)] for name in ("alpha", "gamma"))
     speed = np.sqrt(4 * 9.81 * np.sin(alpha) * np.sin(gamma)) / np.tan(2 * alpha)
     assert run.y_after_events[0][-1, 1] == pytest.approx(speed, rel=1e-9)
+
+
+def test_a_clock_swings_as_far_as_its_escapement_pays_for():
+    """Swing by swing by the balance of work, and in the end by A = E / (2 tau); without the escapement it stops."""
+    system = system_for(model_of("clock"), "lagrange")
+    run = system.simulate((0.0, 120.0), rtol=1e-10, atol=1e-12)
+    ticks = [0.5 * 0.994**2 * v**2 for v in run.y_after_events[0][:, 1]]
+    weight, tau, paid = 9.81 * 0.994, 0.1, 0.04
+    work = weight * (1 - np.cos(0.1)) - tau * 0.1 + paid
+    for found in ticks:
+        assert found == pytest.approx(work, abs=1e-9)
+        reach = brentq(lambda A, work=work: weight * (1 - np.cos(A)) + tau * A - work, 0.0, 1.0)
+        work += paid - 2 * tau * reach
+    assert len(ticks) > 110
+    late = run.t > 100
+    assert np.abs(run.y_events[1][-5:, 0]) == pytest.approx(paid / (2 * tau), abs=1e-6)  # where it turns
+    assert np.abs(run.x[0, late]).max() < 0.2
+    alone = system.simulate((0.0, 20.0), parameters={"E": 0.0}, rtol=1e-10, atol=1e-12)
+    assert alone.modes[-1][1]["pivot_stuck"] == 1.0
+    assert abs(np.sin(alone.x[0, -1])) <= tau / weight
 
 
 def test_a_compass_gait_comes_to_the_published_fixed_point():

@@ -68,7 +68,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "results": ("codegen.model", "runtime", "arguments", "pages", "files"),
     "running": ("codegen.model", "runtime", "arguments", "results"),
     "linear": ("codegen.model", "runtime", "arguments", "running", "pages"),
-    "system": ("codegen.model", "runtime", "arguments", "running", "linear", "pages"),
+    "system": ("codegen.model", "runtime", "arguments", "running", "ensembles", "linear", "pages"),
     "ensembles": ("codegen.model", "runtime", "arguments", "results", "running"),
     "building": (
         "codegen.model",

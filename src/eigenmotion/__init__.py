@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from .codegen.model import multiplier as multiplier
     from .codegen.model import t as t
     from .ensembles.simulate_ensemble import simulate_ensemble as simulate_ensemble
+    from .ensembles.steppers import Steppers as Steppers
     from .fmu.export import export_fmu as export_fmu
     from .linear.assemble import assemble as assemble
     from .linear.equilibrium import find_equilibrium as find_equilibrium
@@ -50,6 +51,7 @@ _HOME = {
     "Signal": ".arguments.signals",
     "Solution": ".results.solution",
     "Stepper": ".running.stepper",
+    "Steppers": ".ensembles.steppers",
     "StopReason": ".runtime",
     "System": ".system.system",
     "assemble": ".linear.assemble",

@@ -152,8 +152,8 @@ EM_FMU fmi2Status fmi2GetRealOutputDerivatives(fmi2Component c, const fmi2ValueR
 EM_FMU fmi2Status fmi2GetDirectionalDerivative(fmi2Component c, const fmi2ValueReference unknown[], size_t unknowns,
                                                const fmi2ValueReference known[], size_t count, const fmi2Real dknown[],
                                                fmi2Real dunknown[]) {
-    (void)unknown, (void)known, (void)count, (void)dknown, (void)dunknown;
-    return em_none(c, unknowns, "this unit gives no directional derivatives");
+    em_fmu *fmu = c;
+    return em_answer(fmu, em_unit_along(fmu->unit, unknown, unknowns, known, count, dknown, dunknown));
 }
 
 /* --- the state --- */

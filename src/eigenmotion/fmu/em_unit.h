@@ -78,7 +78,7 @@ static int em_unit_fail(em_unit *unit, const em_fault *fault, double t) {
         "finished", "terminal event", "step size underflow", "too many steps", "the state is not finite",
         "singular mass matrix", "dependent constraints", "coincident eigenvalues", "position not reached", "interrupted",
         "out of memory", "eigenfactors drifted", "an event has no value", "energy drifted", "constraints drifted",
-        "no motion starts there"};
+        "no motion starts there", "events pile up", "an impact has no solution", "a reset leaves the constraints"};
     const size_t count = sizeof reasons / sizeof *reasons, status = (size_t)fault->status;
     const int row = fault->status == EM_DEPENDENT_CONSTRAINTS || fault->status == EM_POSITION_NOT_REACHED ||
                     fault->status == EM_CONSTRAINTS_DRIFTED;
@@ -146,6 +146,77 @@ static int em_unit_outputs(em_unit *unit, double *out) {
     const em_stepper *s = unit->stepper;
     if (!s->model->output(s->t, s->x, s->v, s->run.prepared, em_unit_u(unit), 0, out, &fault)) return 0;
     return em_unit_fail(unit, &fault, s->t);
+}
+
+/* The place of a number given among the arguments of derivatives: x, v, inputs, parameters, time. */
+static size_t em_unit_argument(const em_model *m, unsigned reference) {
+    const unsigned p = (unsigned)m->n_parameters, states = 2 * (unsigned)m->n;
+    if (reference < p) return states + (unsigned)m->n_inputs + reference;
+    return reference - p; /* x, v and inputs follow each other there, too */
+}
+
+/* The change of one number along `d` (n_arguments), of which a and lambda change by `da` (n + m); D: em_model.output_partials */
+static double em_unit_change(const em_unit *unit, unsigned reference, const double *d, const double *da, const double *D) {
+    const em_model *m = unit->model;
+    const size_t given = em_unit_given(m), reactions = (size_t)(m->n + m->m), width = reactions + (size_t)m->n_arguments;
+    if (reference < given) return d[em_unit_argument(m, reference)];
+    double sum = 0.0;
+    for (size_t k = 0; k < width; ++k) sum += D[(reference - given) * width + k] * (k < reactions ? da[k] : d[k - reactions]);
+    return sum;
+}
+
+/* changes (unknowns) of numbers where the motion stands, along `d` (n_arguments), exactly; work: em_unit_partials numbers.
+ * 0, or -1 and *fault. */
+static int em_unit_changes(const em_unit *unit, const unsigned *unknown, size_t unknowns, const double *d, double *work,
+                           double *changes, em_fault *fault) {
+    const em_model *const m = unit->model;
+    const em_stepper *const s = unit->stepper;
+    const int reactions = m->n + m->m, arguments = m->n_arguments;
+    double *const a = work, *const along = a + reactions, *const slopes = along + reactions;
+    double *const D = slopes + reactions * arguments;
+    if (m->motion_derivatives(s->t, s->x, s->v, s->run.prepared, em_unit_u(unit), 0, a, a + m->n, slopes,
+                              slopes + m->n * arguments, fault))
+        return -1;
+    if (m->n_outputs > 0) m->output_partials(s->t, s->x, s->v, a, a + m->n, s->run.prepared, em_unit_u(unit), D);
+    for (int row = 0; row < reactions; ++row) {
+        along[row] = 0.0;
+        for (int k = 0; k < arguments; ++k) along[row] += slopes[row * arguments + k] * d[k];
+    }
+    for (size_t k = 0; k < unknowns; ++k) changes[k] = em_unit_change(unit, unknown[k], d, along, D);
+    return 0;
+}
+
+static size_t em_unit_partials(const em_model *m) {
+    const size_t reactions = (size_t)(m->n + m->m), arguments = (size_t)m->n_arguments;
+    return 2 * reactions + reactions * arguments + (size_t)m->n_outputs * (reactions + arguments);
+}
+
+/* -1, and words: a reference that is none, or a parameter's where those have no change of their own. */
+static int em_unit_check(em_unit *unit, const unsigned *references, size_t count, size_t first, size_t end) {
+    for (size_t k = 0; k < count; ++k) {
+        if (references[k] >= first && references[k] < end) continue;
+        snprintf(unit->words, sizeof unit->words, "value reference %u: no %s", references[k],
+                 first > 0 ? "output" : "parameter, coordinate, rate or input");
+        return -1;
+    }
+    return 0;
+}
+
+/* changes (unknowns) of outputs, coordinates and rates along dknown (count) of numbers given. 0, or -1 and words. */
+static int em_unit_along(em_unit *unit, const unsigned *unknown, size_t unknowns, const unsigned *known, size_t count,
+                         const double *dknown, double *changes) {
+    const em_model *const m = unit->model;
+    const size_t given = em_unit_given(m), all = given + (size_t)m->n_outputs;
+    if (em_unit_check(unit, unknown, unknowns, (size_t)m->n_parameters, all) || em_unit_check(unit, known, count, 0, given) ||
+        em_unit_open(unit))
+        return -1;
+    em_fault fault = {EM_OUT_OF_MEMORY, -1, -1, 0.0};
+    double *const work = calloc((size_t)m->n_arguments + em_unit_partials(m), sizeof *work);
+    if (work == NULL) return em_unit_fail(unit, &fault, unit->stepper->t);
+    for (size_t k = 0; k < count; ++k) work[em_unit_argument(m, known[k])] += dknown[k];
+    const int failed = em_unit_changes(unit, unknown, unknowns, work, work + m->n_arguments, changes, &fault);
+    free(work);
+    return failed ? em_unit_fail(unit, &fault, unit->stepper->t) : 0;
 }
 
 /* One of those given, or x or v as they are now. */

@@ -18,8 +18,8 @@ from .start import start_state
 if TYPE_CHECKING:
     from ..system.system import System
 
-_NUMBERS = {name: method.number for name, method in STEPPED.items() if method.number is not None}
-_METHODS = {name.lower(): name for name in _NUMBERS}
+METHOD_NUMBERS = {name: method.number for name, method in STEPPED.items() if method.number is not None}
+_METHODS = {name.lower(): name for name in METHOD_NUMBERS}
 _OPTIONS = ("t", "x0", "v0", "parameters", "inputs", "start", "rtol", "atol", "method", "step", "max_step", "max_steps",
             "stabilisation", "dependent_constraints")  # fmt: skip
 
@@ -160,8 +160,8 @@ def stepper(
         raise OptionError("stepper: everything is given by keyword, as t=0.0, x0={...}")
     if misspelt:
         raise OptionError(f"stepper: {unknown('option', misspelt, _OPTIONS)}")
-    named = choice(method, _METHODS, "method")
-    first = _fixed_step(named, step)
+    named = method_named(method)
+    first = fixed_step(named, step)
     relative, absolute = options.tolerances(system.compiled, rtol, atol)
     _, longest, most = options.step_limits(None, max_step, max_steps, np.inf)
     prepared = system.prepare(parameters)
@@ -173,10 +173,16 @@ def stepper(
     )  # fmt: skip
     if task.inputs.sampled:
         raise ModelError(f"{system.name}: a stepper takes no Sampled input: call the controller between two advances")
-    return Stepper(task, _NUMBERS[named])
+    return Stepper(task, METHOD_NUMBERS[named])
 
 
-def _fixed_step(method: str, step: float | None) -> float:
+def method_named(given: str) -> str:
+    """Return a method of steppers by its name, whatever its case."""
+    name: str = choice(given, _METHODS, "method")
+    return name
+
+
+def fixed_step(method: str, step: float | None) -> float:
     """Return the step of a method that needs one, 0 for the others."""
     if method not in FIXED:
         if step is not None:

@@ -15,3 +15,4 @@ from .run import TOLD as TOLD
 from .run import TOLD_NODES as TOLD_NODES
 from .run import Run as Run
 from .stepper import Steps as Steps
+from .steppers import ManySteps as ManySteps

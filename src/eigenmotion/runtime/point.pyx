@@ -158,6 +158,13 @@ cdef class PointModel:
         cdef Numbers absolute = given(atol, (self.n,), "atol")
         return y.array if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data) else None
 
+    def identity(self, Prepared c not None):
+        """What tells models apart whose runs are kept as bytes: names, and what is made of these parameters."""
+        cdef bytes numbers = (<char *> c.c)[:self.model.n_prepared * sizeof(double)]
+        return (self.name, self.formulation, self.close_eigenvalues, self.schur, self.coordinates, self.parameters,
+                self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved,
+                c.parameters, numbers)
+
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""
         cdef Numbers q = given(x, (self.n,), "x"), M = zeros((self.n, self.n))

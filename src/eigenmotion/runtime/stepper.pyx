@@ -268,17 +268,10 @@ cdef class Steps:
         if self.tag is None:
             m, task = self.model, self.task
             signals = [(kind, times.tobytes(), values.tobytes()) for kind, times, values in task.inputs.compiled if kind]
-            said = (m.name, m.formulation, m.close_eigenvalues, m.schur, m.coordinates, m.parameters, m.inputs, m.events,
-                    m.layout, m.block, m.left_out, m.lanes, <long> m.model.saved, task.prepared.parameters,
-                    self.prepared_numbers(), self.number, task.rtol, task.atol.tobytes(), task.first_step,
+            said = (m.identity(task.prepared), self.number, task.rtol, task.atol.tobytes(), task.first_step,
                     task.max_step, task.stabilise, task.least_norm, signals)
             self.tag = blake2b(repr(said).encode(), digest_size=TAG).digest()
         return self.tag
-
-    cdef bytes prepared_numbers(self):
-        """What the model makes of its parameters, which tells models of the same names apart."""
-        cdef Prepared prepared = self.task.prepared
-        return (<char *> prepared.c)[:self.model.model.n_prepared * sizeof(double)]
 
     def __reduce__(self):
         """As what is asked, and what is saved."""

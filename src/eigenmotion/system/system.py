@@ -12,6 +12,7 @@ from ..arguments.names import Vector, overlay, vector
 from ..arguments.options import least_norm_of
 from ..arguments.signals import Inputs, Signal, bind
 from ..codegen.model.normalise import ModelError, number, real
+from ..ensembles.open_steppers import steppers
 from ..linear.linearize import linearize
 from ..pages.notebook import table
 from ..running.consistent import ConsistentState, Projection
@@ -276,6 +277,7 @@ class System(Description):
 
     simulate = simulate  # functions as methods, with their options
     stepper = stepper
+    steppers = steppers
     linearize = linearize
     jacobian = jacobian
     rhs_parameter_jacobian = rhs_parameter_jacobian

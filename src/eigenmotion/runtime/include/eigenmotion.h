@@ -271,6 +271,7 @@ typedef struct em_model {
     void (*save)(const void *walk, void *saved);
     void (*restore)(void *walk, const void *saved);
     void (*close)(void *walk);
+    int (*again)(void *walk); /* at the start that its run says now, as after open, with no memory taken: the status */
 
     int n_shapes, dimension; /* of the drawing: 0 where there is none; numbers a position has */
     const em_shape *shapes;  /* (n_shapes) */

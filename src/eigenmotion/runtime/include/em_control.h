@@ -22,6 +22,7 @@ typedef struct em_stepper {
     double *u;           /* (n_inputs) values of those inputs that are constant */
     em_run run;          /* what is asked; counts; why the last advance failed; crossings of events in it */
     em_signal *inputs;   /* (n_inputs) */
+    double *start, *c;   /* the state (n_state) and the constants (n_prepared) that it began with */
     void *walk;
 } em_stepper;
 
@@ -64,9 +65,9 @@ static inline em_stepper *em_stepper_copy(const em_model *model, const em_run *t
     s->model = model;
     s->run = *task;
     s->run.atol = memcpy(atol, task->atol, n * sizeof *atol);
-    s->run.y_start = memcpy(y, task->y_start, states * sizeof *y);
+    s->run.y_start = s->start = memcpy(y, task->y_start, states * sizeof *y);
     if (c > 0) memcpy(prepared, task->prepared, c * sizeof *prepared);
-    s->run.prepared = prepared;
+    s->run.prepared = s->c = prepared;
     s->run.event_terminal = (int *)(prepared + c); /* none: who steps decides */
     s->run.event_direction = model->event_direction;
     s->run.inputs = s->inputs;
@@ -94,6 +95,21 @@ static inline em_stepper *em_stepper_open(const em_model *model, const em_run *t
     if (s->walk == NULL || em_stepper_reserve(s)) return em_stepper_close(s), NULL;
     s->t = model->now(s->walk, s->x, s->v);
     return s;
+}
+
+/* Elsewhere, as if opened there: y (n_state) at t, with these constants and inputs; NULL: as they were. Takes no memory.
+ * Returns s->run.fault.status. */
+static inline int em_stepper_begin(em_stepper *s, double t, const double *y, const double *prepared, const double *u) {
+    const em_model *model = s->model;
+    if (y != NULL) memcpy(s->start, y, (size_t)model->n_state * sizeof *y);
+    if (prepared != NULL && model->n_prepared > 0) memcpy(s->c, prepared, (size_t)model->n_prepared * sizeof *prepared);
+    for (int k = 0; u != NULL && k < model->n_inputs; ++k)
+        if (s->inputs[k].kind == EM_CONSTANT) s->u[k] = u[k];
+    s->run.t_start = t;
+    s->run.prepared = s->c;
+    model->again(s->walk);
+    s->t = model->now(s->walk, s->x, s->v);
+    return (int)s->run.fault.status;
 }
 
 /* Whether u (n_inputs) changes an input. Those that are signals stay so. */

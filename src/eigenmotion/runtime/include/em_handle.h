@@ -26,6 +26,22 @@ static void *em_handle_open(em_run *run) { return em_open(run); }
 /* em_model.close */
 static void em_handle_close(void *walk) { em_close(walk); }
 
+/* em_model.again: counts and tables, but for their memory, are those of a run that has not begun. */
+static int em_handle_again(void *walk) {
+    em_walk *w = walk;
+    em_run *run = w->run;
+    memset(w, 0, EM_SAVED_WALK);
+    w->end_rate = NULL;
+    em_walk_prepare(w);
+    run->kept = 0;
+    run->n_rhs = run->n_steps = run->n_rejected = run->n_bounded = run->n_jacobians = run->n_factors = run->n_stiff = 0;
+    run->rows.count = run->legs.count = 0;
+    for (int i = 0; i < N_EVENTS; ++i) run->events[i].count = run->after[i].count = 0;
+    run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
+    w->refused = w->ended = em_enter(w);
+    return (int)run->fault.status;
+}
+
 /* The other way in time, where pieces of signals are entered from their other ends. */
 static void em_turn_back(em_walk *w) {
     w->direction = -w->direction;

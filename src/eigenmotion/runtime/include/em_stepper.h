@@ -58,7 +58,18 @@ static int em_begin(em_walk *w) {
     return EM_GO_ON;
 }
 
-/* A zeroed walk on cache lines of its own, or NULL. */
+/* What a walk, zeroed, knows of its run before it stands anywhere. */
+static void em_walk_prepare(em_walk *w) {
+    const em_run *run = w->run;
+    w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
+    w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
+    w->fresh = EM_FIRST_LEG;
+    w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
+    w->t_goal = run->t_end;
+    w->most_steps = run->max_steps;
+}
+
+/* A walk on cache lines of its own, or NULL. */
 static em_walk *em_walk_create(em_run *run) {
     enum { LINE = 64 };
     void *block = calloc(1, sizeof(em_walk) + LINE);
@@ -67,12 +78,7 @@ static em_walk *em_walk_create(em_run *run) {
     w->block = block;
     w->run = run;
     w->scheme = em_scheme_of(run->method);
-    w->rtol = em_max(run->rtol, 100.0 * DBL_EPSILON); /* less cannot be met */
-    w->stretch = pow(w->rtol, -1.0 / (w->scheme.error_order + 1));
-    w->fresh = EM_FIRST_LEG;
-    w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
-    w->t_goal = run->t_end;
-    w->most_steps = run->max_steps;
+    em_walk_prepare(w);
     w->looks_every = 1;
     timespec_get(&w->looked, TIME_UTC);
     w->polled = w->looked;

@@ -1,0 +1,707 @@
+/* eigenmotion generate clock.py */
+/* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
+/* body sha256:c4f03179662da019883cfc2238b833d78a939c8359c54d5349806ac1fa7be8d9 */
+/* clock: equations of motion, eigenfactor formulation.
+ *
+ * State, 2 numbers:
+ *   x    y[0 .. 1)
+ *   eta  y[1 .. 2)
+ *
+ * Blocks of M that do not couple:
+ *   1: theta (constant, factored once per parameter set)
+ *
+ * Left out, because this scene does not need it:
+ *   G, Gdot, dG/dx: T has no part linear in the velocities
+ *   dT0/dx: T has no part free of velocities
+ *   dM/dt, dA/dt, dV/dt: the time does not occur
+ *   a factor of Delta: one constraint, Delta is a number
+ *   b, bdot: the constraints are homogeneous in the velocities
+ *   dM/dtheta: M does not depend on it
+ *   C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set
+ *
+ * Operations of the straight-line part:
+ *   eigenfactor: 1 additions, 1 multiplications, 1 function calls
+ *   projection: none
+ */
+#include "clock.h"
+
+#define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
+#include "em_functions.h"
+#include "em_multipliers.h"
+
+enum {
+    N = 1,              /* coordinates */
+    N_ROWS = 1,         /* constraint rows */
+    N_POSITIONS = 0,    /* of which holonomic */
+    N_STATE = 2,        /* numbers of a state */
+    N_C = 0,            /* of which C, */
+    N_S = 0,            /* s, */
+    N_CD = 0,           /* C of Delta, */
+    N_SD = 0,           /* s of Delta */
+    N_INPUTS = 0,
+    N_OUTPUTS = 0,
+    N_EVENTS = 2,
+    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
+    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_PARAMETERS = 7,
+    N_GIVEN = 8,        /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
+    N_PREPARED = 18,    /* the parameters, factors of constant blocks, shared constants */
+    N1 = 1,             /* theta */
+};
+
+/* Coordinates of the blocks. */
+EM_UNUSED static const int coordinate1[N1] = { 0 };
+
+#ifndef EM_ASIDE_ALONE
+
+/* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
+EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1],
+                                  real A1[N_ROWS][N1], real gamma[N_ROWS])
+{
+    const real c_0 = c[11];
+    const real c_1 = c[12];
+    const real theta = x[0];
+    const real sin_theta = em_sin(theta);
+    f1[0] = -(c_0 + c_1*sin_theta);
+    const real pivot_stuck = c[5];
+    A1[0][0] = pivot_stuck;
+    gamma[0] = em_real(0.0);
+}
+
+/* xdot alone (20) */
+EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
+                         em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)fault;
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[1] };
+    const real *const C1 = c + 7, *const s1 = c + 8;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+    return 0;
+}
+
+/* The published system: xdot (20), etadot (45), Cdot (30), sdot (35).
+ *   y, dy (n_state)    c prepared parameters    u inputs */
+static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
+                           double *memory, int flags, real *restrict dy, em_fault *restrict fault)
+{
+    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
+
+    /* theta: xdot = C^T S^-1 eta (20) */
+    const real eta1[N1] = { y[1] };
+    const real *const C1 = c + 7, *const s1 = c + 8;
+    real r1[N1], w1[N1], v1[N1];
+    em_velocity(N1, C1, s1, eta1, r1, w1, v1);
+    dy[0] = v1[0];
+
+    real f1[N1], A1[N_ROWS][N1], gamma[N_ROWS];
+    eigenfactor_motion(y, c, f1, A1, gamma);
+
+    /* theta: B = A C^T S^-1 (28) */
+    real B1[N_ROWS][N1];
+    em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
+
+    /* theta: constant factors, a = S^-1 C f (41) */
+    real a1[N1];
+    em_rows_on_eta(1, N1, C1, r1, f1, a1);
+
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        lambda[row] = gamma[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        for (int column = 0; column <= row; ++column) {
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+
+    /* etadot = a - B^T lambda (45) */
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    dy[1] = a1[0];
+    return 0;
+}
+
+/* dy <- f(t, y). */
+static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+                     em_fault *fault)
+{
+    (void)mode, (void)memory;
+    return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
+}
+
+#endif
+#ifdef EM_ON_LANES
+
+/* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+                         double *dy)
+{
+    em_fault fault;
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+}
+
+/* xdot alone (20) */
+static void velocity_on_lanes(const double *t, const double *y, const double *c, double *v)
+{
+    em_fault fault;
+    velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
+}
+
+extern em_lanes clock_lanes;
+em_lanes clock_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+
+#else
+
+/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
+ * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
+#ifdef EM_ASIDE_ELSEWHERE
+
+extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM);
+extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma);
+extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e);
+extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
+extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck);
+extern void resets(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict after);
+extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                   EM_UNUSED const double *restrict c, double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    dM[0] = 0.0;
+}
+
+/* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
+EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
+{
+    const double c_0 = c[11];
+    const double c_1 = c[12];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    bias[0] = -(c_0 + c_1*sin_theta);
+    gamma[0] = 0.0;
+}
+
+/* e (4): T2, T1, T0, V                                                                                          (4) */
+EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, double *restrict e)
+{
+    const double c_3 = c[14];
+    const double theta_dot = v[0];
+    e[0] = c_3*(theta_dot*theta_dot);
+    e[1] = 0.0;
+    e[2] = 0.0;
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double c_1 = c[12];
+    e[3] = -cos_theta*c_1;
+}
+
+/* out (n_outputs), from x, v, a = xddot, lambda */
+EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+{
+}
+
+/* p: what the drawing is made of, shape by shape */
+EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+{
+    p[0] = p[1] = p[4] = p[5] = p[8] = p[9] = p[12] = p[13] = 0.0;
+    const double l = c[1];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    p[2] = p[6] = p[16] = l*sin_theta;
+    const double cos_theta = em_cos(theta);
+    p[3] = p[7] = p[17] = -l*cos_theta;
+    const double z_2 = (1.0/5.0)*(5.0*theta + 6.0);
+    const double sin_z_2 = em_sin(z_2);
+    const double c_5 = c[16];
+    p[10] = sin_z_2*c_5;
+    const double cos_z_2 = em_cos(z_2);
+    p[11] = -cos_z_2*c_5;
+    const double z_5 = (1.0/5.0)*(6.0 - 5.0*theta);
+    const double sin_z_5 = em_sin(z_5);
+    p[14] = -sin_z_5*c_5;
+    const double cos_z_5 = em_cos(z_5);
+    p[15] = -cos_z_5*c_5;
+    const double c_6 = c[17];
+    p[18] = c_6;
+}
+
+/* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
+EM_ASIDE void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck)
+{
+}
+
+/* after: x, and v or the quasi-velocities, after each reset */
+EM_ASIDE void resets(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict after)
+{
+    const double theta = x[0];
+    after[0] = theta;
+    const double theta_dot = v[0];
+    const double c_4 = c[15];
+    after[1] = em_sign(theta_dot)*sqrt(theta_dot*theta_dot + c_4);
+}
+
+/* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
+EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level)
+{
+    const double tau = c[3];
+    level[0] = tau;
+    const double theta_dot = v[0];
+    level[1] = theta_dot;
+}
+
+#endif
+/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
+#if defined(EM_ASIDE_ELSEWHERE)
+
+extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D);
+extern void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                  const double *restrict v, const double *restrict c, double *restrict D);
+extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+
+#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+
+/* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
+    const double m = c[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    D[0] = m*l*g*cos_theta;
+}
+
+/* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
+                               EM_UNUSED const double *restrict v, const double *restrict a,
+                               const double *restrict lambda, const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
+    const double theta_ddot = a[0];
+    const double l = c[1];
+    const double g = c[2];
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = g*sin_theta;
+    D[0] = theta_ddot*(l*l) + l*z_1;
+    const double m = c[0];
+    const double z_2 = m*l;
+    D[1] = 2.0*theta_ddot*z_2 + m*z_1;
+    D[2] = sin_theta*z_2;
+    const double pivot_slides = c[6];
+    D[3] = pivot_slides;
+    const double lambda_0 = lambda[0];
+    D[5] = lambda_0;
+    const double tau = c[3];
+    D[6] = tau;
+    D[13] = theta_ddot;
+}
+
+/* D (h + m, n_arguments), of phi and A v + b */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                  const double *restrict v, const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
+    const double pivot_stuck = c[5];
+    D[1] = pivot_stuck;
+    const double theta_dot = v[0];
+    D[7] = theta_dot;
+}
+
+/* D (n_events, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
+    D[0] = 1.0;
+    const double pivot_slides = c[6];
+    D[11] = pivot_slides;
+    const double theta_dot = v[0];
+    D[18] = theta_dot;
+}
+
+#endif
+#ifndef EM_ASIDE_ALONE
+
+/* Where the other is linked it takes the place of this. */
+extern em_lanes clock_lanes;
+EM_WEAK em_lanes clock_lanes = {0, NULL, NULL, NULL};
+#define EM_MODEL_LANES clock_lanes
+
+#include "em_blocks.h"
+
+/* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
+static const int block[N] = { 0 };
+static const double scales[N] = { 1.0 };
+
+/* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
+static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 7, 8, 9, 10 };
+static const em_block *const blocks[] = { &block1, NULL };
+
+/* M of the constant blocks, and what other functions share that is made of parameters only */
+EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1],
+                                  double prepared[N_PREPARED])
+{
+    const double m = parameters[0];
+    const double l = parameters[1];
+    const double z_0 = l*l;
+    const double z_1 = m*z_0;
+    M1[0][0] = z_1;
+    const double pivot_slides = parameters[6];
+    const double tau = parameters[3];
+    prepared[11] = pivot_slides*tau;
+    const double g = parameters[2];
+    prepared[12] = m*l*g;
+    prepared[13] = z_1;
+    prepared[14] = 0.5*z_1;
+    const double E = parameters[4];
+    prepared[15] = 2.0*(E/(m*z_0));
+    prepared[16] = 0.25*l;
+    prepared[17] = (1.0/12.0)*l;
+}
+
+/* What depends on parameters only, once per parameter set: c (N_PREPARED). */
+static int prepare(const double *parameters, double *c, em_fault *fault)
+{
+    (void)fault;
+    memcpy(c, parameters, N_PARAMETERS * sizeof *c);
+    double M1[N1][N1];
+    prepared_constants(parameters, M1, c);
+    if (em_prepare(&block1, M1[0], c, fault)) return -1;
+    return 0;
+}
+
+/* M (n, n)                                                                                                      (5) */
+static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                        double *restrict M)
+{
+    const double c_2 = c[13];
+    M[0] = c_2;
+}
+
+/* What is factored, of which motion_bias is */
+static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
+    mass_matrix;
+
+/* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
+static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                     double *restrict A, double *restrict b)
+{
+    const double pivot_stuck = c[5];
+    A[0] = pivot_stuck;
+    b[0] = 0.0;
+}
+
+/* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
+static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
+                     EM_UNUSED double *restrict terms)
+{
+}
+
+/* crossing (n_events): an event happens where its number passes through zero */
+static void model_events(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                         const double *restrict c, EM_UNUSED const double *restrict u,
+                         double *restrict crossing)
+{
+    const double theta = x[0];
+    crossing[0] = theta;
+    const double theta_dot = v[0];
+    const double pivot_slides = c[6];
+    crossing[1] = theta_dot*pivot_slides;
+}
+
+#include "em_tangent.h"
+#include "em_differentiate.h"
+
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
+{
+    const double pivot_stuck = c[5];
+    A1[0][0] = pivot_stuck;
+    b[0] = 0.0;
+}
+
+/* After an accepted step, and at the start: constraints on velocities.
+ * Returns 1 where y changed, 0 where not, -1 and *fault. */
+static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+                        em_fault *fault)
+{
+    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
+    const int changed = (flags & EM_STABILISE);
+    double A1[N_ROWS][N1], b[N_ROWS];
+    settled_masses(c, A1, b);
+
+    if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
+        double B1[N_ROWS][N1], a1[N1];
+        em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
+        em_take(&block1, y + N, a1);
+        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+        for (int row = 0; row < N_ROWS; ++row) {
+            lambda[row] = b[row];
+            em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+            for (int column = 0; column <= row; ++column) {
+                Delta[row*N_ROWS + column] = em_real(0.0);
+                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            }
+        }
+        if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+        em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+        em_put(&block1, a1, y + N);
+    }
+    return changed;
+}
+
+/* v (n): xdot from a state. */
+static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)fault;
+    if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
+    return 0;
+}
+
+/* ev (n): the error of xdot that an error e (n) of eta makes. */
+static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+                                 const double *e, double *ev)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    em_velocity_kept(&block1, 0, e, y, c, memory, ev);
+}
+
+/* row (n_state): a state, as a row of the solution. */
+static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+                         em_fault *fault)
+{
+    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
+    memcpy(row, y, N_STATE * sizeof *row);
+    return 0;
+}
+
+/* y (n_state) from x, v (n) */
+static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+{
+    (void)t, (void)c, (void)fault;
+    double C[N*N] = {0.0}, s[N], eta[N];
+    if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
+    for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
+    em_eta_of_velocity(N, C, s, eta);
+    memcpy(y + N, eta, sizeof eta);
+    memcpy(y, x, N * sizeof *y);
+    return 0;
+}
+
+/* What follows takes states in the published meaning. */
+static int velocity(double t, const double *y, const double *c, double *v, em_fault *fault)
+{
+    return model_velocity(0, t, y, c, v, fault);
+}
+
+static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
+{
+    return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
+}
+
+typedef struct em_forces {
+    const double *c, *u;
+} em_forces;
+
+static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
+{
+    const em_forces *forces = with;
+    return rhs(t, y, forces->c, forces->u, dy, fault);
+}
+
+/* J (n_state, n_state) = d rhs / d y */
+static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
+{
+    const em_forces forces = {c, u};
+    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
+}
+
+enum { N_IMPACTS = 0, N_RESETS = 1, N_SWITCHES = 1 };
+
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+static const em_deed deeds[N_EVENTS] = { {-1, 0, -1, 0, 1}, {-1, -1, -1, 1, 1} };
+EM_UNUSED static const int resets_quasi[] = { 0, 0 };
+/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
+EM_UNUSED static const em_switch switches[] = { {1, 5, 6, -1, 0}, {-1, -1, -1, -1, -1} };
+#define EM_ACTS
+#include "em_acts.h"
+
+/* g (n_events) in the mode of c */
+static void events_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *g)
+{
+    em_fault fault;
+    model_events(t, x, v, c, u, g);
+    if (em_watch_modes(t, x, v, c, u, EM_LEAST_NORM, g, &fault))
+        for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
+}
+
+#include "em_handle.h"
+
+static const char *const coordinate_names[] = { "theta", NULL };
+static const char *const parameter_names[] = { "m", "l", "g", "tau", "E", "pivot_stuck", "pivot_slides", NULL };
+static const char *const input_names[] = { NULL };
+static const char *const output_names[] = { NULL };
+static const char *const event_names[] = { "tick", "pivot", NULL };
+static const int event_direction[] = { 0, -1, 0 };
+static const int event_terminal[] = { 0, 0, 0 };
+static const double parameter_defaults[] = { 1.0, 0.994, 9.81, 0.1, 0.04, 0.0, 0.0, 0.0 };
+static const double input_defaults[] = { 0.0 };
+static const double initial_x[N] = { -0.1 };
+static const double initial_v[N] = { 0.0 };
+static const int carried[N] = { 0 };
+static const em_shape shapes[] = {
+    {"ground", 0, 2},
+    {"trace", 2, 2},
+    {"line", 4, 4},
+    {"line", 8, 4},
+    {"line", 12, 4},
+    {"disk", 16, 3}
+};
+static const em_slice layout[] = {
+    {"x", 0, 1},
+    {"eta", 1, 1}
+};
+static const char *const left_out[] = {
+    "G, Gdot, dG/dx: T has no part linear in the velocities",
+    "dT0/dx: T has no part free of velocities",
+    "dM/dt, dA/dt, dV/dt: the time does not occur",
+    "a factor of Delta: one constraint, Delta is a number",
+    "b, bdot: the constraints are homogeneous in the velocities",
+    "dM/dtheta: M does not depend on it",
+    "C, s, mu, Omega of {theta}: this block is constant, factored once per parameter set",
+    NULL
+};
+
+const em_model clock_model = {
+    .abi = EM_ABI,
+    .name = "clock",
+    .formulation = "eigenfactor",
+    .close_eigenvalues = "bounded",
+    .schur = "auto",
+    .n = N,
+    .m = N_ROWS,
+    .h = N_POSITIONS,
+    .n_state = N_STATE,
+    .n_parameters = N_PARAMETERS,
+    .n_prepared = N_PREPARED,
+    .n_inputs = N_INPUTS,
+    .n_outputs = N_OUTPUTS,
+    .n_events = N_EVENTS,
+    .n_layout = 2,
+    .n_left_out = 7,
+    .coordinates = coordinate_names,
+    .parameters = parameter_names,
+    .parameter_defaults = parameter_defaults,
+    .inputs = input_names,
+    .input_defaults = input_defaults,
+    .initial_x = initial_x,
+    .initial_v = initial_v,
+    .outputs = output_names,
+    .events = event_names,
+    .event_direction = event_direction,
+    .event_terminal = event_terminal,
+    .layout = layout,
+    .left_out = left_out,
+    .block = block,
+    .scales = scales,
+    .carried = carried,
+    .conserves_energy = 0,
+    .prepare = prepare,
+    .state = state,
+    .velocity = velocity,
+    .rhs = rhs,
+    .mass_matrix = mass_matrix,
+    .mass_matrix_gradient = mass_matrix_gradient,
+    .pfaffian = pfaffian,
+    .position = position,
+    .acceleration = em_acceleration,
+    .project = em_project,
+    .energy = energy,
+    .eigenfactors = em_eigenfactors_of,
+    .output = em_observe,
+    .jacobian = jacobian,
+    .motion_jacobian = em_motion_jacobian,
+    .n_arguments = N_ARGUMENTS,
+    .motion_derivatives = em_motion_derivatives,
+    .motion_along = em_motion_along,
+    .tangent = em_tangent,
+    .constraint_partials = constraint_partials,
+    .event_partials = event_partials,
+    .simulate = em_simulate,
+    .interpolate = em_interpolate,
+    .release = em_release,
+    .open = em_handle_open,
+    .advance = em_handle_advance,
+    .now = em_handle_now,
+    .publish = em_handle_publish,
+    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .save = em_handle_save,
+    .restore = em_handle_restore,
+    .close = em_handle_close,
+    .again = em_handle_again,
+    .event = events_in_mode,
+    .deeds = deeds,
+    .n_switches = N_SWITCHES,
+    .switches = switches,
+    .act = em_act,
+    .lanes = &clock_lanes,
+    .n_shapes = 6,
+    .dimension = 2,
+    .shapes = shapes,
+    .draw = draw,
+};
+
+#endif
+#endif

@@ -1,0 +1,378 @@
+"""Many steppers as one: against single ones, and against formulas of the same methods in NumPy."""
+
+import ctypes
+import pickle
+import signal
+import threading
+import time
+from functools import cache
+
+import numpy as np
+import pytest
+from eigenmotion.codegen import compiler
+from eigenmotion.codegen.choices import Choices
+from sympy import Rational, cos, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion import Event, Model, ModelError, StopReason
+
+from .generation import loaded, system_for, system_of
+
+K = 21
+ANGLES = np.linspace(-2.5, 2.5, K)
+TORQUES = np.linspace(-3.0, 3.0, K)
+
+
+def driven(**options) -> Model:
+    """A pendulum under a torque u, with a length to vary."""
+    theta, u = dynamicsymbols("theta u")
+    l, g = symbols("l g", positive=True)
+    return Model(
+        name="driven",
+        coordinates=[theta],
+        kinetic_energy=Rational(1, 2) * (l * theta.diff()) ** 2,
+        potential_energy=-g * l * cos(theta),
+        forces={theta: u},
+        inputs={u: 0.0},
+        parameters={l: 1.0, g: 9.81},
+        outputs={"height": -l * cos(theta), "push": u / l},
+        initial={theta: 1.0},
+        **options,
+    )
+
+
+@cache
+def in_lanes():
+    return em.build(driven(), formulation="lagrange", flags="-O1")
+
+
+@cache
+def one_by_one(formulation="lagrange"):
+    return system_for(driven(), formulation)
+
+
+FIXED = {"method": "rk4", "step": 0.01}
+KINDS = {
+    "lanes": (in_lanes, FIXED),
+    "fixed": (one_by_one, FIXED),
+    "dop853": (one_by_one, {"rtol": 1e-8}),
+    "eigenfactor": (lambda: one_by_one("eigenfactor"), {"method": "midpoint", "step": 0.005}),
+}
+kinds = pytest.mark.parametrize("kind", KINDS)
+
+
+def opened(kind, count=K, **given):
+    system, options = KINDS[kind]
+    return system().steppers(count, **({"x0": {"theta": ANGLES}} | options | given))
+
+
+def told(envs, torques=TORQUES, steps=5):
+    """Advance by steps of 0.07 s, with other inputs each."""
+    for k in range(steps):
+        envs.advance(envs.t + 0.07, {"u": torques * (k + 1)})
+    return np.hstack([envs.x, envs.v, envs.t[:, None]])
+
+
+def test_what_goes_in_lanes():
+    lanes = in_lanes().compiled.lanes
+    assert opened("lanes").lanes == (lanes if lanes > 1 else 1)
+    assert opened("fixed").lanes == opened("dop853").lanes == 1
+    assert in_lanes().steppers(K).lanes == 1  # of steps that are chosen
+
+
+@kinds
+def test_each_is_what_a_single_one_is(kind):
+    envs = opened(kind)
+    rows = told(envs)
+    system, options = KINDS[kind]
+    for k in range(0, K, 5):
+        single = system().stepper(x0={"theta": ANGLES[k]}, **options)
+        for i in range(5):
+            single.advance(single.t + 0.07, {"u": TORQUES[k] * (i + 1)})
+        apart = np.abs(np.hstack([single.x, single.v, single.t]) - rows[k]).max()
+        assert apart == 0.0 or (kind == "lanes" and apart < 1e-13)
+        assert single.nsteps == envs.nsteps[k]
+        assert envs.energy[k] == pytest.approx(single.energy, rel=1e-12)
+        assert envs.acceleration[k] == pytest.approx(single.acceleration, rel=1e-12)
+        assert {name: row[k] for name, row in envs.outputs.items()} == pytest.approx(single.outputs, rel=1e-12)
+
+
+@pytest.mark.parametrize("kind", ["lanes", "fixed"])
+def test_classical_steps_are_those_of_numpy(kind):
+    """Runge and Kutta's, written out for all at once, each with its own length, torque and way to go."""
+    length, ways = np.linspace(0.5, 2.0, K), np.linspace(0.02, 0.4, K)
+    envs = opened(kind, parameters={"l": length})
+    envs.advance(ways, TORQUES)
+    y = np.array([ANGLES, np.zeros(K)])
+
+    def rate(y):
+        return np.array([y[1], (TORQUES - 9.81 * length * np.sin(y[0])) / length**2])
+
+    steps = np.ceil(ways / 0.01 - 1e-6)
+    for k in range(int(steps.max())):
+        h = np.where(k < steps, ways / steps, 0.0)
+        k1 = rate(y)
+        k2 = rate(y + h / 2 * k1)
+        k3 = rate(y + h / 2 * k2)
+        y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(y + h * k3))
+    assert np.abs(envs.x[:, 0] - y[0]).max() < 1e-13
+    assert np.abs(envs.v[:, 0] - y[1]).max() < 1e-13
+    assert np.array_equal(envs.nsteps, steps)
+    assert np.array_equal(envs.t, ways)
+
+
+@kinds
+def test_bits_depend_on_the_member_alone(kind):
+    """Not on how many there are, their order, what became of the others, or threads."""
+    rows, order = told(opened(kind)), np.random.default_rng(3).permutation(K)
+    assert np.array_equal(told(opened(kind, x0={"theta": ANGLES[order]}), TORQUES[order]), rows[order])
+    for k in (0, 11):
+        assert np.array_equal(told(opened(kind, 1, x0={"theta": ANGLES[k]}), TORQUES[k : k + 1]), rows[k : k + 1])
+    envs = opened(kind, 2500, x0={"theta": np.resize(ANGLES, 2500)}, workers=3)
+    assert len(envs._parts) == (2 if envs.lanes > 1 else 3)
+    assert np.array_equal(told(envs, np.resize(TORQUES, 2500)), np.resize(rows, (2500, 3)))
+
+
+@kinds
+def test_a_reset_touches_none_but_those_it_is_for(kind):
+    envs = opened(kind)
+    told(envs)
+    mask = np.arange(K) % 3 == 1
+    before = envs.x.copy(), envs.v.copy(), envs.u.copy()
+    envs.reset(
+        mask, t=2.0, x0={"theta": 0.1 * ANGLES}, v0=np.full((K, 1), 0.2), parameters={"l": 1.5}, inputs={"u": 1.0}
+    )
+    assert all(
+        np.array_equal(now[~mask], was[~mask]) for now, was in zip((envs.x, envs.v, envs.u), before, strict=True)
+    )
+    assert np.array_equal(envs.x[mask, 0], 0.1 * ANGLES[mask])
+    assert (envs.v[mask], envs.u[mask], envs.t[mask]) == (pytest.approx(0.2), pytest.approx(1.0), pytest.approx(2.0))
+    envs.advance(envs.t + 0.3)
+    system, options = KINDS[kind]
+    k = 7
+    single = system().stepper(
+        t=2.0, x0=[0.1 * ANGLES[k]], v0=[0.2], parameters={"l": 1.5}, inputs={"u": 1.0}, **options
+    )
+    single.advance(2.3)
+    assert envs.x[k] == pytest.approx(single.x, abs=1e-13 if kind == "lanes" else 0.0)
+    envs.reset()
+    assert np.array_equal(told(envs), told(opened(kind)))
+
+
+@kinds
+def test_all_is_saved_and_restored_to_the_last_bit(kind):
+    envs = opened(kind, parameters={"l": np.linspace(1, 2, K)})
+    told(envs)
+    envs.reset(np.arange(5), parameters={"l": 3.0})
+    saved = envs.save()
+    rows = told(envs)
+    for other in (envs, opened(kind), *([pickle.loads(pickle.dumps(envs))] if kind == "lanes" else [])):
+        other.restore(saved)
+        assert np.array_equal(told(other), rows)
+        assert other.save() == envs.save()
+    for bad in (saved[:-1], b"", opened(kind, 3, x0=None).save()):
+        with pytest.raises(ValueError, match="saved by steppers of another model"):
+            envs.restore(bad)
+
+
+def test_what_they_show_is_theirs_and_follows_them():
+    envs = opened("lanes")
+    x, v, t = envs.x, envs.v, envs.t
+    told(envs)
+    assert x is envs.x
+    assert v is envs.v
+    assert t is envs.t
+    assert t == pytest.approx(0.35)
+    for shown in (x, v, t, envs.u, envs.ended):
+        with pytest.raises(ValueError, match="read-only"):
+            shown[0] = 1
+
+
+def test_a_lane_that_knows_no_sine_is_asked_by_numbers():
+    """Angles beyond 1e6 are for C's library."""
+    envs = opened("lanes", x0={"theta": np.where(np.arange(K) == 4, 2e6, ANGLES)})
+    rows = told(envs)
+    single = one_by_one().stepper(x0={"theta": 2e6}, **FIXED)
+    for i in range(5):
+        single.advance(single.t + 0.07, {"u": TORQUES[4] * (i + 1)})
+    assert np.array_equal(np.hstack([single.x, single.v]), rows[4, :2])
+    assert np.array_equal(np.delete(rows, 4, 0), np.delete(told(opened("lanes")), 4, 0))
+
+
+def falling(**options) -> Model:
+    """A mass that falls to the ground, where its inertia is nothing at z = -1 and a horn blows at z = 1/2."""
+    z = dynamicsymbols("z")
+    return Model(
+        name="falling",
+        coordinates=[z],
+        kinetic_energy=Rational(1, 2) * z.diff() ** 2,
+        potential_energy=10 * z,
+        forces={z: sin(z) / (1 + z) ** 2 * 1e-3},
+        initial={z: 1.0},
+        **options,
+    )
+
+
+@cache
+def with_ground():
+    z = dynamicsymbols("z")
+    events = {"horn": z - Rational(1, 2), "ground": Event(z, terminal=True)}
+    return system_for(falling(events=events), "lagrange")
+
+
+def test_who_ends_stands_still_and_says_why():
+    envs = with_ground().steppers(x0={"z": [1.0, 50.0, 3.0]}, rtol=1e-9)
+    envs.advance(0.4)
+    assert envs.events["horn"][0] == pytest.approx(np.sqrt(0.1), abs=1e-4)
+    assert np.isnan(envs.events["horn"][1:]).all()
+    envs.advance(1.0)
+    assert envs.ended.tolist() == [True, False, True]
+    assert envs.stop == [StopReason.TERMINAL_EVENT, StopReason.FINISHED, StopReason.TERMINAL_EVENT]
+    assert envs.failed.size == 0
+    assert envs.t == pytest.approx([np.sqrt(0.2), 1.0, np.sqrt(0.6)], abs=1e-4)
+    assert envs.x[[0, 2]] == pytest.approx(0.0, abs=1e-12)
+    envs.advance(2.0)
+    assert envs.t[1] == 2.0
+    assert envs.t[0] < 0.5
+    assert np.isnan(envs.events["horn"][0])
+    assert "terminal event" in envs.message(0)
+    assert envs.message(1) == ""
+    envs.reset(envs.ended)
+    assert not envs.ended.any()
+    assert envs.x[:, 0] == pytest.approx([1.0, 50 - 20.0, 3.0], abs=1e-3)
+
+
+@pytest.mark.parametrize("lanes", [True, False])
+def test_who_fails_costs_the_others_nothing(lanes):
+    """z = -1 is a pole of the force: the one that starts there cannot step; too many steps are a reason, too."""
+    sources = compiler.generate(falling(), Choices("lagrange"))
+    system = loaded(sources, "-O1", lanes=True) if lanes else with_ground()
+    envs = system.steppers(x0={"z": [1.0, -1.0, 2.0]}, method="rk4", step=0.01, max_steps=30)
+    envs.advance([0.2, 0.2, 0.4])
+    assert envs.stop == [StopReason.FINISHED, StopReason.NON_FINITE_STATE, StopReason.TOO_MANY_STEPS]
+    assert envs.failed.tolist() == [1, 2]
+    assert envs.t == pytest.approx([0.2, 0.0, 0.3])
+    assert envs.x[0] == pytest.approx(1 - 5 * 0.04, abs=1e-4)
+    assert "member 1 at t = 0" in envs.message(1)
+
+
+def test_contacts_hold_and_let_go_in_each():
+    """Balls that bounce, and come to rest, are those of single runs; modes are saved, too."""
+    system = system_of("bouncing_ball")
+    height = np.array([0.5, 1.0, 0.01])
+    envs = system.steppers(x0={"z": height}, parameters={"e": [0.5, 0.9, 0.3]})
+    envs.advance(0.7)
+    saved = envs.save()
+    envs.advance(2.0)
+    rows = np.hstack([envs.x, envs.v])
+    for k, e in enumerate((0.5, 0.9, 0.3)):
+        single = system.stepper(x0={"z": height[k]}, parameters={"e": e})
+        single.advance(0.7)
+        single.advance(2.0)
+        assert np.array_equal(np.hstack([single.x, single.v]), rows[k])
+        assert np.array_equal(single.multipliers, envs.multipliers[k])
+    assert envs.multipliers[2] == pytest.approx(-9.81)  # at rest, and the floor bears it
+    envs.restore(saved)
+    envs.advance(2.0)
+    assert np.array_equal(np.hstack([envs.x, envs.v]), rows)
+    envs.reset(envs.t > 0)
+    envs.advance(0.7)
+    envs.advance(2.0)
+    assert np.array_equal(np.hstack([envs.x, envs.v]), rows)
+
+
+def test_a_start_that_cannot_be_is_refused_by_number_and_nobody_moves():
+    system = system_of("four_bar")
+    envs = system.steppers(4, rtol=1e-8)
+    envs.advance(0.2)
+    before = envs.save()
+    with pytest.raises(ModelError, match="member 2 of 4: four_bar: x0 is off holonomic constraint row 0"):
+        envs.reset([1, 2], x0={system.coordinates[0]: [9.0, envs._begun.x[1, 0], 0.1, 0.2]})
+    assert envs.save() == before
+    single = system.stepper(rtol=1e-8)
+    single.advance(0.2)
+    assert np.array_equal(envs.x[3], single.x)
+    with pytest.raises(ModelError, match="member 1 of 2: four_bar"):
+        system.steppers(x0={system.coordinates[0]: [envs._begun.x[0, 0], 0.1]})
+
+
+REFUSED = (
+    ({"count": 0}, "the number of steppers is 0"),
+    ({"count": 3, "x0": {"theta": [1.0, 2.0]}}, "3 steppers, but arrays of 2"),
+    ({"x0": {"thera": 1.0}}, "did you mean 'theta'"),
+    ({"x0": {"theta": [1.0, np.nan]}}, "member 1 of 2: x0 'theta' is not a finite number"),
+    ({"inputs": {"u": ([0.0, 1.0], [1.0, 2.0])}}, "a number for each member"),
+    ({"inputs": [[1.0, 2.0]], "count": 1}, "inputs has shape"),
+    ({"method": "rk4"}, "needs step="),
+    ({"method": "Radau"}, "unknown method"),
+    ({"workers": 0}, "workers is 0"),
+    ({"tolerance": 1}, "unknown option"),
+)
+
+
+@pytest.mark.parametrize(("given", "words"), REFUSED)
+def test_what_cannot_be_asked(given, words):
+    given = dict(given)
+    with pytest.raises(ModelError, match=f"(?i){words}"):
+        one_by_one().steppers(given.pop("count", None), **given)
+
+
+def test_what_cannot_be_told():
+    envs = opened("fixed")
+    for call, words in (
+        (lambda: envs.advance(np.nan), "t holds a number that is not finite"),
+        (lambda: envs.advance([1.0, 2.0]), r"t has shape \(2,\)"),
+        (lambda: envs.advance(1.0, {"v": 1.0}), "unknown input"),
+        (lambda: envs.advance(1.0, np.ones((K, 2))), r"inputs has shape \(21, 2\)"),
+        (lambda: envs.advance(1.0, np.where(np.arange(K) == 3, np.inf, 1.0)), "input 'u' of member 3"),
+        (lambda: envs.reset(0.5), "mask is 0.5"),
+        (lambda: envs.reset([K]), "mask names members from 21"),
+        (lambda: envs.reset(x0={"theta": [1.0]}), r"has shape \(1,\)"),
+        (lambda: envs.reset(x0=np.full((K, 1), np.nan)), "of member 0 is not a finite number"),
+        (lambda: envs.reset(t=np.inf), "t is"),
+    ):
+        before = envs.save()
+        with pytest.raises(ModelError, match=words):
+            call()
+        assert envs.save() == before
+    envs.reset([])
+    envs.advance(0.1)
+
+
+@kinds
+def test_no_memory_is_taken_on_the_way(kind):
+    """What C has taken, by its own count, is the same after as before; resets that start elsewhere included."""
+    try:
+        mallinfo = ctypes.CDLL(None).mallinfo2
+    except AttributeError:
+        pytest.skip("counts what glibc has handed out")
+    mallinfo.restype = type(
+        "Mallinfo", (ctypes.Structure,), {"_fields_": [(f"f{k}", ctypes.c_size_t) for k in range(10)]}
+    )
+    envs = opened(kind, workers=1)
+    told(envs)
+    members, starts = np.arange(K), (envs.t.copy(), 0.5 * envs.x, envs.v.copy(), np.tile([1.0, 9.81], (K, 1)))
+    envs.goals[...] = 0.8
+    taken = []
+    for _ in range(3):
+        envs.go(0, K, 0)
+        envs.stage(members, *starts)
+        envs.begin(members, starts[0], TORQUES[:, None])
+        envs.go(0, K, 0)
+        found = mallinfo()
+        taken.append(found.f7)  # uordblks
+    assert taken[1] == taken[2]
+
+
+def test_a_signal_ends_an_advance_and_the_next_goes_on():
+    envs = opened("fixed", method="rk4", step=1e-6, max_steps=1_000_000_000)
+    timer = threading.Timer(0.2, signal.raise_signal, (signal.SIGINT,))
+    timer.start()
+    begin = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        envs.advance(1000.0)
+    assert time.perf_counter() - begin < 5.0
+    assert not envs.ended.any()
+    envs.advance(envs.t)
+    timer.join()
