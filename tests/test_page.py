@@ -15,10 +15,11 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.building.errors import BuildError, CompilerNotFoundError
 from eigenmotion.building.request import request
+from eigenmotion.cli import main
 from eigenmotion.live import wasm
 from eigenmotion.live.faces import around
 from eigenmotion.live.mathml import label
-from eigenmotion.live.page import Run, page, summary
+from eigenmotion.live.page import Run, about, page, summary
 from eigenmotion.live.three import three
 
 from .browser import Browser, chromium
@@ -138,6 +139,15 @@ def test_any_name_is_a_text_on_the_page():
     assert label(dynamicsymbols("theta1").diff()) == (
         "<math><msub><mover><mi>&#952;</mi><mo>&#183;</mo></mover><mi>1</mi></msub></math>"
     )
+
+
+def test_sliders_begin_where_they_are_told_to():
+    given = {"parameters": {"a": 0.2}, "x0": {"q1": 1.5}, "v0": {"q2": -1.0}}
+    told = about(em.load_model(MODELS / "four_bar.py"), Run(given=given), True)
+    assert told["coordinates"][0]["value"] == 1.5
+    assert told["v"][1] == -1.0
+    assert {one["name"]: one["value"] for one in told["parameters"]}["a"] == 0.2
+    assert main(["page", str(MODELS / "four_bar.py"), "--set", "q9=1"]) == 2
 
 
 def test_the_summary_is_the_first_line_of_the_docstring():

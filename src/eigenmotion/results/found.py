@@ -1,14 +1,16 @@
 """What came of the members of an ensemble, as arrays; and the room for all that parts fill."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arguments.members import Asked
+from ..arguments.members import Asked, Members
 from ..arguments.names import Vector
 from ..runtime import COUNTS, StopReason
+from .trajectory import Leg
 
 REASONS = tuple(StopReason)
 _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts")
@@ -16,9 +18,11 @@ _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_cou
 
 @dataclass(eq=False)
 class Found:
-    """What came of some members: as `Chunk` has it, and the words for ends that its numbers do not tell.
+    """What came of some members: as `Chunk` has it, and what its numbers do not tell.
 
     counts : (K, 7), the COUNTS of a Solution; -1 where a method does not say
+    words : member -> how it ended, of those that run or are refused one by one
+    legs : member -> its modes, as of `Trajectory`, of models with contacts
     """
 
     y: Vector
@@ -32,6 +36,7 @@ class Found:
     events: Vector
     event_counts: NDArray[Any]
     words: dict[int, str] = field(default_factory=dict)
+    legs: dict[int, tuple[Leg, ...]] = field(default_factory=dict)
 
     @classmethod
     def none(cls, asked: Asked, count: int) -> "Found":
@@ -51,6 +56,20 @@ class Found:
             event_counts=np.zeros((count, model.n_events), dtype=np.int_),
         )
 
+    def by_mode(
+        self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: bool
+    ) -> tuple[Vector, ...]:
+        """Return a function of rows (t, y, v, u), each with parameters of its own, those of its mode."""
+        t, *others = rows
+        parts = []
+        for k, columns in enumerate(zip(*others, strict=True)):
+            parameters = np.tile(members.row("parameters", k), (t.shape[1], 1))
+            for first, _, of_mode in self.legs.get(k, ()):
+                parameters[first:] = of_mode
+            alone = (column[:, None] for column in (t[k if len(t) > 1 else 0], *columns))
+            parts.append(function(*alone, parameters, least_norm))
+        return tuple(np.stack([part[:, 0] for part in each]) for each in zip(*parts, strict=True))
+
 
 class Collection:
     """What comes of members, part by part in any order: room for all is taken at once."""
@@ -63,6 +82,7 @@ class Collection:
         for name in _EACH:
             getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
         self._whole.words |= {start + k: text for k, text in part.words.items()}
+        self._whole.legs |= {start + k: legs for k, legs in part.legs.items()}
         self._events[start] = part.event_times, part.events
 
     @property

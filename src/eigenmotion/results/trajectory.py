@@ -27,7 +27,7 @@ class Trajectory:
 
     def __init__(self, task: Task, t: Vector, rows: Vector, legs: tuple[Leg, ...] = ()) -> None:
         self.task, self.model, self.t, self.rows = task, task.model, t, rows
-        self._legs = _pieces(task, len(t), legs)
+        self.legs, self._legs = legs, _pieces(task, len(t), legs)
 
     def _by_leg(self, function: Callable[..., Any], *columns: Vector) -> Any:
         """Return the rows of a function of (columns, prepared parameters), each in its own mode."""
