@@ -150,6 +150,11 @@ def test_sliders_begin_where_they_are_told_to():
     assert main(["page", str(MODELS / "four_bar.py"), "--set", "q9=1"]) == 2
 
 
+def test_modes_of_contacts_have_no_slider():
+    told = about(em.load_model(MODELS / "bouncing_ball.py"), Run(), True)
+    assert [one["name"] for one in told["parameters"] if one["mode"]] == ["floor_held"]
+
+
 def test_the_summary_is_the_first_line_of_the_docstring():
     assert summary('"""A pendulum: a mass on a rod.\n\nMore."""\n') == "A pendulum: a mass on a rod."
     assert not summary("x = 1\n")

@@ -91,7 +91,7 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
             for x, v, x0 in rates
         ],
         "v": [run.value("v0", name_of(x), v0) for x, v0 in zip(model.coordinates, model.initial_v, strict=True)],
-        "parameters": [_parameter(p, run.value("parameters", p.name, value)) for p, value in model.parameters],
+        "parameters": [_parameter(model, p, run.value("parameters", p.name, value)) for p, value in model.parameters],
         "inputs": [
             {"name": name_of(u), "label": label(u), "value": run.value("inputs", name_of(u), value)}
             for u, value in model.inputs
@@ -102,10 +102,11 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _parameter(symbol: Any, value: float) -> dict[str, Any]:
-    """What the scripts know of a parameter."""
+def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
+    """What the scripts know of a parameter; those that are modes of contacts are the run's to set, and have no slider."""
     positive = bool(symbol.is_positive) and value > 0
-    return {"name": symbol.name, "label": label(symbol), "value": value, "positive": positive}
+    mode = any(symbol in (one.holds, one.slides) for one in model.switches)
+    return {"name": symbol.name, "label": label(symbol), "value": value, "positive": positive, "mode": mode}
 
 
 def _ending(stop: StopReason) -> dict[str, Any]:
