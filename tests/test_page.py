@@ -20,6 +20,7 @@ from eigenmotion.live import wasm
 from eigenmotion.live.faces import around
 from eigenmotion.live.mathml import label
 from eigenmotion.live.page import Run, about, page, summary
+from eigenmotion.live.shown import Page
 from eigenmotion.live.three import three
 
 from .browser import Browser, chromium
@@ -258,6 +259,15 @@ def test_keys_and_scrubbing_hold_the_motion(opened):
     zoom = browser.ask("eigenmotion.stage.view.zoom")
     browser.ask(press.format("+"))
     assert browser.ask("eigenmotion.stage.view.zoom") == pytest.approx(1.25 * zoom)
+
+
+def test_a_notebook_shows_it_alive(pages, browser, tmp_path):
+    file = tmp_path / "notebook.html"
+    file.write_text(Page(pages("dual_link").read_text(encoding="utf-8"))._repr_html_(), encoding="utf-8")
+    browser.call("Page.navigate", url=file.as_uri())
+    assert browser.ask("""new Promise((done) => { const wait = () => {
+        const shown = document.querySelector("iframe")?.contentWindow.eigenmotion?.frames;
+        if (shown > 3) done(shown); else setTimeout(wait, 20); }; wait(); })""")
 
 
 def test_who_prefers_less_motion_starts_it_himself(opened):

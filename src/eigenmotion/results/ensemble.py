@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ..arguments.members import Asked, Members
 from ..arguments.names import Vector
 from ..codegen.model.normalise import ModelError
+from ..pages.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
 from .found import REASONS, Found
@@ -57,6 +58,11 @@ class Ensemble:
 
     def __repr__(self) -> str:
         return f"<Ensemble of {self._model.name}: {self.summary}>"
+
+    def _repr_html_(self) -> str:
+        swept = [f"{name}: {values.min():.6g} ... {values.max():.6g}" for name, values in self.swept.items()]
+        rows = {"runs": self.summary, "method": self.method, "swept": swept or "nothing", "rows": str(len(self.t))}
+        return table(self._model.name, rows)
 
     @property
     def summary(self) -> str:

@@ -147,7 +147,7 @@ class _Start:
         try:
             x, v = Projection(self.model, self.prepared, self.t, least_norm=True)(self.x, self.v)
         except EvaluationError:
-            return f"em.assemble(system, x0) closes loops from a guess as rough as this one; {remedy} from a closer one."
+            return f"em.assemble(system, x0) closes loops from guesses as rough as this; {remedy} from a closer one."
         return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
 
 
