@@ -41,9 +41,14 @@ def model_of(name: str) -> Model:
 @cache
 def system_of(name: str, formulation: str = "eigenfactor", **options: str) -> System:
     """Return the System of models/NAME.py, compiled in a hurry: once a process, and kept."""
+    return loaded(compiler.generate(model_of(name), choices_for(name, formulation, **options)), "-O0")
+
+
+def choices_for(name: str, formulation: str, **options: str) -> Choices:
+    """Return what to generate of models/NAME.py with; what is refused there by name is no test's."""
     if formulation == "inverse" and name in LARGE:
         pytest.skip("inverses are written out for blocks of up to six coordinates")
-    return loaded(compiler.generate(model_of(name), Choices(formulation, **options)), "-O0")
+    return Choices(formulation, **options)
 
 
 def system_for(

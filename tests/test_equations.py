@@ -90,6 +90,8 @@ def test_notebooks_show_systems_and_solutions():
     assert "{theta1, theta2, theta3}" in shown
     assert all(line in shown for line in ("y[0:4]", "K1 = 1", system.left_out[0]))
     run = system.simulate((0, 0.1))
+    runs = em.simulate_ensemble(system, (0.0, 0.1), parameters={"K1": [1.0, 2.0]})
+    assert all(words in runs._repr_html_() for words in ("2 runs, 0 failed", "K1: 1 ... 2"))
     shown = run._repr_html_()
     assert run.cost in shown
     assert "data:image/png;base64," in shown or find_spec("matplotlib") is None

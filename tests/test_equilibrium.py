@@ -26,6 +26,7 @@ def test_parameters_and_inputs_can_be_solved_for():
     system = system_of("elastic_pendulum", "lagrange")
     found = em.find_equilibrium(system, {"theta": 0.0, "r": 1.2}, free=["k"])
     assert found.parameters["k"] == pytest.approx(9.81 / 0.2, rel=1e-13)
+    assert all(words in found._repr_html_() for words in ("k = 49.05", "r = 1.2, rate 0", found.message))
     moving = em.find_equilibrium(system_for(cart(), "lagrange"), v0={"x": 2.0}, free=["u"])
     assert moving.success
     assert moving.inputs == pytest.approx({"u": 0.6})

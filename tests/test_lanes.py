@@ -18,7 +18,7 @@ from eigenmotion import Model, build, simulate
 from eigenmotion.building.extension import compile_and_link
 from eigenmotion.building.toolchain import EXTENSION_SUFFIX, INCLUDE, toolchain
 
-from .generation import NAMES, STRICT, model_of, states, system_in, system_of
+from .generation import NAMES, STRICT, choices_for, model_of, states, system_in, system_of
 
 angle = dynamicsymbols("angle")
 
@@ -122,7 +122,7 @@ BY_DAY = {"chain", "four_bar", "quaternion_top", "rotating_hoop", "sphere"}
                   else pytest.mark.nightly) for name in NAMES for form in FORMULATIONS],
 )  # fmt: skip
 def test_lanes_are_the_scalar_right_hand_side(name, formulation, tmp_path):
-    both = Both(tmp_path, model_of(name), Choices(formulation))
+    both = Both(tmp_path, model_of(name), choices_for(name, formulation))
     t, y, c, u = at_random(both, 16)
     for mode in (0, 1) if formulation == "eigenfactor" else (0,):
         dy, expected, failed = both.compare(mode, t, y, c, u)

@@ -85,7 +85,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
     "reference": ("codegen.model", "arguments"),
     "pages": ("codegen.model", "files"),
     "fmu": ("codegen.model", "arguments", "running", "building", "files"),
-    "live": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "building"),
+    "live": ("codegen.model", "codegen.c", "codegen", "runtime", "arguments", "building", "files"),
     "report": (
         "codegen.model",
         "codegen.physics",

@@ -15,10 +15,12 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.building.errors import BuildError, CompilerNotFoundError
 from eigenmotion.building.request import request
+from eigenmotion.cli import main
 from eigenmotion.live import wasm
 from eigenmotion.live.faces import around
 from eigenmotion.live.mathml import label
-from eigenmotion.live.page import Run, page, summary
+from eigenmotion.live.page import Run, about, page, summary
+from eigenmotion.live.shown import Page
 from eigenmotion.live.three import three
 
 from .browser import Browser, chromium
@@ -140,6 +142,20 @@ def test_any_name_is_a_text_on_the_page():
     )
 
 
+def test_sliders_begin_where_they_are_told_to():
+    given = {"parameters": {"a": 0.2}, "x0": {"q1": 1.5}, "v0": {"q2": -1.0}}
+    told = about(em.load_model(MODELS / "four_bar.py"), Run(given=given), True)
+    assert told["coordinates"][0]["value"] == 1.5
+    assert told["v"][1] == -1.0
+    assert {one["name"]: one["value"] for one in told["parameters"]}["a"] == 0.2
+    assert main(["page", str(MODELS / "four_bar.py"), "--set", "q9=1"]) == 2
+
+
+def test_modes_of_contacts_have_no_slider():
+    told = about(em.load_model(MODELS / "bouncing_ball.py"), Run(), True)
+    assert [one["name"] for one in told["parameters"] if one["mode"]] == ["floor_held"]
+
+
 def test_the_summary_is_the_first_line_of_the_docstring():
     assert summary('"""A pendulum: a mass on a rod.\n\nMore."""\n') == "A pendulum: a mass on a rod."
     assert not summary("x = 1\n")
@@ -243,6 +259,15 @@ def test_keys_and_scrubbing_hold_the_motion(opened):
     zoom = browser.ask("eigenmotion.stage.view.zoom")
     browser.ask(press.format("+"))
     assert browser.ask("eigenmotion.stage.view.zoom") == pytest.approx(1.25 * zoom)
+
+
+def test_a_notebook_shows_it_alive(pages, browser, tmp_path):
+    file = tmp_path / "notebook.html"
+    file.write_text(Page(pages("dual_link").read_text(encoding="utf-8"))._repr_html_(), encoding="utf-8")
+    browser.call("Page.navigate", url=file.as_uri())
+    assert browser.ask("""new Promise((done) => { const wait = () => {
+        const shown = document.querySelector("iframe")?.contentWindow.eigenmotion?.frames;
+        if (shown > 3) done(shown); else setTimeout(wait, 20); }; wait(); })""")
 
 
 def test_who_prefers_less_motion_starts_it_himself(opened):

@@ -76,7 +76,7 @@ PLANTED = {  # what is wrong at the start given, and what is said of it
     "undefined_position": (
         plane("undefined_position", holonomic_constraints=[log(X) - Y], initial={X: 1.0}),
         {"x0": {"x": -1.0}},
-        "x0 is off holonomic constraint row 0 by nan. Start closer",
+        "x0 is off holonomic constraint row 0 by nan. em.assemble",
     ),
     "undefined_row": (
         plane("undefined_row", nonholonomic_constraints=[log(X) * X.diff() - Y.diff()], initial={X: 1.0}),

@@ -106,6 +106,13 @@ def test_a_sweep_that_was_killed_ends_with_the_same_bytes(scene, capsys, monkeyp
     assert not list(Path().glob(".runs.*"))
 
 
+@pytest.mark.parametrize(("given", "words"), [("m=nan", "'m'"), ("theta=1", "theta")])
+def test_a_sweep_that_is_refused_leaves_nothing_behind(scene, capsys, given, words):
+    assert main([*SWEEP, *GRID, "--set", given, "-o", "runs.csv"]) == 2
+    assert words in capsys.readouterr().err
+    assert not list(Path().glob(".runs.*"))
+
+
 def test_failures_are_summed_up(scene, capsys):
     assert main([*SWEEP, "--sweep", "m=1,-1,2,-2,-3,-4", "-o", "runs.csv"]) == 0
     out = capsys.readouterr().out

@@ -191,6 +191,7 @@ def test_evaluation_errors_travel_between_processes():
         (lambda s: s.rhs(0, np.ones(4), inputs={"psh": 1}), "Did you mean 'push'"),
         (lambda s: s.rhs(0, np.ones(5)), r"y has shape \(5,\).*\(4,\)"),
         (lambda s: s.state({"z": 1}), "'z'; known: x, y"),
+        (lambda s: s.state({"x": 1, "y'": 2}), "is a rate: give it as v0"),
         (lambda s: s.state([1, 2, 3]), "x, y"),
         (lambda s: s.state(v0={"x": 1, "vy": 2}), "'vy'"),
         (lambda s: s.acceleration([1, 0], [0, 0], dependent_constraints="leastnorm"), "least_norm"),

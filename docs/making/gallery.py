@@ -20,10 +20,22 @@ of the machine that made this site.
 
 {cards}
 
+## Ninety thousand at once
+
+:::{{figure}} ../pictures/flips.png
+:alt: When the lower rod of a double pendulum first flips, over both angles of the start
+:target: ../flips.html
+:width: 70%
+
+When a [double pendulum](double_pendulum.md) that is let go at rest first flips over:
+[a run for each point](../flips.md), each ended by its own event.
+:::
+
 ```{{toctree}}
 :hidden:
 
 {names}
+../flips
 ```
 """
 _PAGE = """\

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from .linear.assemble import assemble as assemble
     from .linear.equilibrium import find_equilibrium as find_equilibrium
     from .linear.linearization import Linearization as Linearization
+    from .live.shown import show as show
     from .results.ensemble import Ensemble as Ensemble
     from .results.solution import Solution as Solution
     from .running.simulate import simulate as simulate
@@ -62,6 +63,7 @@ _HOME = {
     "export_fmu": ".fmu.export",
     "load_model": ".building.loading",
     "multiplier": ".codegen.model",
+    "show": ".live.shown",
     "simulate": ".running.simulate",
     "simulate_ensemble": ".ensembles.simulate_ensemble",
     "t": ".codegen.model",

@@ -55,8 +55,15 @@ def by_name(given: Mapping[Any, Any], known: Sequence[str], what: str) -> dict[s
     """
     spelt = by_spelling(given, what)
     if wrong := spelt.keys() - set(known):
-        raise ModelError(unknown(what, wrong, known))
+        raise ModelError(unknown(what, wrong, known) + _rates_go_elsewhere(wrong, known))
     return spelt
+
+
+def _rates_go_elsewhere(wrong: Iterable[str], known: Sequence[str]) -> str:
+    """Say where the rate of a coordinate belongs, by the names that `initial` and --set give it."""
+    rates = {name: rate_name(name.removesuffix("'")) for name in sorted(wrong)}
+    found = [(name, rate) for name, rate in rates.items() if rate != name and rate in known]
+    return "".join(f" {name!r} is a rate: give it as v0={{{rate!r}: ...}}." for name, rate in found)
 
 
 def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], defaults: Vector, what: str) -> Vector:

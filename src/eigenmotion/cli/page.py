@@ -6,13 +6,13 @@ from typing import Any
 
 import click
 
-from eigenmotion.building.errors import BuildError
 from eigenmotion.codegen.model import Model, ModelError
+from eigenmotion.codegen.model.normalise import name_of
 from eigenmotion.files import write
 from eigenmotion.live.page import Run, page
-from eigenmotion.live.three import Three, three
+from eigenmotion.live.shown import of_space
 
-from .options import Finite, Shape, check_file, ending, model, shaping
+from .options import Finite, Shape, check_file, ending, model, setting, shaping, values
 from .progress import clock
 
 _log = logging.getLogger("eigenmotion")
@@ -25,8 +25,11 @@ _log = logging.getLogger("eigenmotion")
 @ending(Finite())
 @click.option("--rtol", type=Finite(), default=1e-9, show_default=True, metavar="R", help="Relative tolerance.")
 @click.option("--atol", type=Finite(), default=1e-9, show_default=True, metavar="A", help="Absolute tolerance.")
+@setting
 @shaping
-def command(model: Path, output: Path | None, t_end: float, rtol: float, atol: float, **shape: Any) -> None:
+def command(
+    model: Path, output: Path | None, t_end: float, rtol: float, atol: float, settings: tuple[str, ...], **shape: Any
+) -> None:
     """Write a page on which MODEL moves: one file, with the model compiled to WebAssembly inside, for any browser.
 
     Needs a compiler for WebAssembly: pip install 'eigenmotion[page]'.
@@ -34,24 +37,25 @@ def command(model: Path, output: Path | None, t_end: float, rtol: float, atol: f
     request = Shape(**shape).request(model)
     target = output or Path(f"{request.model.name}.html")
     _check(target, t_end, rtol, atol)
+    run = Run(t_end, rtol, atol, _given(request.model, settings))
     with clock():
         _log.info("compiling %s to WebAssembly", request.model.name)
-        text = page(request, model.read_text(encoding="utf-8"), Run(t_end, rtol, atol), _three(request.model))
+        library, missing = of_space(request.model)
+        text = page(request, model.read_text(encoding="utf-8"), run, library)
+    if missing:
+        click.echo(missing, err=True)
     write(target, text.encode())
     click.echo(f"wrote {target} ({len(text.encode()) / 1e3:.0f} kB); open it in a browser")
     if not request.model.drawing:
         click.echo(f"{request.model.name} has no drawing, so the page shows its curves alone: Model(drawing=[...])")
 
 
-def _three(model: Model) -> Three | None:
-    """Return three.js for a drawing in space; where it cannot be had, say so: the page draws space by itself."""
-    if not model.drawing or model.drawing[0].dimension < len("xyz"):
-        return None
-    try:
-        return three()
-    except BuildError as error:
-        click.echo(f"three.js is not to be had, so the page shows space on a plain canvas: {error}", err=True)
-        return None
+def _given(model: Model, settings: tuple[str, ...]) -> dict[str, dict[str, float]]:
+    """Return what sliders begin with."""
+    given = values(model, settings)
+    if speeds := sorted({name_of(y) for y, _ in model.quasi_velocities} & given.get("v0", {}).keys()):
+        raise click.UsageError(f"--set {speeds[0]}: a page has rates, not quasi-velocities")
+    return given
 
 
 def _check(target: Path, t_end: float, rtol: float, atol: float) -> None:

@@ -93,14 +93,17 @@ def command(
     if resume and parts.is_done:
         click.echo(f"{store} is complete")
         return 0
-    parts.begin(resume=resume)
     work = _Sweep(system, request.model, design, parts, chunk, t_end, values(request.model, settings), given)
+    parts.begin(resume=resume)
     start = time.perf_counter()
     with _executor(scheduler) as executor:
         try:
             whole = work.run(workers, executor)
         except KeyboardInterrupt:
             whole = False
+        except ModelError:
+            parts.give_up()
+            raise
     if not whole:
         click.echo(f"interrupted; --resume goes on where {store} was left", err=True)
         return 130

@@ -18,7 +18,7 @@ from ..running.choosing import automatic_of_many
 from ..running.methods import AUTO, METHODS, Method
 from ..running.sensitivities import check_method
 from ..running.simulate import NAMES, STABILISATIONS, refused
-from ..running.start import check_direction, check_modes
+from ..running.start import check_direction
 from . import memory
 from .executors import in_executor
 from .gather import gather
@@ -111,7 +111,6 @@ def simulate_ensemble(
     start, end = span(t_span)
     relative, absolute = tolerances(system.compiled, rtol, atol)
     check_direction(system.compiled, start, end)
-    check_modes(system.compiled)
     least_norm = least_norm_of(dependent_constraints)
     chosen = chosen_method(system, method, relative, least_norm)
     times = rows_at(t_eval, start, end)

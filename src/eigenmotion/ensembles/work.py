@@ -6,6 +6,7 @@ from ..arguments.members import Asked, Members
 from ..codegen.model.normalise import ModelError
 from ..results.found import REASONS, Found
 from ..results.solution import Solution
+from ..results.trajectory import Leg
 from ..running.methods import METHODS
 from ..running.simulate import run_task
 from ..runtime import COUNTS, EvaluationError, StopReason
@@ -20,7 +21,7 @@ _OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event
 def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
     """Return what comes of members. `stop` ends their runs early."""
     model = asked.model
-    if asked.method is None:
+    if _one_by_one(asked):
         found = Found.none(asked, members.count)
         doubtful = list(range(members.count))
     else:
@@ -39,6 +40,11 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
     return found
 
 
+def _one_by_one(asked: Asked) -> bool:
+    """Whether each run is one of `simulate`: its method is not compiled, or its modes are its own."""
+    return asked.method is None or bool(asked.model.switches)
+
+
 def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop) -> None:
     """Start a member as `simulate` does, in words where it cannot; and run it unless that is done."""
     try:
@@ -47,7 +53,7 @@ def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop
         found.status[k], found.words[k] = _REFUSED, str(error)
         found.y[k], found.t_end[k] = np.nan, asked.t_start
         return
-    if asked.method is None or found.status[k] == _REFUSED:
+    if _one_by_one(asked) or found.status[k] == _REFUSED:
         _keep(asked, k, run_task(task, METHODS[asked.name]), found)
         if found.status[k] == _INTERRUPTED:
             stop.set()
@@ -61,6 +67,8 @@ def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:
         rows = rows[-1:] if solution.success else rows[:0]
     found.y[k, : len(rows)] = rows
     found.t_end[k] = _reached(asked, solution)
+    if solution.modes:
+        found.legs[k] = _legs(solution, end_only=asked.end_only)
     counts = [solution[name] for name in COUNTS]
     found.counts[k] = [-1 if count is None else count for count in counts]
     if solution.t_events is None:
@@ -69,6 +77,14 @@ def _keep(asked: Asked, k: int, solution: Solution, found: Found) -> None:
     found.event_counts[k] = [len(times) for times in solution.t_events]
     found.event_times = np.insert(found.event_times, place, np.concatenate(solution.t_events))
     found.events = np.insert(found.events, place, np.concatenate(solution.y_events), axis=0)
+
+
+def _legs(solution: Solution, *, end_only: bool) -> tuple[Leg, ...]:
+    """Return the modes of a run; the row of its end is the only one, and of the last."""
+    rows = solution._rows
+    if rows is None or not end_only:
+        return () if rows is None else rows.legs
+    return tuple((0, t, parameters) for _, t, parameters in rows.legs)
 
 
 def _reached(asked: Asked, solution: Solution) -> float:

@@ -11,6 +11,7 @@ from ..arguments.names import Vector, overlay, rate_name, spelled, unknown
 from ..arguments.options import is_system, no_system
 from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
+from ..pages.notebook import table
 from .balance import Balance
 from .linearization import Linearization
 from .place import Place
@@ -49,6 +50,13 @@ class Equilibrium:
     def __repr__(self) -> str:
         state = ", ".join(f"{name}={value:.6g}" for name, value in zip(self.system.coordinates, self.x, strict=True))
         return f"<Equilibrium {self.system.name}: {self.message}; {state}>"
+
+    def _repr_html_(self) -> str:
+        pairs = zip(self.system.coordinates, self.x.tolist(), self.v.tolist(), strict=True)
+        given = {"parameters": self.parameters, "inputs": self.inputs}
+        rows = {"found": self.message, "state": [f"{name} = {x:.6g}, rate {v:.6g}" for name, x, v in pairs]}
+        rows |= {what: [f"{name} = {value:.6g}" for name, value in one.items()] for what, one in given.items() if one}
+        return table(f"{self.system.name}: equilibrium", rows)
 
 
 def find_equilibrium(

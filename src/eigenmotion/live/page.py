@@ -4,7 +4,7 @@ import base64
 import gzip
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from typing import Any
@@ -29,11 +29,19 @@ SCRIPTS = (
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """How long the page's runs are [s], and their tolerances."""
+    """How long the page's runs are [s], and their tolerances; what sliders begin with, in place of the model's values.
+
+    given : "parameters", "inputs", "x0", "v0" -> name -> value
+    """
 
     t_end: float = 10.0
     rtol: float = 1e-9
     atol: float = 1e-9
+    given: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+    def value(self, kind: str, name: str, default: float) -> float:
+        """Return what a slider begins with."""
+        return self.given.get(kind, {}).get(name, default)
 
 
 def page(wanted: Request, source: str, run: Run, space: Three | None = None) -> str:
@@ -78,17 +86,27 @@ def about(model: Model, run: Run, conserves_energy: bool) -> dict[str, Any]:
     rates = zip(model.coordinates, model.rates, model.initial_x, strict=True)
     return {
         "name": model.name, "n": model.n, "m": model.m, "h": model.h, "conservesEnergy": conserves_energy,
-        "coordinates": [{"name": name_of(x), "label": label(x), "rate": label(v), "value": x0} for x, v, x0 in rates],
-        "v": model.initial_v,
-        "parameters": [
-            {"name": p.name, "label": label(p), "value": value, "positive": bool(p.is_positive) and value > 0}
-            for p, value in model.parameters
+        "coordinates": [
+            {"name": name_of(x), "label": label(x), "rate": label(v), "value": run.value("x0", name_of(x), x0)}
+            for x, v, x0 in rates
         ],
-        "inputs": [{"name": name_of(u), "label": label(u), "value": value} for u, value in model.inputs],
+        "v": [run.value("v0", name_of(x), v0) for x, v0 in zip(model.coordinates, model.initial_v, strict=True)],
+        "parameters": [_parameter(model, p, run.value("parameters", p.name, value)) for p, value in model.parameters],
+        "inputs": [
+            {"name": name_of(u), "label": label(u), "value": run.value("inputs", name_of(u), value)}
+            for u, value in model.inputs
+        ],
         "dimension": model.drawing[0].dimension if model.drawing else 0, "shapes": shapes,
         "tEnd": run.t_end, "rtol": run.rtol, "atol": run.atol,
         "endings": list(map(_ending, StopReason)),
     }  # fmt: skip
+
+
+def _parameter(model: Model, symbol: Any, value: float) -> dict[str, Any]:
+    """What the scripts know of a parameter; modes of contacts are the run's to set, and have no slider."""
+    positive = bool(symbol.is_positive) and value > 0
+    mode = any(symbol in (one.holds, one.slides) for one in model.switches)
+    return {"name": symbol.name, "label": label(symbol), "value": value, "positive": positive, "mode": mode}
 
 
 def _ending(stop: StopReason) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 """The result of many runs: arrays over runs, coordinates and time, and each run as a Solution."""
 
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cached_property, partial
 from importlib.util import find_spec
 from typing import Any
 
@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from ..arguments.members import Asked, Members
 from ..arguments.names import Vector
 from ..codegen.model.normalise import ModelError
-from ..runtime import COUNTS, StopReason, explain, record, stiffness
+from ..pages.notebook import table
+from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
 from .dataset import dataset
 from .found import REASONS, Found
@@ -60,6 +61,11 @@ class Ensemble:
 
     def __repr__(self) -> str:
         return f"<Ensemble of {self._model.name}: {self.summary}>"
+
+    def _repr_html_(self) -> str:
+        swept = [f"{name}: {values.min():.6g} ... {values.max():.6g}" for name, values in self.swept.items()]
+        rows = {"runs": self.summary, "method": self.method, "swept": swept or "nothing", "rows": str(len(self.t))}
+        return table(self._model.name, rows)
 
     @property
     def summary(self) -> str:
@@ -192,8 +198,10 @@ class Ensemble:
         return energies(self._model, self._times, self._found.y, self._v, self._members.parameters)
 
     @cached_property
-    def _reactions(self) -> tuple[Vector, Vector, Vector]:
+    def _reactions(self) -> tuple[Vector, ...]:
         rows = self._times, self._found.y, self._v, self._inputs
+        if self._model.switches:
+            return self._found.by_mode(partial(reactions, self._model), rows, self._members, self._asked.least_norm)
         return reactions(self._model, *rows, self._members.parameters, self._asked.least_norm)
 
     @property
@@ -231,13 +239,16 @@ class Ensemble:
         stop = REASONS[found.status[k]]
         t_events, y_events = self._events(k)
         counts = tuple(None if count < 0 else count for count in found.counts[k].tolist())
-        fields = record(t, rows.T, t_events, y_events, stop, self.message(k), asked.name, counts)
+        legs = found.legs.get(k, ())
+        ended = stop, self.message(k), asked.name, counts
+        fields = record(t, rows.T, t_events, y_events, *ended, modes=modes_of(self._model, legs))
         if asked.differentiated is not None:
             fields["sensitivity"] = self._sensitivity(k, there)
         if stop is StopReason.START_REFUSED:
             return Solution(None, fields | self._nothing)
         prepared = self._model.prepare(members.row("parameters", k))
-        return Solution(Trajectory(asked.task(prepared, members.inputs_of(k), members.row("x", k)), t, rows), fields)
+        task = asked.task(prepared, members.inputs_of(k), members.row("x", k))
+        return Solution(Trajectory(task, t, rows, legs), fields)
 
     @property
     def _nothing(self) -> dict[str, Any]:

@@ -1,14 +1,16 @@
 """What came of the members of an ensemble, as arrays; and the room for all that parts fill."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..arguments.members import Asked
+from ..arguments.members import Asked, Members
 from ..arguments.names import Vector
 from ..runtime import COUNTS, StopReason
+from .trajectory import Leg
 
 REASONS = tuple(StopReason)
 _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_counts", "S")
@@ -16,10 +18,12 @@ _EACH = ("y", "t_end", "status", "first", "second", "size", "counts", "event_cou
 
 @dataclass(eq=False)
 class Found:
-    """What came of some members: as `Chunk` has it, and the words for ends that its numbers do not tell.
+    """What came of some members: as `Chunk` has it, and what its numbers do not tell.
 
     counts : (K, 7), the COUNTS of a Solution; -1 where a method does not say
     S, dt_events : (K, nt, 2 n, columns) and (events, columns): derivatives of rows, and of event_times
+    words : member -> how it ended, of those that run or are refused one by one
+    legs : member -> its modes, as of `Trajectory`, of models with contacts
     """
 
     y: Vector
@@ -35,6 +39,7 @@ class Found:
     S: Vector
     dt_events: Vector
     words: dict[int, str] = field(default_factory=dict)
+    legs: dict[int, tuple[Leg, ...]] = field(default_factory=dict)
 
     @classmethod
     def none(cls, asked: Asked, count: int) -> "Found":
@@ -56,6 +61,20 @@ class Found:
             dt_events=np.empty((0, columns)),
         )
 
+    def by_mode(
+        self, function: Callable[..., Any], rows: tuple[Vector, ...], members: Members, least_norm: bool
+    ) -> tuple[Vector, ...]:
+        """Return a function of rows (t, y, v, u), each with parameters of its own, those of its mode."""
+        t, *others = rows
+        parts = []
+        for k, columns in enumerate(zip(*others, strict=True)):
+            parameters = np.tile(members.row("parameters", k), (t.shape[1], 1))
+            for first, _, of_mode in self.legs.get(k, ()):
+                parameters[first:] = of_mode
+            alone = (column[:, None] for column in (t[k if len(t) > 1 else 0], *columns))
+            parts.append(function(*alone, parameters, least_norm))
+        return tuple(np.stack([part[:, 0] for part in each]) for each in zip(*parts, strict=True))
+
 
 class Collection:
     """What comes of members, part by part in any order: room for all is taken at once."""
@@ -68,6 +87,7 @@ class Collection:
         for name in _EACH:
             getattr(self._whole, name)[start : start + len(part.t_end)] = getattr(part, name)
         self._whole.words |= {start + k: text for k, text in part.words.items()}
+        self._whole.legs |= {start + k: legs for k, legs in part.legs.items()}
         self._events[start] = part.event_times, part.events, part.dt_events
 
     @property

@@ -75,6 +75,11 @@ class Parts:
             raise ModelError(f"{self.store}: what was begun there is another sweep; {order} says which")
         write(order, said.encode())
 
+    def give_up(self) -> None:
+        """Leave nothing behind of a sweep that kept no part."""
+        if not any(self.has(number) for number in range(self.count)):
+            shutil.rmtree(self.folder, ignore_errors=True)
+
     @property
     def is_done(self) -> bool:
         """Whether the store is there, of this sweep as far as it says which it is of."""

@@ -26,12 +26,12 @@ class Trajectory:
     """
 
     def __init__(self, task: Task, t: Vector, rows: Vector, legs: tuple[Leg, ...] = ()) -> None:
-        self.task, self.model, self.t, self.rows, self._modes = task, task.model, t, rows, legs
+        self.task, self.model, self.t, self.rows, self.legs = task, task.model, t, rows, legs
 
     @cached_property
     def _legs(self) -> list[tuple[slice, Prepared]]:
         """Which rows each leg has, and its prepared parameters."""
-        return _pieces(self.task, len(self.t), self._modes)
+        return _pieces(self.task, len(self.t), self.legs)
 
     def _by_leg(self, function: Callable[..., Any], *columns: Vector) -> Any:
         """Return the rows of a function of (columns, prepared parameters), each in its own mode."""

@@ -52,21 +52,6 @@ def check_direction(model: CompiledModel, start: float, end: float) -> None:
         )
 
 
-def check_modes(model: CompiledModel) -> None:
-    """Refuse members whose constraints hold at times: an Ensemble has one set of parameters a member.
-
-    Raises
-    ------
-    ModelError
-        The model has contacts.
-    """
-    if model.switches:
-        raise ModelError(
-            f"{model.name}: a model with contacts changes its constraints within a run, for which simulate_ensemble "
-            "has no place. Call simulate for each run, or state impacts as events."
-        )
-
-
 def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector) -> None:
     """Refuse a state that is off the constraints by more than rounding in what the user computed, as `start_state`."""
     exact = np.zeros(model.n)
@@ -162,7 +147,7 @@ class _Start:
         try:
             x, v = Projection(self.model, self.prepared, self.t, least_norm=True)(self.x, self.v)
         except EvaluationError:
-            return f"Start closer to a consistent state; {remedy} where it can be reached."
+            return f"em.assemble(system, x0) closes loops from guesses as rough as this; {remedy} from a closer one."
         return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
 
 

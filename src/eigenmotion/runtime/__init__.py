@@ -10,6 +10,7 @@ from .model import CompiledModel as CompiledModel
 from .point import Prepared as Prepared
 from .point import forgiven as forgiven
 from .record import COUNTS as COUNTS
+from .record import modes_of as modes_of
 from .record import record as record
 from .run import TOLD as TOLD
 from .run import TOLD_NODES as TOLD_NODES

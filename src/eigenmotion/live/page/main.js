@@ -24,7 +24,7 @@ class Page {
   }
 
   controls() {
-    const make = (parent, entries, write, coordinate) => entries.map((entry, k) =>
+    const make = (parent, entries, write, coordinate) => entries.map((entry, k) => entry.mode ? null :
       new Control(element(parent), entry, (control, done) => { write(k, control.value); this.changed(coordinate && done); }));
     const { parameters, inputs, coordinates, v } = about;
     const rate = (one, k) => ({ name: `${one.name}'`, label: one.rate, value: v[k], ...around(v[k], 2) });
@@ -88,7 +88,7 @@ class Page {
     engine.inputs.set(about.inputs.map((one) => one.value));
     engine.x.set(about.coordinates.map((one) => one.value));
     engine.v.set(about.v);
-    for (const kind of ["parameters", "inputs"]) this.fields[kind].forEach((field) => field.set(field.start));
+    for (const kind of ["parameters", "inputs"]) this.fields[kind].forEach((field) => field?.set(field.start));
     this.start = { x: Array.from(engine.x), v: Array.from(engine.v) };
     element("span").value = about.tEnd;
     this.player.seek(0);

@@ -46,7 +46,7 @@ class Plot {
     this.brush.strokeStyle = theme().ink;
     this.brush.lineWidth = 1;
     this.brush.beginPath();
-    this.brush.moveTo(x, 4);
+    this.brush.moveTo(x, ABOVE);
     this.brush.lineTo(x, height - BELOW);
     this.brush.stroke();
     this.series.forEach((one, k) => {
@@ -66,7 +66,7 @@ class Plot {
 
   y(value, height) {
     const [low, high] = this.range;
-    return 4 + ((high - value) / (high - low)) * (height - BELOW - 4);
+    return ABOVE + ((high - value) / (high - low)) * (height - BELOW - ABOVE);
   }
 
   // What does not change with the time shown is painted once.
@@ -117,7 +117,7 @@ class Plot {
   }
 }
 
-const LEFT = 58, RIGHT = 10, BELOW = 18;
+const LEFT = 58, RIGHT = 10, BELOW = 18, ABOVE = 9;
 
 const brief = (value) => (value === 0 ? "0" : Math.abs(value) >= 1e4 || Math.abs(value) < 1e-3 ? value.toExponential(0) : String(+value.toPrecision(4)));
 

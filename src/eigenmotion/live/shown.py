@@ -1,0 +1,98 @@
+"""A page as an object: shown by a notebook, or written to a file."""
+
+from dataclasses import dataclass
+from html import escape
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from ..building.errors import BuildError
+from ..building.request import request
+from ..codegen.model import Model, ModelError
+from ..files import write
+from .page import Run, page
+from .three import Three, three
+
+_HEIGHT = 640  # [pixel] of a frame in a notebook
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """A model as a page on which it moves; a notebook shows it in a frame, alive.
+
+    html : the whole file
+    missing : what it does without, and why; empty where there is all
+    """
+
+    html: str
+    missing: str = ""
+
+    def save(self, file: str | PathLike[str]) -> None:
+        """Write the page to a file.
+
+        Raises
+        ------
+        ModelError
+            The file cannot be written.
+        """
+        try:
+            write(Path(file), self.html.encode())
+        except OSError as error:
+            raise ModelError(f"{file}: the page cannot be written there ({error.strerror})") from error
+
+    def _repr_html_(self) -> str:
+        words = f"<p>{escape(self.missing)}</p>" if self.missing else ""
+        frame = f"style='width:100%;height:{_HEIGHT}px;border:0' srcdoc='{escape(self.html, quote=True)}'"
+        return f"{words}<iframe title='the mechanism, moving' {frame}></iframe>"
+
+    def __repr__(self) -> str:
+        return f"<Page of {len(self.html.encode()) / 1e3:.0f} kB>"
+
+
+def show(
+    source: Model | str | PathLike[str],
+    *,
+    t_end: float = 10.0,
+    rtol: float = 1e-9,
+    atol: float = 1e-9,
+    formulation: str = "eigenfactor",
+    **keywords: Any,
+) -> Page:
+    """Return a model as a page on which it moves: its C as WebAssembly, in one file that needs no network.
+
+    Parameters
+    ----------
+    source
+        A Model, or the file that defines one; `keywords` are those of the file's function.
+    t_end, rtol, atol
+        How long runs are [s], and their tolerances.
+
+    Raises
+    ------
+    ModelError
+        The file or the model has a mistake.
+    BuildError
+        There is no compiler for WebAssembly (the extra `page` brings one), or it refused the code.
+
+    Examples
+    --------
+    >>> import eigenmotion as em
+    >>> shown = em.show("models/pendulum.py", t_end=5.0)
+    >>> shown.save("pendulum.html")
+    >>> shown
+    <Page of ... kB>
+    """
+    wanted = request(source, keywords, formulation=formulation)
+    text = "" if isinstance(source, Model) else Path(source).read_text(encoding="utf-8")
+    library, missing = of_space(wanted.model)
+    return Page(page(wanted, text, Run(t_end, rtol, atol), library), missing)
+
+
+def of_space(model: Model) -> tuple[Three | None, str]:
+    """Return three.js for a drawing in space, or None and why it cannot be had: the page draws space by itself then."""
+    if not model.drawing or model.drawing[0].dimension < len("xyz"):
+        return None, ""
+    try:
+        return three(), ""
+    except BuildError as error:
+        return None, f"three.js is not to be had, so the page shows space on a plain canvas: {error}"
