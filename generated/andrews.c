@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:13fa68bbfcf6f9c331ae40ed1f49fdaa42b965592d5e776142aba00bfe95c615 */
+/* body sha256:8607b309b2778eeb170519907188b574c6caa7faa1eedddc4c9ee0e49e254423 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -2770,6 +2770,7 @@ const em_model andrews_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &andrews_lanes,
     .n_shapes = 13,

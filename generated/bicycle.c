@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:14da986e9d46a2da38744ce4691fb0d5fb0e823968fa6f97062b88e3844bce67 */
+/* body sha256:90ec7987eb7baf71ac652ebb8f8889a564df1b636edeccf745dbf982082f7983 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -10961,6 +10961,7 @@ const em_model bicycle_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &bicycle_lanes,
     .n_shapes = 8,

@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:66f7cd5556605d01ad704d9f2146262ddd231be6874faef5fe8a063a0352e492 */
+/* body sha256:03d5621973962baf8857c8d39d1e86ef78534342db1ec8f28aa7ea0e17cd87cd */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -285,6 +285,14 @@ extern void constraint_partials(double t, const double *restrict x, const double
                                 const double *restrict c, double *restrict D);
 extern void event_partials(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void blow_partials(double t, const double *restrict x, const double *restrict a,
+                          const double *restrict lambda, const double *restrict c, double *restrict D);
+extern void impact_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void reset_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
+extern void level_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -350,6 +358,60 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
     D[1] = friction_slides;
     const double s_dot = v[0];
     D[7] = s_dot;
+}
+
+/* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
+                            const double *restrict lambda, EM_UNUSED const double *restrict c,
+                            double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
+    const double s_ddot = a[0];
+    D[2] = s_ddot;
+    const double lambda_0 = lambda[0];
+    D[6] = lambda_0;
+    D[15] = s_ddot;
+}
+
+/* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * (N + 2) * N_ARGUMENTS);
+}
+
+/* D (n_resets 2 n, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * 2 * N * N_ARGUMENTS);
+}
+
+/* D (n_switches 2, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
+    const double g = c[1];
+    const double mu = c[3];
+    const double alpha = c[2];
+    const double cos_alpha = em_cos(alpha);
+    const double z_1 = mu*cos_alpha;
+    D[2] = g*z_1;
+    const double m = c[0];
+    D[3] = m*z_1;
+    const double sin_alpha = em_sin(alpha);
+    const double z_3 = m*g;
+    D[4] = -mu*sin_alpha*z_3;
+    D[5] = cos_alpha*z_3;
+    D[10] = 1.0;
 }
 
 #endif
@@ -575,6 +637,14 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
+/* D (n_events, n_arguments), likewise */
+static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
+{
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
+}
+
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "s", NULL };
@@ -662,7 +732,7 @@ const em_model block_on_incline_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .constraint_partials = constraint_partials,
-    .event_partials = event_partials,
+    .event_partials = event_partials_in_mode,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -674,10 +744,12 @@ const em_model block_on_incline_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
+    .act_along = em_act_along,
     .lanes = &block_on_incline_lanes,
     .n_shapes = 2,
     .dimension = 2,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:4cd56bd2092949cbaac75d0435605c659bea4d77bb0c5979d6910828a1be0ffc */
+/* body sha256:5ba7e692a0c8ce68fa5cc1157c4d24448c56124a2c2341199ce79c5864dbe16b */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -6048,6 +6048,7 @@ const em_model bricard_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &bricard_lanes,
     .n_shapes = 14,

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:3ccb8d16860940dcf08b8f429e38a09c8aafc96a1e6581b45832c775df79a587 */
+/* body sha256:66b3a5a092c70faf8d4787e02dfe42dd8263f9cda50fc4e3fb1177503258f011 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1232,6 +1232,7 @@ const em_model cart_pendulums_3_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:2bf4cc6c50e3557462b03ff766f229f579f8cf1acc0b51e8aaf534846c8219c8 */
+/* body sha256:2e7d781d6a9266d7f8f3ecf9dd2e97ba96f28edc63b5511e82a9f308d5f574e6 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1694,6 +1694,7 @@ const em_model chain_5_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &chain_5_lanes,
     .n_shapes = 12,

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:9351f73edc18232ee3b99c232129aaa38cea35487f9cda2f56f6c5125f9d36f4 */
+/* body sha256:7c07447452a0a6d76167900120a092baedc99456329ee1822229694f26e65b8a */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -853,6 +853,7 @@ const em_model chaplygin_sleigh_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &chaplygin_sleigh_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
-/* body sha256:c4f03179662da019883cfc2238b833d78a939c8359c54d5349806ac1fa7be8d9 */
+/* body sha256:9e445e88fbee6041c08e9f3adb19d19063e0f545e64e8774cba0d5dd9bb7aedd */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -30,25 +30,25 @@
 #include "em_multipliers.h"
 
 enum {
-    N = 1,              /* coordinates */
-    N_ROWS = 1,         /* constraint rows */
-    N_POSITIONS = 0,    /* of which holonomic */
-    N_STATE = 2,        /* numbers of a state */
-    N_C = 0,            /* of which C, */
-    N_S = 0,            /* s, */
-    N_CD = 0,           /* C of Delta, */
-    N_SD = 0,           /* s of Delta */
+    N = 1,                /* coordinates */
+    N_ROWS = 1,           /* constraint rows */
+    N_POSITIONS = 0,      /* of which holonomic */
+    N_STATE = 2,          /* numbers of a state */
+    N_C = 0,              /* of which C, */
+    N_S = 0,              /* s, */
+    N_CD = 0,             /* C of Delta, */
+    N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
     N_OUTPUTS = 0,
     N_EVENTS = 2,
-    N_MEMORY = 0,       /* what a run remembers from one accepted step to the next */
-    EM_SECOND_ORDER = 0,/* whether the state is x, xdot */
-    SETTLES = 1,        /* whether an accepted step leaves anything to put right */
+    N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
+    SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 7,
-    N_GIVEN = 8,        /* inputs, parameters and the time */
-    N_ARGUMENTS = 10,   /* x, v and these: what motion depends on */
-    N_PREPARED = 18,    /* the parameters, factors of constant blocks, shared constants */
-    N1 = 1,             /* theta */
+    N_GIVEN = 8,          /* inputs, parameters and the time */
+    N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
+    N_PREPARED = 18,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N1 = 1,               /* theta */
 };
 
 /* Coordinates of the blocks. */
@@ -110,7 +110,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     real a1[N1];
     em_rows_on_eta(1, N1, C1, r1, f1, a1);
 
-    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46): one loop, which is ready soonest */
+    /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
         lambda[row] = gamma[row];
@@ -163,25 +163,23 @@ em_lanes clock_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
  * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
 #ifdef EM_ASIDE_ELSEWHERE
 
-extern void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM);
-extern void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma);
-extern void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e);
-extern void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out);
-extern void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck);
-extern void resets(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict after);
-extern void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                     const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level);
+extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM);
+extern void motion_bias(double t, const double *restrict x, const double *restrict v,
+                        const double *restrict c, const double *restrict u, double *restrict bias,
+                        double *restrict gamma);
+extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   double *restrict e);
+extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                    const double *restrict lambda, const double *restrict c, const double *restrict u,
+                    double *restrict out);
+extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
+extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    const double *restrict u, double *restrict struck);
+extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict after);
+extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                   const double *restrict u, double *restrict level);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
 
@@ -191,7 +189,6 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *r
                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
-    dM[0] = 0.0;
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
@@ -287,17 +284,24 @@ EM_ASIDE void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, con
 /* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
 #if defined(EM_ASIDE_ELSEWHERE)
 
-extern void state_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                             EM_UNUSED const double *restrict a, EM_UNUSED const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
-extern void forcing_partials(EM_UNUSED double t, const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D);
-extern void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                  const double *restrict v, const double *restrict c, double *restrict D);
-extern void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D);
+extern void state_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict a, const double *restrict lambda, const double *restrict c,
+                           const double *restrict u, double *restrict D);
+extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D);
+extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict c, double *restrict D);
+extern void event_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
+extern void blow_partials(double t, const double *restrict x, const double *restrict a,
+                          const double *restrict lambda, const double *restrict c, double *restrict D);
+extern void impact_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void reset_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
+extern void level_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -369,6 +373,65 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
     D[18] = theta_dot;
 }
 
+/* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
+                            const double *restrict lambda, const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
+    const double theta_ddot = a[0];
+    const double l = c[1];
+    D[2] = theta_ddot*(l*l);
+    const double m = c[0];
+    D[3] = 2.0*(m*l*theta_ddot);
+    const double lambda_0 = lambda[0];
+    D[7] = lambda_0;
+    D[17] = theta_ddot;
+}
+
+/* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * (N + 2) * N_ARGUMENTS);
+}
+
+/* D (n_resets 2 n, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 1 * 2 * N * N_ARGUMENTS);
+    D[0] = 1.0;
+    const double theta_dot = v[0];
+    const double l = c[1];
+    const double z_0 = l*l;
+    const double z_1 = 1.0/z_0;
+    const double E = c[4];
+    const double m = c[0];
+    const double z_2 = 1.0/m;
+    const double z_3 = E*z_2;
+    const double z_4 = em_select(em_not_above(0.0, theta_dot), 1.0, -1.0)/sqrt(theta_dot*theta_dot + 2.0*z_1*z_3);
+    D[11] = theta_dot*z_4;
+    const double z_5 = z_1*z_4;
+    D[12] = -E*z_5/(m*m);
+    D[13] = (-2.0)*(z_4*z_3/(l*z_0));
+    D[16] = z_2*z_5;
+}
+
+/* D (n_switches 2, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
+    D[5] = 1.0;
+    D[11] = 1.0;
+}
+
 #endif
 #ifndef EM_ASIDE_ALONE
 
@@ -398,15 +461,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     M1[0][0] = z_1;
     const double pivot_slides = parameters[6];
     const double tau = parameters[3];
-    prepared[11] = pivot_slides*tau;
+    prepared[11] = pivot_slides*tau; /* c_0 */
     const double g = parameters[2];
-    prepared[12] = m*l*g;
-    prepared[13] = z_1;
-    prepared[14] = 0.5*z_1;
+    prepared[12] = m*l*g; /* c_1 */
+    prepared[13] = z_1; /* c_2 */
+    prepared[14] = 0.5*z_1; /* c_3 */
     const double E = parameters[4];
-    prepared[15] = 2.0*(E/(m*z_0));
-    prepared[16] = 0.25*l;
-    prepared[17] = (1.0/12.0)*l;
+    prepared[15] = 2.0*(E/(m*z_0)); /* c_4 */
+    prepared[16] = 0.25*l; /* c_5 */
+    prepared[17] = (1.0/12.0)*l; /* c_6 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -428,7 +491,7 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
     M[0] = c_2;
 }
 
-/* What is factored, of which motion_bias is */
+/* What is factored: motion_bias and its partial derivatives go with it */
 static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
     mass_matrix;
 
@@ -485,7 +548,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
-        /* Delta = B B^T (43), Delta lambda = B a (46): one loop, which is ready soonest */
+        /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
             lambda[row] = b[row];
@@ -587,6 +650,14 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
+/* D (n_events, n_arguments), likewise */
+static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
+{
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
+}
+
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
@@ -678,7 +749,7 @@ const em_model clock_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .constraint_partials = constraint_partials,
-    .event_partials = event_partials,
+    .event_partials = event_partials_in_mode,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -695,7 +766,7 @@ const em_model clock_model = {
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
-    .act = em_act,
+    .act_along = em_act_along,
     .lanes = &clock_lanes,
     .n_shapes = 6,
     .dimension = 2,

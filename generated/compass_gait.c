@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:a112bb043c379f465b7b11d43f7af03aa8fab9c22228af1239271fbc2d2d0399 */
+/* body sha256:043624f82534220222207256ca37a4cbae5727dec7950815b55a9a86c1ab2e45 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -462,6 +462,14 @@ extern void forcing_partials(double t, const double *restrict x, const double *r
                              const double *restrict c, const double *restrict u, double *restrict D);
 extern void event_partials(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void blow_partials(double t, const double *restrict x, const double *restrict a,
+                          const double *restrict lambda, const double *restrict c, double *restrict D);
+extern void impact_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void reset_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
+extern void level_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -619,6 +627,156 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     D[0] = -2.0;
     D[1] = 1.0;
+}
+
+/* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void blow_partials(EM_UNUSED double t, const double *restrict x, const double *restrict a,
+                            EM_UNUSED const double *restrict lambda, const double *restrict c,
+                            double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
+    const double m = c[1];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double l = c[2];
+    const double z_1 = l*l;
+    const double z_2 = sin_phi*z_1;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = m*cos_phi;
+    const double z_5 = z_4*z_2;
+    const double z_6 = l*cos_phi;
+    const double z_7 = l - z_6;
+    const double z_8 = l*m;
+    const double z_9 = z_5 - 0.5*(z_5 - z_7*sin_phi*z_8);
+    const double theta_ddot = a[0];
+    const double z_10 = 2.0*z_9;
+    const double phi_ddot = a[1];
+    D[1] = (m*z_2 + 2.0*z_9)*theta_ddot - z_10*phi_ddot;
+    D[4] = theta_ddot*z_1;
+    const double z_11 = sin_phi*sin_phi;
+    const double z_12 = z_6*z_7 - z_1*z_11;
+    D[5] = -(theta_ddot*(z_12 - l*z_7) - phi_ddot*z_12);
+    const double M = c[0];
+    const double z_13 = (1.0 - cos_phi)*z_8;
+    const double z_14 = z_11*z_8 - 0.5*(z_7*z_4 + cos_phi*z_13);
+    const double z_15 = 2.0*z_14;
+    D[6] = theta_ddot*(2.0*M*l + (m*z_7 + z_13) + 2.0*z_14) - phi_ddot*z_15;
+    D[11] = -z_10*theta_ddot;
+    D[15] = phi_ddot*z_1 + theta_ddot*z_12;
+    D[16] = 2.0*phi_ddot*z_8 - theta_ddot*z_15;
+}
+
+/* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * (N + 2) * N_ARGUMENTS);
+}
+
+/* D (n_resets 2 n, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void reset_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 1 * 2 * N * N_ARGUMENTS);
+    D[0] = 1.0;
+    D[1] = -1.0;
+    D[11] = -1.0;
+    const double M = c[0];
+    const double theta_dot = v[0];
+    const double l = c[2];
+    const double z_0 = l*l;
+    const double z_1 = theta_dot*z_0;
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double phi = x[1];
+    const double cos_phi = em_cos(phi);
+    const double sin_phi = em_sin(phi);
+    const double sin_theta = em_sin(theta);
+    const double z_6 = cos_phi*cos_theta + sin_phi*sin_theta;
+    const double z_7 = cos_theta*z_6;
+    const double z_8 = sin_phi*cos_theta - cos_phi*sin_theta;
+    const double z_9 = sin_theta*z_8;
+    const double z_10 = z_1*z_7 - z_1*z_9;
+    const double z_11 = M*z_10;
+    const double m = c[1];
+    const double z_12 = l*cos_theta;
+    const double z_13 = l*z_6;
+    const double z_14 = z_12 - z_13;
+    const double z_15 = l*sin_theta;
+    const double z_16 = l*z_8;
+    const double z_17 = z_15 + z_16;
+    const double z_18 = z_14*z_14 + z_17*z_17;
+    const double z_19 = M*z_0 + m*z_18;
+    const double z_20 = 1.0/z_19;
+    const double z_21 = m*m;
+    const double z_22 = z_12*z_14 + z_15*z_17;
+    const double z_23 = z_22*z_22;
+    const double z_24 = z_21*z_23;
+    const double z_25 = z_20*z_24;
+    const double z_26 = m*z_0 - z_25;
+    const double z_27 = 1.0/z_26;
+    const double z_28 = z_11*z_27;
+    const double z_29 = z_19*z_19;
+    const double z_30 = 1.0/z_29;
+    const double z_31 = (z_11 + z_25*z_28)*z_30;
+    const double z_32 = z_16*z_14 + z_17*z_13;
+    const double z_33 = m*z_32;
+    const double z_34 = sin_theta*z_6;
+    const double z_35 = cos_theta*z_8;
+    const double z_36 = z_1*z_34 + z_1*z_35;
+    const double z_37 = z_30*z_28;
+    const double z_38 = z_24*z_37;
+    const double z_39 = M*z_27;
+    const double z_40 = z_25*z_39;
+    const double z_41 = z_0*z_35 + z_0*z_34;
+    const double z_42 = z_22*z_20;
+    const double z_43 = z_21*z_42;
+    const double z_44 = z_41*z_43;
+    const double z_45 = z_30*z_24;
+    const double z_46 = z_33*z_45 - z_44;
+    const double z_47 = z_11/(z_26*z_26);
+    const double z_48 = z_25*z_47;
+    D[21] = -(2.0*z_31*z_33 + (M*z_36 + (2.0*z_38*z_33 + z_36*z_40 + 2.0*z_46*z_48 - 2.0*z_44*z_28))*z_20);
+    const double z_49 = z_0*z_9 - z_0*z_7;
+    D[22] = -(M*z_49 + z_49*z_40)*z_20;
+    const double z_50 = z_10*z_27;
+    const double z_51 = z_47*(z_0/(z_19*z_29));
+    D[24] = -(z_0*z_31 - (z_10 + (z_25*z_50 - z_0*z_38 - z_21*z_21*(z_23*z_23)*z_51))*z_20);
+    const double z_52 = m*z_20;
+    const double z_53 = z_28*z_52;
+    const double z_54 = z_0 - (2.0*z_23*z_52 - z_18*z_45);
+    D[25] = -(z_18*z_31 - (2.0*z_23*z_53 - z_18*z_38 - z_54*z_48)*z_20);
+    const double z_55 = cos_theta - z_6;
+    const double z_56 = sin_theta + z_8;
+    const double z_57 = M*l + m*(z_14*z_55 + z_17*z_56);
+    const double z_58 = theta_dot*z_15*z_8 - theta_dot*z_12*z_6;
+    const double z_59 = (cos_theta*z_14 + z_12*z_55) + (sin_theta*z_17 + z_15*z_56);
+    const double z_60 = z_59*z_43;
+    const double z_61 = l*m + (z_57*z_45 - z_60);
+    D[26] = (-2.0)*(z_57*z_31 + (M*z_58 + (z_57*z_38 + z_58*z_40 + z_61*z_48 - z_60*z_28))*z_20);
+    const double z_62 = m*z_42;
+    const double z_63 = z_62*z_39;
+    const double z_64 = z_47*z_62;
+    D[31] = -(2.0*z_22*z_32*z_21*z_37 + z_36*z_63 + 2.0*z_46*z_64 - z_41*z_53);
+    D[32] = -z_49*z_63;
+    const double z_65 = m*z_22;
+    const double z_66 = z_37*z_65;
+    D[34] = z_62*z_50 - z_0*z_66 - z_24*z_65*z_51;
+    D[35] = z_28*z_42 - z_18*z_66 - z_54*z_64;
+    D[36] = -(2.0*z_57*z_66 + 2.0*z_58*z_63 + 2.0*z_61*z_64 - z_59*z_53);
+}
+
+/* D (n_switches 2, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * 2 * N_ARGUMENTS);
 }
 
 #endif
@@ -900,6 +1058,14 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
+/* D (n_events, n_arguments), likewise */
+static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
+{
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
+}
+
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", "phi", NULL };
@@ -988,7 +1154,7 @@ const em_model compass_gait_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .event_partials = event_partials,
+    .event_partials = event_partials_in_mode,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -1000,10 +1166,12 @@ const em_model compass_gait_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
+    .act_along = em_act_along,
     .lanes = &compass_gait_lanes,
     .n_shapes = 4,
     .dimension = 2,

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:2652937579e9d9039a3cd83dbf8dbcc0e53f83c7a723da783ab6145cd7a9e987 */
+/* body sha256:9e4e6e3a734f229da177797697b587bc24b2e1bff3a0cd1219d9bf652e987b66 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -824,6 +824,7 @@ const em_model double_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &double_pendulum_lanes,
     .n_shapes = 6,

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:2de96a41500992584b8e96846504622c682d35659a0ff8ef51a13059098b62a9 */
+/* body sha256:1114e5f42bcf033ff3b2e0c1e92a6549375d6a066901f0eded04ddf7409c6229 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -760,6 +760,7 @@ const em_model driven_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
     .n_shapes = 5,

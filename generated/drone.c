@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:59da5a76103959c74d602e9ec2b059213b86654100a0ade3333a31e32058492d */
+/* body sha256:92b6e07bac3ad5081557b3777e930f4ed3058435172e48ce00ddbd089355b699 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -1726,6 +1726,7 @@ const em_model drone_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &drone_lanes,
     .n_shapes = 9,

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:3323ee04b10e07519a3803479e2705745723bc967f51c76f5d4806618bc2c9a1 */
+/* body sha256:008c3fb14411fd9d6c92f73eb8fd82eed109774a97ccd344a7269543986a8420 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -1241,6 +1241,7 @@ const em_model dual_link_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &dual_link_lanes,
     .n_shapes = 10,

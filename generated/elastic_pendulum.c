@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:329f1bfb725ffdae7e44a776105dbd3e12f61a769c9660759162bbd4e873007f */
+/* body sha256:677cb080426ca6acd59ed99d13f4496c73fee0e7a782233b3051bf6aab01604b */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -621,6 +621,7 @@ const em_model elastic_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &elastic_pendulum_lanes,
     .n_shapes = 4,

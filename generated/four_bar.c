@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:9870bf36b4c23db57831b51731aadeae4731d8bf41da97fba9f114b1f1379692 */
+/* body sha256:7d17802085d77bb24a3f05199315285cb45c4bcf2ba7b7327b87f459e29a3bd6 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1227,6 +1227,7 @@ const em_model four_bar_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &four_bar_lanes,
     .n_shapes = 7,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:107ee3684c0bb7375fd08b5d7a2d0782658b15572effb97ffb0fb1a100e2c69f */
+/* body sha256:d088fcffee8b704cb0b9019db85c76bde71b0c709ebfb202c6a65fb4d7da2986 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1591,6 +1591,7 @@ const em_model four_bars_2_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &four_bars_2_lanes,
     .n_shapes = 12,

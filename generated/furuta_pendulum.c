@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:61c262d00692a898e50ddb4f383706cb6052857cfee3eaddf4717866fb2c6956 */
+/* body sha256:ff11d3dab349bb5d6f0a88dd7c3d5dbb11abe604460cd36ad5db90e3b34ae234 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -797,6 +797,7 @@ const em_model furuta_pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &furuta_pendulum_lanes,
     .n_shapes = 5,

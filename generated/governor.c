@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:3f8f5f7a8dc2ff5050b4e02db48aff70b0932a1311b1af69830de169bfb34dcd */
+/* body sha256:8d3660039b18148a50896a1b7ac2dc54f701aba87e0a808d58eab010b46bd5a7 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -1090,6 +1090,7 @@ const em_model governor_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &governor_lanes,
     .n_shapes = 10,

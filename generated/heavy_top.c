@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:2a885f98e025d9f68e340f6d7c2641cd0559b2aea8518f83f933bd35eea3f027 */
+/* body sha256:c8b587f4179597875d140b4e270fd90d68612eb41793a9910b9e27b0fefe6479 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -811,6 +811,7 @@ const em_model heavy_top_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &heavy_top_lanes,
     .n_shapes = 4,

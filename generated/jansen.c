@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:009dde5286abb69c92da9d530900c1b848029aef5c3b1d318a8d01a30c60d457 */
+/* body sha256:d1f9610e038717d339e03f32f9dd9f4777b313e5cda4d84dfa118a55121815db */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -3705,6 +3705,7 @@ const em_model jansen_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

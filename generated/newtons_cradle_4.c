@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:1d3db40d8cd90772b4900ee2b39107f0ecfb14d57d8b47a4bcbf46105833b523 */
+/* body sha256:3c2730aefd85af183c213127e972cfae5f9bb16dca9e16a6d33583fa6510f90b */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -389,6 +389,14 @@ extern void forcing_partials(double t, const double *restrict x, const double *r
                              const double *restrict c, const double *restrict u, double *restrict D);
 extern void event_partials(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void blow_partials(double t, const double *restrict x, const double *restrict a,
+                          const double *restrict lambda, const double *restrict c, double *restrict D);
+extern void impact_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void reset_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
+extern void level_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -478,6 +486,67 @@ EM_ASIDE void event_partials(EM_UNUSED double t, const double *restrict x, EM_UN
     D[31] = l;
     const double theta4 = x[3];
     D[37] = -(theta3 - theta4);
+}
+
+/* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
+                            EM_UNUSED const double *restrict lambda, const double *restrict c,
+                            double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
+    const double theta1_ddot = a[0];
+    const double l = c[1];
+    const double z_0 = l*l;
+    D[8] = theta1_ddot*z_0;
+    const double m = c[0];
+    const double z_1 = m*l;
+    D[9] = 2.0*(theta1_ddot*z_1);
+    const double theta2_ddot = a[1];
+    D[22] = theta2_ddot*z_0;
+    D[23] = 2.0*(theta2_ddot*z_1);
+    const double theta3_ddot = a[2];
+    D[36] = theta3_ddot*z_0;
+    D[37] = 2.0*(theta3_ddot*z_1);
+    const double theta4_ddot = a[3];
+    D[50] = theta4_ddot*z_0;
+    D[51] = 2.0*(theta4_ddot*z_1);
+}
+
+/* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 3 * (N + 2) * N_ARGUMENTS);
+    D[9] = -1.0;
+    D[23] = 1.0;
+    D[81] = 1.0;
+    D[107] = -1.0;
+    D[121] = 1.0;
+    D[165] = 1.0;
+    D[205] = -1.0;
+    D[219] = 1.0;
+    D[249] = 1.0;
+}
+
+/* D (n_resets 2 n, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * 2 * N * N_ARGUMENTS);
+}
+
+/* D (n_switches 2, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * 2 * N_ARGUMENTS);
 }
 
 #endif
@@ -688,6 +757,14 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
+/* D (n_events, n_arguments), likewise */
+static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
+{
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
+}
+
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
@@ -783,7 +860,7 @@ const em_model newtons_cradle_4_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .event_partials = event_partials,
+    .event_partials = event_partials_in_mode,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -795,10 +872,12 @@ const em_model newtons_cradle_4_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
+    .act_along = em_act_along,
     .lanes = &newtons_cradle_4_lanes,
     .n_shapes = 8,
     .dimension = 2,

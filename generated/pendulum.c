@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
-/* body sha256:275852d3c35f4cc70b83ef29a4734437fc597e81863ebcf7e90a0ca88fac1185 */
+/* body sha256:ee1c27d4d2ec0e7120c7e6c6027323fa3788677e04bf5b9e0df3dc6aba675bde */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -511,6 +511,7 @@ const em_model pendulum_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &pendulum_lanes,
     .n_shapes = 4,

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:bb3e6c2941e1d5520a78d16599fffaf01e8fc70a5a40b4131d285b653ec8cc5d */
+/* body sha256:6e095c2c9a8bec29c4141209b61753a4bacf811fdf384ea894966f0c9c0c1cc8 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -288,6 +288,14 @@ extern void constraint_partials(double t, const double *restrict x, const double
                                 const double *restrict c, double *restrict D);
 extern void event_partials(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void blow_partials(double t, const double *restrict x, const double *restrict a,
+                          const double *restrict lambda, const double *restrict c, double *restrict D);
+extern void impact_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void reset_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
+extern void level_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -366,6 +374,59 @@ EM_ASIDE void event_partials(EM_UNUSED double t, const double *restrict x, EM_UN
     const double stop = c[4];
     D[3] = theta - stop;
     D[6] = -l;
+}
+
+/* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
+                            const double *restrict lambda, const double *restrict c, double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
+    const double theta_ddot = a[0];
+    const double l = c[1];
+    D[2] = theta_ddot*(l*l);
+    const double wall_held = c[5];
+    const double lambda_0 = lambda[0];
+    const double m = c[0];
+    const double z_0 = l*theta_ddot;
+    D[3] = wall_held*lambda_0 + 2.0*m*z_0;
+    D[7] = l*lambda_0;
+    D[12] = wall_held*theta_ddot;
+    D[16] = z_0;
+}
+
+/* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 1 * (N + 2) * N_ARGUMENTS);
+    D[3] = 1.0;
+    D[23] = 1.0;
+}
+
+/* D (n_resets 2 n, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * 2 * N * N_ARGUMENTS);
+}
+
+/* D (n_switches 2, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void level_partials(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
+    const double l = c[1];
+    D[9] = l;
+    const double theta = x[0];
+    const double stop = c[4];
+    D[12] = theta - stop;
+    D[15] = -l;
 }
 
 #endif
@@ -595,6 +656,14 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
+/* D (n_events, n_arguments), likewise */
+static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
+{
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
+}
+
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
@@ -685,7 +754,7 @@ const em_model pendulum_with_stop_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .constraint_partials = constraint_partials,
-    .event_partials = event_partials,
+    .event_partials = event_partials_in_mode,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -697,10 +766,12 @@ const em_model pendulum_with_stop_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
+    .act_along = em_act_along,
     .lanes = &pendulum_with_stop_lanes,
     .n_shapes = 4,
     .dimension = 2,

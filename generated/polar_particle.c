@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:2d2d7be02d4cef1cebc0741984fecf855b05d384e42a514ebafcdbf40a166d11 */
+/* body sha256:0adfebcacf9ba15782cb5e7f659a11427c9198e67fa2fb87f508b4adc647390f */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -592,6 +592,7 @@ const em_model polar_particle_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &polar_particle_lanes,
     .n_shapes = 3,

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:f86758d553cc7aaa748475b7463496019c26dcc7e036f69d21104f76f3688f9d */
+/* body sha256:e9b8ca39c12a11a0783cf4e0e911b283b97331f553f942a4b77fc5f412666c1e */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -4060,6 +4060,7 @@ const em_model puma_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &puma_lanes,
     .n_shapes = 11,

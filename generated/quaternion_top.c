@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:26218c199c42bbcabf1bb6d285692a130a7d64db5f73951740a1838236a69f6b */
+/* body sha256:db7784fe257aee91a8d63fe4a03bdbd3e8705e397cb3cab4639d39d4b5947457 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1405,6 +1405,7 @@ const em_model quaternion_top_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,

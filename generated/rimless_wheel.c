@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:d38f9b3c2cf5680926b1a640371ee408c3c8f2f0c08ef477c4ca4f6323faa6b8 */
+/* body sha256:07b9e4de8bc4fb6db44967cf171dab575dc3f1d2551eba342fee324e6be9c07f */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -295,6 +295,14 @@ extern void forcing_partials(double t, const double *restrict x, const double *r
                              const double *restrict c, const double *restrict u, double *restrict D);
 extern void event_partials(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void blow_partials(double t, const double *restrict x, const double *restrict a,
+                          const double *restrict lambda, const double *restrict c, double *restrict D);
+extern void impact_partials(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict D);
+extern void reset_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
+extern void level_partials(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict D);
 
 #elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
 
@@ -344,6 +352,55 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
     D[0] = 1.0;
     D[5] = -1.0;
     D[6] = -1.0;
+}
+
+/* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
+                            EM_UNUSED const double *restrict lambda, const double *restrict c,
+                            double *restrict D)
+{
+    memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
+    const double theta_ddot = a[0];
+    const double l = c[1];
+    D[2] = theta_ddot*(l*l);
+    const double m = c[0];
+    D[3] = 2.0*(m*l*theta_ddot);
+}
+
+/* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * (N + 2) * N_ARGUMENTS);
+}
+
+/* D (n_resets 2 n, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
+                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 1 * 2 * N * N_ARGUMENTS);
+    D[0] = 1.0;
+    D[5] = -2.0;
+    const double alpha = c[3];
+    const double z_0 = 2.0*alpha;
+    const double cos_z_0 = em_cos(z_0);
+    D[9] = cos_z_0;
+    const double theta_dot = v[0];
+    const double sin_z_0 = em_sin(z_0);
+    D[13] = (-2.0)*(theta_dot*sin_z_0);
+}
+
+/* D (n_switches 2, n_arguments) */
+EM_RARE /* no explicit step calls it */
+EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                             EM_UNUSED const double *restrict u, double *restrict D)
+{
+    memset(D, 0, sizeof *D * 0 * 2 * N_ARGUMENTS);
 }
 
 #endif
@@ -536,6 +593,14 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
         for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
 }
 
+/* D (n_events, n_arguments), likewise */
+static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
+{
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
+}
+
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
@@ -628,7 +693,7 @@ const em_model rimless_wheel_model = {
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,
     .motion_along = em_motion_along,
-    .event_partials = event_partials,
+    .event_partials = event_partials_in_mode,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -640,10 +705,12 @@ const em_model rimless_wheel_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = events_in_mode,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,
+    .act_along = em_act_along,
     .lanes = &rimless_wheel_lanes,
     .n_shapes = 9,
     .dimension = 2,

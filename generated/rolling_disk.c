@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:6ae49089e60bab9a9e3bd02380d5af084fb4c2047dfc5b5f1dda9efdc5328259 */
+/* body sha256:a61519914a809445e403588c2798d710b990e00b459b74c43cab949547b3c4e6 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1211,6 +1211,7 @@ const em_model rolling_disk_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
     .n_shapes = 3,

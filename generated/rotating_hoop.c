@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
-/* body sha256:2029a44308f9bafef461a08905ff911fc5ac289b412d2b14456138c35e47cbf0 */
+/* body sha256:2b8c286b44cfbdb909ad06a1174dd935a5db01f01fa1366f28dd2b640ab2bb13 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -543,6 +543,7 @@ const em_model rotating_hoop_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &rotating_hoop_lanes,
     .n_shapes = 4,

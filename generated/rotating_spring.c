@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:2a342f274b7cf98447d52d9a376f54abe6a714c416d64aeca2238b7b9f6e8a1c */
+/* body sha256:f4da6bb6d872107c8f761ed9c97a9e601583fa12ba0c04fd07468acc9f0ce8da */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -585,6 +585,7 @@ const em_model rotating_spring_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &rotating_spring_lanes,
     .n_shapes = 5,

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:b203757c26de0520d2d20255fd1772701b43af90a33c62d9dc1d76a9200ce630 */
+/* body sha256:e24a7aee0355fab37b24cefa9d3a67f269a0d71b832c96dd956b6b88eb4e43c2 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1134,6 +1134,7 @@ const em_model slider_crank_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &slider_crank_lanes,
     .n_shapes = 6,

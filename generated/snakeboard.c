@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:339a20a553e1964db0ef4ccaec6b766471f8490b3593d48919e2e981d1a5f46b */
+/* body sha256:0aaa3ac85a8b02579d1ba09c43d9dbbe7f357290924aa376d8efa9054136304b */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -972,6 +972,7 @@ const em_model snakeboard_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &snakeboard_lanes,
     .n_shapes = 6,

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:9fb42ffd104121dd627217573eaa33dc596fa6412324b609a079006cef6f48f7 */
+/* body sha256:591f7fd934ae3de1ce8410419db3fc3d3e0a62f0ccda6768d33e11652e1b6dc8 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -1617,6 +1617,7 @@ const em_model spatial_arm_3_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &spatial_arm_3_lanes,
     .n_shapes = 8,

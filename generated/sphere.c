@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:6a4c81a00a0c23faed56b363373e97612b0ef593dc3444a12fef4dc4d38c0ed9 */
+/* body sha256:e13f390e0c4d91c8b0589484b2d044c7b3660f81d5ca0bb2ba6be06ee108eb4d */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1635,6 +1635,7 @@ const em_model sphere_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .n_quasi = N,
     .quasi_velocities = quasi_velocity_names,
     .quasi = quasi,

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:c74ab1827ba6922b2edc70d27acf3d163155806ee03f6cae2bfa5a06e361a7be */
+/* body sha256:9ae4ec9c546b3c728e0fde02add612a1052e9f0a153cff6f3ae97694f6fd268a */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -636,6 +636,7 @@ const em_model veering_model = {
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
+    .again = em_handle_again,
     .event = model_events,
     .lanes = &veering_lanes,
 };
