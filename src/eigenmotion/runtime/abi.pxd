@@ -61,7 +61,8 @@ cdef extern from "eigenmotion.h" nogil:
         int row
 
     ctypedef struct em_pile:
-        pass
+        double t
+        double count
 
     ctypedef struct em_piece:
         double t

@@ -1,7 +1,7 @@
 from typing import Any
 
 from .faults import StopReason
-from .point import Prepared, Vector
+from .point import PointModel, Prepared, Vector
 
 TOLD: int
 TOLD_NODES: Vector
