@@ -58,28 +58,6 @@ def test_a_mode_goes_with_an_interpolant_and_to_another_process():
     assert np.array_equal(pickle.loads(pickle.dumps(run.sol))([1.0, 8.9]), run.sol([1.0, 8.9]))
 
 
-@pytest.mark.parametrize("method", ["dop853", "Radau"])
-@pytest.mark.parametrize("at", [None, (0.0, 0.3, 8.9, 9.0)])
-def test_members_of_an_ensemble_have_modes_of_their_own(at, method):
-    system = system_of("bouncing_ball", "lagrange")
-    e, g = [0.3, 0.5, 0.6], [G, 2 * G, -G]  # the last one flies away
-    runs = em.simulate_ensemble(
-        system, (0.0, 9.0), parameters={"e": e, "g": g}, t_eval=at, method=method, workers=2, max_step=1.0
-    )
-    assert runs.success.all()
-    for k, run in enumerate(runs):
-        alone = system.simulate((0.0, 9.0), parameters={"e": e[k], "g": g[k]}, t_eval=at, method=method, max_step=1.0)
-        rows = slice(None) if at else slice(-1, None)
-        assert run.modes == alone.modes
-        for name in ("x", "multipliers"):
-            assert np.array_equal(getattr(runs, name)[k], alone[name][:, rows])
-            assert np.array_equal(run[name], alone[name][:, rows])
-        for name, values in alone.outputs.items():
-            assert np.array_equal(runs.outputs[name][k], values[rows])
-    assert runs.multipliers[:, 0, -1] == pytest.approx([-G, -2 * G, 0.0])
-    assert np.array_equal(pickle.loads(pickle.dumps(runs._found)).y, runs.y.swapaxes(1, 2))
-
-
 # --- what rests lets go ---
 
 

@@ -1,5 +1,6 @@
 """Several contacts at once: what they share, and what no multiplier is told by."""
 
+import pickle
 from functools import cache
 
 import numpy as np
@@ -7,9 +8,10 @@ import pytest
 from sympy import Rational, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
+import eigenmotion as em
 from eigenmotion import Contact, Friction, Model, StopReason, System
 
-from .generation import system_for
+from .generation import system_for, system_of
 
 G = 9.81
 SHARED = {"dependent_constraints": "least_norm"}
@@ -57,3 +59,25 @@ def test_feet_that_slide_stop_where_their_friction_has_taken_the_speed(method):
     assert run.x[0, -1] == pytest.approx(1 / (2 * 0.4 * G), rel=1e-9)
     assert run.modes[-1][1] == {f"{what}{k}_{how}": value for k in (0, 1) for what, how, value in
                                 (("foot", "held", 1.0), ("rub", "stuck", 1.0), ("rub", "slides", 0.0))}  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["dop853", "Radau"])
+@pytest.mark.parametrize("at", [None, (0.0, 0.3, 8.9, 9.0)])
+def test_members_of_an_ensemble_have_modes_of_their_own(at, method):
+    system = system_of("bouncing_ball", "lagrange")
+    e, g = [0.3, 0.5, 0.6], [G, 2 * G, -G]  # the last one flies away
+    runs = em.simulate_ensemble(
+        system, (0.0, 9.0), parameters={"e": e, "g": g}, t_eval=at, method=method, workers=2, max_step=1.0
+    )
+    assert runs.success.all()
+    for k, run in enumerate(runs):
+        alone = system.simulate((0.0, 9.0), parameters={"e": e[k], "g": g[k]}, t_eval=at, method=method, max_step=1.0)
+        rows = slice(None) if at else slice(-1, None)
+        assert run.modes == alone.modes
+        for name in ("x", "multipliers"):
+            assert np.array_equal(getattr(runs, name)[k], alone[name][:, rows])
+            assert np.array_equal(run[name], alone[name][:, rows])
+        for name, values in alone.outputs.items():
+            assert np.array_equal(runs.outputs[name][k], values[rows])
+    assert runs.multipliers[:, 0, -1] == pytest.approx([-G, -2 * G, 0.0])
+    assert np.array_equal(pickle.loads(pickle.dumps(runs._found)).y, runs.y.swapaxes(1, 2))
