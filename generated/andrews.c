@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:5c9f192818aa18d108e18b0acd1df0df6971c274406ad9709adcadd41bc04a3e */
+/* body sha256:abb199906b1b7d7494e50cda5824949b0023899bc2f24c63efbceab31d5a9b52 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -799,7 +799,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes andrews_lanes;
-em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -1917,7 +1917,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes andrews_lanes;
-EM_WEAK em_lanes andrews_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes andrews_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES andrews_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:b9f2bab6bccc6d9e4a74cf32e82a2a0cc8c98cf645ddb8fe83d0f67e1df38c7e */
+/* body sha256:a386cd203a5d46c6a9b3ca41ab3cd94a2abf7f05286cd2eca0bf765833cd3c76 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -2117,7 +2117,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes bicycle_lanes;
-em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -9188,7 +9188,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes bicycle_lanes;
-EM_WEAK em_lanes bicycle_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes bicycle_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES bicycle_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:bd772f81790727a94cb4700334338b77f74143370a383ef593a2b69d5ac183cf */
+/* body sha256:d500e8c82632a7278c802f31f69ada314ff10c5306556de1391f354ea9b76205 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -152,7 +152,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes block_on_incline_lanes;
-em_lanes block_on_incline_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes block_on_incline_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -364,7 +364,7 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes block_on_incline_lanes;
-EM_WEAK em_lanes block_on_incline_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes block_on_incline_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES block_on_incline_lanes
 
 #include "em_blocks.h"
@@ -459,11 +459,11 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
+EM_INLINE void settled_masses(const real *restrict c, real A1[N_ROWS][N1], real b[N_ROWS])
 {
-    const double friction_stuck = c[4];
+    const real friction_stuck = c[4];
     A1[0][0] = friction_stuck;
-    b[0] = 0.0;
+    b[0] = em_real(0.0);
 }
 
 /* After an accepted step, and at the start: constraints on velocities.
@@ -473,7 +473,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int changed = (flags & EM_STABILISE);
-    double A1[N_ROWS][N1], b[N_ROWS];
+    real A1[N_ROWS][N1], b[N_ROWS];
     settled_masses(c, A1, b);
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:63ccadc52daf6a0152a8b407ecf273bb6643d02eb58e94339511144359cbee48 */
+/* body sha256:126239fb3dc062845e3dfc8b01cfbdeba37cd5776521d163ad186532225b2977 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -178,7 +178,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes bouncing_ball_lanes;
-em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -377,7 +377,7 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes bouncing_ball_lanes;
-EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES bouncing_ball_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:1ce7b9bff8dcb8c34d343ac526f456008fd9b8b5bde295d256ca673e57232757 */
+/* body sha256:cd7b4a128e9be3697e8b224d62512ff05f789783ec263e05fec7089b75789f1a */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -197,7 +197,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes driven_pendulum_lanes;
-em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -423,7 +423,7 @@ EM_ASIDE void constraint_partials(double t, const double *restrict x, const doub
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
-EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES driven_pendulum_lanes
 
 #include "em_blocks.h"

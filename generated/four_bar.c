@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:0faf4e37cef2149dcffdaa2002e17a3077f0d2dd84b22e45b96332afc8127bc5 */
+/* body sha256:951a0783c46c2f6a5e7c6186f44e06fb2aa1a8e059af315f5701971c3ac54edd */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -376,7 +376,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes four_bar_lanes;
-em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -773,7 +773,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
-EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES four_bar_lanes
 
 #include "em_blocks.h"

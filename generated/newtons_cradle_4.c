@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:6d60c6349f08f704134964e8af72962d656b577c9ea50fa6947958f5eb9157cb */
+/* body sha256:e925b007eb062fc0951933678c1e81fdd421db39be90389aa596c60088adb21e */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -211,7 +211,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes newtons_cradle_4_lanes;
-em_lanes newtons_cradle_4_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes newtons_cradle_4_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -491,7 +491,7 @@ EM_ASIDE void event_partials(EM_UNUSED double t, const double *restrict x, EM_UN
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes newtons_cradle_4_lanes;
-EM_WEAK em_lanes newtons_cradle_4_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes newtons_cradle_4_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES newtons_cradle_4_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:49665a391d951e4e23e59b0b4515eadfc857873aff54d756b50d8a60930249c0 */
+/* body sha256:a4de9b7c44143ed5f35e905c75efce8c6510127d54db8913176c9e0a06c7eb68 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -155,7 +155,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes pendulum_with_stop_lanes;
-em_lanes pendulum_with_stop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes pendulum_with_stop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -378,7 +378,7 @@ EM_ASIDE void event_partials(EM_UNUSED double t, const double *restrict x, EM_UN
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes pendulum_with_stop_lanes;
-EM_WEAK em_lanes pendulum_with_stop_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes pendulum_with_stop_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES pendulum_with_stop_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:89f80aac4a275343d302a00ea4fefe41e3cdaa2c312eb1f7f160e0c136458407 */
+/* body sha256:fa64a64876c6d4645e19c7921a3d08dafd3b0edde1e90eb1c46d4aebf1627f2e */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -387,7 +387,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes quaternion_top_lanes;
-em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -924,7 +924,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes quaternion_top_lanes;
-EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES quaternion_top_lanes
 
 #include "em_blocks.h"

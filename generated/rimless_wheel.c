@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:cc763851160fc349ffc8ce66978f4df588178918bfe4dbf32c6fbe1f33c99b49 */
+/* body sha256:9f851702f665f9af4e507c43e555c12d9f8aa5876431540a95d17c4f8c325986 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -131,7 +131,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rimless_wheel_lanes;
-em_lanes rimless_wheel_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes rimless_wheel_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -357,7 +357,7 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rimless_wheel_lanes;
-EM_WEAK em_lanes rimless_wheel_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes rimless_wheel_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES rimless_wheel_lanes
 
 #include "em_blocks.h"

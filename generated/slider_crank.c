@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:a3d4ac885e984e4a083474dbc7cf3831b9723da718a0e96a1d173150752ce746 */
+/* body sha256:981374c100e892676b96619c2b7664ebe990998e1f85ef2773f3c8dd37bbe411 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -358,7 +358,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes slider_crank_lanes;
-em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -702,7 +702,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
-EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES slider_crank_lanes
 
 #include "em_blocks.h"

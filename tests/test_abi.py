@@ -109,7 +109,7 @@ SAID_TWICE = {
     "em_trust.h EM_FARTHEST": drift._FARTHEST,
     "em_witness.h EM_STEP_MAY": witness._STEP_MAY,
     "em_witness.h EM_RUN_MAY": witness._RUN_MAY,
-    "em_chart.h EM_PASSAGE_ADDS": witness._PASSAGE_ADDS,
+    "em_brief.h EM_PASSAGE_ADDS": witness._PASSAGE_ADDS,
     "em_survey.h EM_PROBE": watch._PROBE,
     "em_events.h EM_OF_TOLERANCE": watch._OF_TOLERANCE,
     "em_walk.h EM_NODES": len(watch._NODES),

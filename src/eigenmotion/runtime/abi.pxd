@@ -176,7 +176,7 @@ cdef extern from "eigenmotion.h" nogil:
         const em_switch *switches
         int (*act)(double, double *, double *, double *, const double *, int, int *, em_pile *, em_fault *) noexcept nogil
         const em_lanes *lanes
-        void *(*enter)(em_run *, em_flock *, int) noexcept nogil
+        void *(*enter)(em_run *, int *) noexcept nogil
         int n_shapes
         int dimension
         const em_shape *shapes
