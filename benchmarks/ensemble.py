@@ -119,7 +119,7 @@ def half(system: System) -> None:
 
 
 def threads() -> None:
-    """Two threads over one, and two processes that share nothing: what those gain is all that the machine has to give."""
+    """Two threads over one, and two processes, which share nothing: what those gain is what the machine has to give."""
     system = build(MODELS / "dual_link.py", formulation="lagrange")
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         calls = {f"{workers}": partial(ensemble, system, 4000, 1e-10, workers=workers) for workers in (1, 2)}

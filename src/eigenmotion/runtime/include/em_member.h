@@ -50,7 +50,7 @@ static void em_member_board(void *walk, em_flock *f, int lane) {
     em_member_plan(w, f, lane);
 }
 
-/* The stages of the step under way, from the lane, and where it came to before it was settled. */
+/* The stages of the step under way, from the lane, and what the last was made at. */
 static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
     enum { PADDED = (N_STATE + 3) / 4 * 4 };
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
@@ -58,7 +58,6 @@ static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
     for (int stage = 1; stage < rk->stages; ++stage)
         for (int k = 0; k < N_STATE; ++k) w->K[stage][k] = EM_LANE(f->K, stage * PADDED + k);
     em_combine(rk->a[last], last, 0, w->h, w->y, w->K, w->argument);
-    em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
 }
 
 /* Its ends, and what the run has done so far. */
@@ -96,16 +95,19 @@ static void em_member_read(em_walk *w, const em_flock *f, int lane) {
 
 /* What em_land does about a step that was settled. 0, or -1 */
 static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
-    if (N_EVENTS > 0 || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
+    if (N_EVENTS > 0 || em_needs_interpolant(w)) {
+        const em_tableau *const rk = &EM_DOP853_TABLEAU;
+        em_member_read_stages(w, f, lane);
+        em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
+    }
     if (em_check_chart(w) || em_check_witness(w) || (N_EVENTS > 0 && em_watch(w))) return -1;
     return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
-/* em_land, and its result into the lane, which takes it from there. 0, or -1 */
+/* em_land, of a step that the lane has left as it came out, and its result into the lane. 0, or -1 */
 static int em_member_lands(em_walk *w, em_flock *f, int lane) {
-    const int width = EM_MODEL_LANES.width;
-    em_member_read_stages(w, f, lane);
-    memcpy(w->y_new, w->y_raw, sizeof w->y_new);
+    const int width = EM_MODEL_LANES.width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
+    if (N_EVENTS > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     w->end_rate = NULL;
     --w->run->n_rhs; /* that of the lane was in vain */
     if (em_land(w) || !(w->error_norm < 1.0)) return -1;
