@@ -32,9 +32,15 @@ def link() -> em.System:
     return em.build(MODELS / "dual_link.py", formulation="inverse", flags="-O1")
 
 
+@pytest.fixture(scope="module")
+def turning() -> em.System:
+    """The same by its eigenfactors, with runs that change their mode on the way."""
+    return em.build(MODELS / "dual_link.py", formulation="eigenfactor", flags="-O1")
+
+
 def check_alike(one: em.Solution, other: em.Solution) -> None:
     """Say that they are the same but for rounding."""
-    told = ("stop", "nsteps", "nrejected", "nfev", "n_stiff", "method")
+    told = ("stop", "nsteps", "nrejected", "nfev", "n_bounded", "n_stiff", "method")
     assert [one[name] for name in told] == [other[name] for name in told]
     assert np.allclose(one.t, other.t, rtol=0, atol=1e-10)
     assert np.allclose(one.y, other.y, rtol=1e-9, atol=1e-9)
@@ -65,10 +71,34 @@ def test_members_with_constraints_move_as_they_do_alone(link, span):
     assert np.abs(runs[3].constraint_residual).max() < 1e-13
 
 
+@pytest.mark.parametrize("rows", [None, 3])
+def test_members_change_their_modes_as_they_do_alone(turning, rows):
+    """C, s and eta are those of numbers, too; more runs than both flocks have lanes."""
+    springs, span = np.linspace(0.5, 2.0, COUNT), (0.0, 8.0)
+    t_eval = None if rows is None else np.linspace(*span, rows)
+    runs = simulate_ensemble(turning, span, parameters={"K1": springs}, t_eval=t_eval, **TIGHT)
+    for k in range(0, COUNT, 3):
+        given = {"parameters": {"K1": springs[k]}, "t_eval": [span[1]] if rows is None else t_eval, **TIGHT}
+        check_alike(runs[k], turning.simulate(span, **given))
+    changed = [0 < run.n_bounded < run.nsteps for run in runs]
+    assert sum(changed) > COUNT // 2
+    assert max(run.factor_residual.max() for run in runs) < 1e-13
+
+
+def test_roots_that_vary_are_kept_in_lanes():
+    """A triangular root of a block, and of one that is a number."""
+    system = system_for(SWING, "cholesky")
+    assert system.compiled.flocks == (system.compiled.lanes > 1)
+    runs = simulate_ensemble(system, SPAN, v0={"q": SPEEDS}, t_eval=ROWS, **TIGHT)
+    for k in range(0, COUNT, 4):
+        check_alike(runs[k], system.simulate(SPAN, v0={"q": SPEEDS[k]}, t_eval=ROWS, **TIGHT))
+
+
 @pytest.mark.parametrize("rows", [None, ROWS])
-def test_the_bits_are_the_members_own(swing, link, rows):
+def test_the_bits_are_the_members_own(swing, link, turning, rows):
     """Whatever lane, neighbours, order and number of threads; alone, too."""
-    for system, given in ((swing, {"v0": {"q": SPEEDS}}), (link, {"parameters": {"K1": 0.5 + SPEEDS / 6}})):
+    springs = {"parameters": {"K1": 0.5 + SPEEDS / 6}}
+    for system, given in ((swing, {"v0": {"q": SPEEDS}}), (link, springs), (turning, springs)):
         ((kind, table),) = given.items()
         ((name, values),) = table.items()
         first = bits(simulate_ensemble(system, SPAN, **given, t_eval=rows, workers=1))
@@ -135,7 +165,9 @@ def test_unstabilised_and_other_methods_are_run_number_by_number(link):
         assert np.array_equal(runs.y[0, :, 0], alone.y[:, -1])
 
 
-def test_ctrl_c_ends_lanes(link):
+@pytest.mark.parametrize("formulation", ["inverse", "eigenfactor"])
+def test_ctrl_c_ends_lanes(formulation, request):
+    link = request.getfixturevalue({"inverse": "link", "eigenfactor": "turning"}[formulation])
     timer = threading.Timer(0.3, kill, (getpid(), signal.SIGINT))
     timer.start()
     start = time.monotonic()

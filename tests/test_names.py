@@ -75,7 +75,8 @@ def test_no_macro_of_the_headers_takes_a_users_name():
     """A macro is replaced wherever its name stands; what begins with an underscore is the compiler's."""
     text = (
         "".join(
-            f'#include "{name}"\n' for name in ("eigenmotion.h", "em_functions.h", "em_multipliers.h", "em_takeover.h")
+            f'#include "{name}"\n'
+            for name in ("eigenmotion.h", "em_functions.h", "em_multipliers.h", "em_eigenfactors.h", "em_takeover.h")
         )
         + "#include <stdlib.h>\n"
     )

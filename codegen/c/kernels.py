@@ -175,13 +175,14 @@ class _Writing:
 
     def settled_masses(self) -> Draft:
         """M of what varies, A and b."""
-        varying = [b for b in self.blocks if not b.fixed and (b.constrained or not self.choices.carries_v)]
+        some = self.choices.carries_v and self.scene.h  # lanes look at all of M
+        varying = [b for b in self.blocks if not b.fixed and (b.constrained or not some)]
         entries = [
             *self.masses(varying, self.choices.eigenfactor),
             *self.by_row("A", self.terms.A),
             *self.column("b", self.terms.b),
         ]
-        return Draft("settled_masses", entries, actual={"x": "y"}, on_lanes=self.choices.carries_v and not self.scene.h)
+        return Draft("settled_masses", entries, actual={"x": "y"}, on_lanes=not self.scene.h)
 
     def settled_rates(self) -> Draft:
         """What Omega of M at an accepted step needs and, where it is extrapolated, Omega of Delta."""
@@ -190,7 +191,7 @@ class _Writing:
         extrapolates_delta = bool(self.layout.row_groups) and self.choices.extrapolate
         held = [b for b in self.blocks if b.turning or b.single and b.constrained and extrapolates_delta]
         entries = [*self.rates(held), *(self.by_row("Adot", self.terms.Adot) if extrapolates_delta else ())]
-        return Draft("settled_rates", entries, actual={"x": "y"})
+        return Draft("settled_rates", entries, actual={"x": "y"}, on_lanes=not self.scene.h)
 
     # -- what every model can be asked ---------------------------------------------------------------------------
 

@@ -45,7 +45,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
         extrapolate=layout.couples and choices.extrapolate, extrapolated=layout.extrapolated,
         on_lanes=not (layout.couples and choices.extrapolate),
-        in_lanes=choices.carries_v and not scene.h and not _acts(scene),
+        in_lanes=_in_lanes(scene, layout, choices),
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         settling=_settling(scene, layout, bool(turning), choices),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,
@@ -64,6 +64,13 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
         costs=_costs(kernels, choices.formulation), kernels=kernels,
     )  # fmt: skip
+
+
+def _in_lanes(scene: Scene, layout: Layout, choices: Choices) -> bool:
+    """Whether the lanes have all that most steps need."""
+    remembers_omega = layout.couples and choices.extrapolate
+    carries_delta = any(group.size > 1 for group in layout.row_groups)
+    return not (scene.h or _acts(scene) or remembers_omega or carries_delta)
 
 
 def _acts(scene: Scene) -> bool:

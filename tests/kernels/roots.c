@@ -1,4 +1,5 @@
 /* At one size, a constant as in generated code: the compiler unrolls it so. */
+#include "em_eigenfactors.h"
 #include "em_takeover.h"
 
 enum { n = SIZE };

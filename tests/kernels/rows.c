@@ -1,5 +1,6 @@
 /* At one size, a constant as in generated code: the compiler unrolls it so. */
 #include "em_multipliers.h"
+#include "em_eigenfactors.h"
 #include "em_takeover.h"
 
 enum { n = SIZE, m = n + 1 /* rows */ };

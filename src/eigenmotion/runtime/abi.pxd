@@ -182,7 +182,7 @@ cdef extern from "eigenmotion.h" nogil:
         int n_switches
         const em_switch *switches
         const em_lanes *lanes
-        void *(*enter)(em_run *, em_flock *, int) noexcept nogil
+        void *(*enter)(em_run *, int *) noexcept nogil
         int n_shapes
         int dimension
         const em_shape *shapes

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 11 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 12 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -163,10 +163,17 @@ typedef struct em_run {
 /* Runs side by side, one in each lane: what em_lanes.run works with. Tables are (..., width), number by number, on
  * addresses that are multiples of 64, and 0 where nobody wrote; rows of states are padded to a multiple of 4. */
 enum { EM_MOST_LANES = 8 };
+typedef enum em_landing {
+    EM_SETTLED,
+    EM_UNSETTLED, /* that is to be done number by number; */
+    EM_LOST       /* so are all of the run's steps, from its start */
+} em_landing;
 typedef struct em_flock {
     const em_run *task;   /* what is asked of all */
-    double rtol, direction;
+    int mode;             /* of all */
+    double rtol, direction, stretch; /* as a walk has them (em_walk.h) */
     double *y, *y_new, *f_new; /* (n_state, width) */
+    double *memory, *memory_new; /* (remembered, width) */
     double *K;            /* (12, n_state, width): K_0 is f at y */
     double *c, *u;        /* (n_prepared, width), (n_inputs, width) */
     double *t, *t_new, *h, *h_next, *error, *last_error, *longest; /* (width) */
@@ -176,9 +183,9 @@ typedef struct em_flock {
     double *t_look;
     int live[EM_MOST_LANES], n_live; /* lanes with a run */
     int always;           /* every step is looked at */
-    /* Looks at the step that a lane has taken, or is told that it cannot go on there. 0: goes on; else the lane has another
-     * run now, or none. */
-    int (*look)(struct em_flock *f, int lane, int lost);
+    int pauses;           /* another flock is to go on first */
+    /* Looks at the step that a lane has taken. 0: goes on; else the lane has another run now, or none. */
+    int (*look)(struct em_flock *f, int lane, em_landing landing);
     int (*stopped)(struct em_flock *f); /* whether all are to end */
     void *with;           /* whose they are */
 } em_flock;
@@ -191,6 +198,7 @@ typedef struct em_lanes {
     /* v (n): xdot alone, of states in mode 0, where it costs little; or NULL */
     void (*velocity)(const double *t, const double *y, const double *c, double *v);
     void (*run)(em_flock *f); /* until no lane has a run; dop853, stabilised, inputs constant; or NULL */
+    int remembered, modes;    /* numbers that a run keeps of its last step; modes of runs, each in flocks of its own */
 } em_lanes;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
@@ -258,9 +266,12 @@ typedef struct em_model {
     const em_switch *switches;     /* (n_switches) */
 
     const em_lanes *lanes; /* NULL: the right-hand side is not for lanes */
-    /* A run that is to go on in a lane: its start is there. NULL: it cannot, and run is as it was but for its fault. */
-    void *(*enter)(em_run *run, em_flock *f, int lane);
-    int (*look)(void *walk, em_flock *f, int lane); /* at a step. 0: goes on; 1: has ended; -1: begin anew, number by number */
+    /* A run whose steps are to be made in lanes, at its start, and its mode. NULL: it cannot, and run is as it was but for
+     * its fault. */
+    void *(*enter)(em_run *run, int *mode);
+    void (*board)(void *walk, em_flock *f, int lane); /* goes on in this lane, of a flock of its mode */
+    /* At a step. 0: goes on; 1: has ended; 2: goes on in the other mode; -1: begin anew, number by number */
+    int (*look)(void *walk, em_flock *f, int lane, em_landing landing);
 
     /* A run that goes on as far as it is told (em_control.h calls these; all memory is taken as it opens). */
     void *(*open)(em_run *run);        /* at its start: run->fault says whether there is one. NULL: no memory */

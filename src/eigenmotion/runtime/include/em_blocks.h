@@ -3,6 +3,7 @@
 #ifndef EM_BLOCKS_H
 #define EM_BLOCKS_H
 
+#include "em_eigenfactors.h"
 #include "em_extrapolate.h"
 #include "em_takeover.h"
 

@@ -4,18 +4,14 @@
 #ifndef EM_CHART_H
 #define EM_CHART_H
 
+#include "em_brief.h"
 #include "em_mechanics.h"
 #include "em_norm.h"
 
-#define EM_BRIEF 0.25       /* the part of the longest step below which one is looked at, as the first is and retries, */
-#define EM_NEAR_START 300.0 /* and every one where M is not resolved within so many tolerances of the start */
-#define EM_RESOLVED 4.0    /* the factor by which a pivot of M may change within half a step */
+#define EM_NEAR_START 300.0 /* so many tolerances from the start M is to be resolved, or every step is looked at */
 #define EM_LOOSE 1e-5      /* rtol above which long steps are looked at, too, whose error may be small by chance; */
 #define EM_PARTS 8         /* where a half is not resolved, in so many parts: */
 #define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 and more within one of the parts beside a */
-
-/* Part of eps / p, p the least pivot beside its entry of M, that a passage adds to the error: measured. */
-#define EM_PASSAGE_ADDS 1e-4
 
 /* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. */
 static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {

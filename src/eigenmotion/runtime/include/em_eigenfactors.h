@@ -92,17 +92,6 @@ EM_INLINE int em_roots(int n, const double *restrict M, double *restrict s) {
     return em_unsound_pivot(n, M, least, largest);
 }
 
-/* eta (n) <- as it turned with the rows of C, from what they were; those to first order in what they lacked of being
- * orthonormal. */
-EM_INLINE void em_turn(int n, const double *restrict before, const double *restrict C, double *restrict eta) {
-    double v[n], back[n];
-    em_transposed_product(n, before, eta, v);
-    em_product(1, n, v, before, back);
-    for (int i = 0; i < n; ++i) eta[i] += 0.5 * (eta[i] - back[i]);
-    em_transposed_product(n, before, eta, v);
-    em_product(1, n, v, C, eta);
-}
-
 /* C, s <- eigenfactors of M (n, n), near the C given; eta turns with C. Returns -1, or an index where M is singular. */
 EM_INLINE int em_refresh(int n, const double *restrict M, double *restrict C, double *restrict s, double *restrict eta) {
     double before[n * n];

@@ -6,13 +6,15 @@
 #ifndef EM_FLOCK_H
 #define EM_FLOCK_H
 
-#include "em_linear.h"
+#include "em_lane_chart.h"
+#include "em_lane_factors.h"
 #include "em_tableaux.h"
 
 enum {
     EM_TOGETHER = 4, /* states whose sums are made together */
     EM_FLOCK_STATE = (N_STATE + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER,
     EM_FLOCK_STAGES = 12,
+    EM_REMEMBERED = EM_SECOND_ORDER ? 0 : N_MEMORY, /* the roots of M at the start of a step */
     EM_FLOCK_LOOKS = 64 /* attempts between two looks at whether an end is wanted */
 };
 
@@ -21,16 +23,24 @@ typedef struct em_lane_state {
     real *y, *y_new, *f_new, *c, *u;
     real (*K)[EM_FLOCK_STATE];
     real *t, *t_new, *h, *h_next, *error, *last_error, *longest, *n_steps, *n_rejected, *retries, *n_rhs;
-    real *stiff, *n_stiff, *next_judge, *next_look, *t_look;
+    real *stiff, *n_stiff, *next_judge, *next_look, *t_look, *memory, *memory_new;
 } em_lane_state;
 
-EM_INLINE real em_lane_max(real a, real b) { return em_where(a > b, a, b); }
-EM_INLINE real em_lane_min(real a, real b) { return em_where(a < b, a, b); }
+/* What e (n), eta or an error of it, makes of xdot: where the state is x, xdot, itself. */
+#ifndef EM_VELOCITY
+#define EM_VELOCITY(mode, y, c, memory, e, v) em_copy(N, e, v)
+#endif
+
+/* How much of a state changes within a step: in mode 1 C and s rest. */
+EM_INLINE int em_flock_moving(const em_flock *f) {
+    return f->mode ? (2 * N + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER : EM_FLOCK_STATE;
+}
 
 /* out <- y + h sum_j a_j K_j over j < n; y NULL: 0 */
-static void em_flock_combine(const double *a, int n, real h, const real *y, real (*K)[EM_FLOCK_STATE], real *out) {
-    for (int k = 0; k < EM_FLOCK_STATE; k += EM_TOGETHER) {
+EM_INLINE void em_flock_combine(int moving, const double *a, int n, real h, const real *y, real (*K)[EM_FLOCK_STATE], real *out) {
+    for (int k = 0; k < moving; k += EM_TOGETHER) {
         real sum[EM_TOGETHER] = {{0.0}};
+        EM_UNROLL
         for (int j = 0; j < n; ++j) {
             if (a[j] == 0.0) continue;
             for (int i = 0; i < EM_TOGETHER; ++i) sum[i] += a[j] * K[j][k + i];
@@ -52,35 +62,64 @@ EM_INLINE void em_flock_aim(const em_flock *f, em_lane_state *w) {
     *w->h = *w->t_new - *w->t;
 }
 
-/* The weights of x and v, and the norm of the error in them (em_runge_kutta.h). */
-EM_INLINE void em_flock_norm(const em_flock *f, em_lane_state *w, real *weight) {
+/* Errors of eigenfactors count where they are integrated (em_norm.h). */
+EM_INLINE int em_flock_counted(const em_flock *f) { return f->mode == 0 ? N_STATE : 2 * N; }
+
+/* What errors of the state count, those of eta by what they are of v. */
+EM_INLINE void em_flock_weigh(const em_flock *f, const em_lane_state *w, real *weight) {
+    const real *const v_new = w->K[EM_DOP853_TABLEAU.velocity_stage];
+    for (int k = 0; k < N; ++k) {
+        const real x = em_lane_max(fabs(w->y[k]), fabs(w->y_new[k])), v = em_lane_max(fabs(w->K[0][k]), fabs(v_new[k]));
+        weight[k] = 1.0 / (f->task->atol[k] + f->rtol * x + DBL_MIN);
+        weight[N + k] = 1.0 / (f->task->atol[k] + f->rtol * v + DBL_MIN);
+    }
+    for (int k = 2 * N; k < em_flock_counted(f); ++k) {
+        const int scales = (k >= 2 * N + N_C && k < 2 * N + N_C + N_S) || k >= N_STATE - N_SD;
+        const real size = scales ? em_lane_max(fabs(w->y[k]), fabs(w->y_new[k])) : em_real(1.0);
+        weight[k] = 1.0 / (f->rtol * size + DBL_MIN);
+    }
+}
+
+/* The norm of the error (em_runge_kutta.h). */
+EM_INLINE void em_flock_norm(const em_flock *f, em_lane_state *w, const real *weight) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
-    real error[2][EM_FLOCK_STATE], sum[2] = {em_real(0.0), em_real(0.0)};
-    for (int e = 0; e < 2; ++e) em_flock_combine(rk->e[e], rk->stages, em_real(1.0), NULL, w->K, error[e]);
-    for (int k = 0; k < 2 * N; ++k) {
-        const real after = k < N ? w->y_new[k] : w->K[rk->velocity_stage][k - N];
-        const real size = em_lane_max(fabs(w->y[k]), fabs(after));
-        weight[k] = 1.0 / (f->task->atol[k % N] + f->rtol * size + DBL_MIN);
-        for (int e = 0; e < 2; ++e) sum[e] += (error[e][k] * weight[k]) * (error[e][k] * weight[k]);
+    real sum[2] = {em_real(0.0), em_real(0.0)};
+    EM_UNROLL
+    for (int e = 0; e < 2; ++e) {
+        real error[EM_FLOCK_STATE], v[N];
+        em_flock_combine(em_flock_moving(f), rk->e[e], rk->stages, em_real(1.0), NULL, w->K, error);
+        EM_VELOCITY(f->mode, w->y, w->c, w->memory, error + N, v);
+        em_copy(N, v, error + N);
+        for (int k = 0; k < em_flock_counted(f); ++k) sum[e] += (error[k] * weight[k]) * (error[k] * weight[k]);
     }
     const real under = sum[0] + 0.01 * sum[1];
     *w->error = em_where(under == 0.0, em_real(0.0), fabs(*w->h) * sum[0] / sqrt(under * (2.0 * N)));
 }
 
-/* y_new on the constraints. Returns how far that moved v, in tolerances (em_trust.h). */
-EM_INLINE real em_flock_settle(EM_UNUSED const em_flock *f, EM_UNUSED em_lane_state *w, EM_UNUSED const real *weight) {
+/* y_new put right in lanes that *done keeps; v (n) <- the velocities before. */
+EM_INLINE void em_flock_settle(const em_flock *f, em_lane_state *w, EM_UNUSED real *v, EM_UNUSED em_truth *done) {
 #ifdef EM_SETTLE
-    real before[N], sum = em_real(0.0);
-    em_copy(N, w->y_new + N, before);
-    EM_SETTLE(*w->t_new, w->y_new, w->c);
+    real raw[N_STATE], scratch[N_MEMORY > 0 ? N_MEMORY : 1];
+    real *const memory = EM_SECOND_ORDER ? scratch : w->memory_new;
+    em_copy(N_STATE, w->y_new, raw);
+    EM_SETTLE(f->mode, *w->t_new, w->y_new, w->c, memory, *w->h * f->stretch, done);
+    EM_VELOCITY(f->mode, raw, w->c, memory, raw + N, v);
+    for (int k = 2 * EM_SECOND_ORDER * N; k < N_STATE; ++k) w->y_new[k] = em_where(*done, w->y_new[k], raw[k]);
+#else
+    (void)f, (void)w;
+#endif
+}
+
+/* How far settling moved v, in tolerances (em_trust.h). */
+EM_INLINE real em_flock_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const real *v, EM_UNUSED const real *weight) {
+    real sum = em_real(0.0);
+#ifdef EM_SETTLE
     for (int k = 0; k < N; ++k) {
-        const real moved = (w->y_new[N + k] - before[k]) * weight[N + k];
+        const real moved = (w->f_new[k] - v[k]) * weight[N + k];
         sum += moved * moved;
     }
-    return sqrt(sum / (2.0 * N));
-#else
-    return em_real(0.0);
 #endif
+    return N_ROWS > 0 ? sqrt(sum / (2.0 * N)) : sum;
 }
 
 /* NaN and infinity survive a product with zero. */
@@ -90,39 +129,52 @@ EM_INLINE em_truth em_flock_finite(const real *a) {
     return sum == 0.0;
 }
 
+EM_INLINE void em_flock_rate(const em_flock *f, const em_lane_state *w, const real *t, const real *y, real *dy) {
+    rhs_on_lanes(f->mode, (const double *)t, (const double *)y, (const double *)w->c, (const double *)w->u, 0, (double *)dy);
+}
+
 /* Whether stability keeps steps short, of lanes of which that is judged now (em_rk_judge); argument: of the last stage. */
 EM_INLINE void em_flock_judge(em_lane_state *w, const real *argument, const real *weight) {
     const int last = EM_DOP853_TABLEAU.stages - 1;
+    const em_truth judged = *w->n_steps >= *w->next_judge;
     real apart = em_real(0.0), driven = em_real(0.0);
+    if (!em_any(judged)) return;
     for (int k = 0; k < 2 * N; ++k) {
         const real state = (w->y_new[k] - argument[k]) * weight[k], rate = (w->f_new[k] - w->K[last][k]) * weight[k];
         apart += state * state;
         driven += rate * rate;
     }
     const em_truth stiff = *w->h * *w->h * driven > EM_DOP853_STABLE * EM_DOP853_STABLE * apart;
-    *w->stiff = em_where(*w->n_steps >= *w->next_judge, em_where(stiff, em_real(1.0), em_real(0.0)), *w->stiff);
+    *w->stiff = em_where(judged, em_where(stiff, em_real(1.0), em_real(0.0)), *w->stiff);
 }
 
-/* An attempt at a step in every lane; -1 in *sound where it gave numbers that can be judged. Returns how far settling moved. */
-static real em_flock_attempt(const em_flock *f, em_lane_state *w, em_truth *sound) {
+/* What came of attempts at a step. */
+typedef struct em_attempts {
+    em_truth sound, settled; /* -1: it gave numbers that can be judged; it ended where runs may be */
+    real moved;              /* how far settling moved it */
+} em_attempts;
+
+/* An attempt at a step in every lane. */
+static em_attempts em_flock_attempt(const em_flock *f, em_lane_state *w) {
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
-    real argument[EM_FLOCK_STATE], weight[2 * N], moved = em_real(0.0);
-    for (int stage = 1; stage <= rk->stages; ++stage) {
-        const int last = stage == rk->stages;
-        real *const place = last ? w->y_new : argument;
-        em_flock_combine(rk->a[stage], stage, *w->h, w->y, w->K, place);
-        if (last) {
-            em_flock_norm(f, w, weight);
-            moved = em_flock_settle(f, w, weight);
-        }
-        real t = *w->t + rk->c[stage] * *w->h;
-        if (last) t = *w->t_new;
-        rhs_on_lanes(0, (const double *)&t, (const double *)place, (const double *)w->c, (const double *)w->u, 0,
-                     (double *)(last ? w->f_new : w->K[stage]));
+    em_attempts found = {.settled = ~(em_truth){0}};
+    real argument[EM_FLOCK_STATE], weight[N_STATE], v[N];
+    for (int k = em_flock_moving(f); k < EM_FLOCK_STATE; ++k) w->y_new[k] = w->y[k];
+    EM_UNROLL
+    for (int stage = 1; stage < rk->stages; ++stage) {
+        const real t = *w->t + rk->c[stage] * *w->h;
+        em_flock_combine(em_flock_moving(f), rk->a[stage], stage, *w->h, w->y, w->K, argument);
+        em_flock_rate(f, w, &t, argument, w->K[stage]);
     }
+    em_flock_combine(em_flock_moving(f), rk->a[rk->stages], rk->stages, *w->h, w->y, w->K, w->y_new);
+    em_flock_weigh(f, w, weight);
+    em_flock_norm(f, w, weight);
+    em_flock_settle(f, w, v, &found.settled);
+    em_flock_rate(f, w, w->t_new, w->y_new, w->f_new);
     em_flock_judge(w, argument, weight);
-    *sound = em_flock_finite(w->y_new) & (em_flock_finite(w->f_new) | ~(*w->error < 1.0)) & (*w->error < INFINITY);
-    return moved;
+    found.moved = em_flock_moved(w, v, weight);
+    found.sound = em_flock_finite(w->y_new) & (em_flock_finite(w->f_new) | ~(*w->error < 1.0)) & (*w->error < INFINITY);
+    return found;
 }
 
 /* The size of the next step, as in em_step_size.h and em_step.h. */
@@ -136,17 +188,21 @@ EM_INLINE void em_flock_resize(em_lane_state *w, em_truth accepted) {
     *w->last_error = em_where(accepted, em_lane_max(error, em_real(-9.2)), *w->last_error);
 }
 
-/* -1 in lanes whose accepted step is looked at number by number: the short ones, at which a singularity may be near
+/* -1 in lanes whose accepted step is looked at number by number: the first, short ones at which a singularity may be near
  * (em_chart.h), and those at which the energy, a row or the end is due. */
 EM_INLINE em_truth em_flock_due(const em_flock *f, const em_lane_state *w) {
-    return (fabs(*w->h) < 0.25 * *w->longest) | (*w->longest == 0.0) | (*w->retries > 0.0) |
-           (*w->n_rhs + (double)EM_FLOCK_STAGES >= *w->next_look) | (f->direction * (*w->t_new - *w->t_look) >= 0.0);
+    em_truth brief = (fabs(*w->h) < EM_BRIEF * *w->longest) | (*w->retries > 0.0);
+#ifdef EM_PIVOTS
+    if (em_any(brief)) brief &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
+#endif
+    return brief | (*w->longest == 0.0) | (*w->n_rhs + (double)EM_FLOCK_STAGES >= *w->next_look) |
+           (f->direction * (*w->t_new - *w->t_look) >= 0.0);
 }
 
 /* -1 in lanes whose run goes on number by number, from its start: what a step made is not sound, or was moved far
  * (em_trust.h), or steps become too short, or too many. */
-EM_INLINE em_truth em_flock_lost(const em_flock *f, const em_lane_state *w, em_truth sound, em_truth small, real moved) {
-    return ~sound | (small & (moved > 10.0)) | (~small & (*w->h_next < em_flock_least(*w->t))) |
+EM_INLINE em_truth em_flock_lost(const em_flock *f, const em_lane_state *w, const em_attempts *found, em_truth small) {
+    return ~found->sound | (small & (found->moved > 10.0)) | (~small & (*w->h_next < em_flock_least(*w->t))) |
            (small & (*w->n_steps + 1.0 >= (double)f->task->max_steps));
 }
 
@@ -157,6 +213,7 @@ static void em_flock_commit(em_lane_state *w, em_truth tried, em_truth took) {
         w->y[k] = em_where(took, w->y_new[k], w->y[k]);
         w->K[0][k] = em_where(took, w->f_new[k], w->K[0][k]);
     }
+    for (int k = 0; k < EM_REMEMBERED; ++k) w->memory[k] = em_where(took, w->memory_new[k], w->memory[k]);
     *w->t = em_where(took, *w->t_new, *w->t);
     *w->longest = em_where(took, em_lane_max(*w->longest, fabs(*w->h)), *w->longest);
     *w->n_stiff += em_where(took, *w->stiff, none);
@@ -169,29 +226,31 @@ static void em_flock_commit(em_lane_state *w, em_truth tried, em_truth took) {
 
 /* One attempt at a step in every lane, and what follows from it. */
 static void em_flock_step(em_flock *f, em_lane_state *w) {
-    em_truth sound, stays = {0};
+    em_truth stays = {0};
     em_flock_aim(f, w);
-    const real moved = em_flock_attempt(f, w, &sound);
-    const em_truth small = sound & (*w->error < 1.0);
-    const em_truth due = em_flock_due(f, w);
+    const em_attempts found = em_flock_attempt(f, w);
+    const em_truth small = found.sound & (*w->error < 1.0);
+    const em_truth due = em_flock_due(f, w) | ~found.settled;
     em_flock_resize(w, small);
-    const em_truth lost = em_flock_lost(f, w, sound, small, moved);
+    const em_truth lost = em_flock_lost(f, w, &found, small);
     for (int lane = 0; lane < EM_LANES; ++lane) {
         if (!f->live[lane]) continue;
-        if (lost[lane]) f->look(f, lane, 1);
-        else if (!small[lane] || !(f->always || due[lane]) || f->look(f, lane, 0) == 0) stays[lane] = -1;
+        const em_landing landing = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
+        const int looks = landing == EM_LOST || (small[lane] && (f->always || due[lane]));
+        if (!looks || f->look(f, lane, landing) == 0) stays[lane] = -1;
     } /* where it does not stay, there is another member now, or none */
     em_flock_commit(w, stays, stays & small);
 }
 
-/* All members: f->look puts them into lanes. */
+/* As long as there are members, and no other flock is to go on first: f->look puts them into lanes. */
 static void em_flock_run(em_flock *f) {
     em_lane_state w = {
         (real *)f->y, (real *)f->y_new, (real *)f->f_new, (real *)f->c, (real *)f->u, (real (*)[EM_FLOCK_STATE])f->K,
         (real *)f->t, (real *)f->t_new, (real *)f->h, (real *)f->h_next, (real *)f->error, (real *)f->last_error,
         (real *)f->longest, (real *)f->n_steps, (real *)f->n_rejected, (real *)f->retries, (real *)f->n_rhs,
-        (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_judge, (real *)f->next_look, (real *)f->t_look};
-    for (unsigned attempt = 1; f->n_live > 0; ++attempt) {
+        (real *)f->stiff, (real *)f->n_stiff, (real *)f->next_judge, (real *)f->next_look, (real *)f->t_look,
+        (real *)f->memory, (real *)f->memory_new};
+    for (unsigned attempt = 1; f->n_live > 0 && !f->pauses; ++attempt) {
         em_flock_step(f, &w);
         if (attempt % EM_FLOCK_LOOKS == 0 && f->stopped(f)) return;
     }

@@ -15,76 +15,127 @@ static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
 }
 
 /* em_model.enter */
-static void *em_member_enter(em_run *run, em_flock *f, int lane) {
-    const int width = EM_MODEL_LANES.width;
+static void *em_member_enter(em_run *run, int *mode) {
     em_walk *const w = em_open(run);
     if (w == NULL) return NULL;
     if (w->ended || w->t == run->t_end || em_begin(w)) return em_close(w), NULL;
+    *mode = w->mode;
+    return w;
+}
+
+/* em_model.board */
+static void em_member_board(void *walk, em_flock *f, int lane) {
+    const em_walk *const w = walk;
+    const em_run *const run = w->run;
+    const int width = EM_MODEL_LANES.width;
+    const double steps = (double)run->n_steps;
     for (int k = 0; k < N_STATE; ++k) {
         EM_LANE(f->y, k) = w->y[k];
         EM_LANE(f->K, k) = w->K[0][k];
     }
     for (int k = 0; k < N_PREPARED; ++k) EM_LANE(f->c, k) = run->prepared[k];
     for (int k = 0; k < N_INPUTS; ++k) EM_LANE(f->u, k) = w->u[k];
+    for (int k = 0; k < EM_MODEL_LANES.remembered; ++k) EM_LANE(f->memory, k) = w->memory[k];
     f->t[lane] = w->t;
     f->h_next[lane] = w->h_next;
-    f->stiff[lane] = f->n_stiff[lane] = f->next_judge[lane] = 0.0;
-    f->last_error[lane] = f->longest[lane] = f->n_steps[lane] = f->n_rejected[lane] = f->retries[lane] = 0.0;
+    f->last_error[lane] = w->last_error;
+    f->longest[lane] = w->longest_step;
+    f->retries[lane] = 0.0;
+    f->n_steps[lane] = steps;
+    f->n_rejected[lane] = (double)run->n_rejected;
     f->n_rhs[lane] = (double)run->n_rhs;
+    f->stiff[lane] = w->stiff;
+    f->n_stiff[lane] = (double)run->n_stiff;
+    f->next_judge[lane] = EM_STIFF_EVERY * ceil(steps / EM_STIFF_EVERY);
     em_member_plan(w, f, lane);
-    return w;
 }
 
-/* The stages of the step under way, from the lane, and where it came to before it was settled. */
+/* The stages of the step under way, from the lane, and what the last was made at. */
 static void em_member_read_stages(em_walk *w, const em_flock *f, int lane) {
     enum { PADDED = (N_STATE + 3) / 4 * 4 };
     const em_tableau *const rk = &EM_DOP853_TABLEAU;
-    const int width = EM_MODEL_LANES.width;
+    const int width = EM_MODEL_LANES.width, last = rk->stages - 1;
     for (int stage = 1; stage < rk->stages; ++stage)
         for (int k = 0; k < N_STATE; ++k) w->K[stage][k] = EM_LANE(f->K, stage * PADDED + k);
-    em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
+    em_combine(rk->a[last], last, 0, w->h, w->y, w->K, w->argument);
 }
 
 /* Its ends, and what the run has done so far. */
 static void em_member_read(em_walk *w, const em_flock *f, int lane) {
+    em_run *const run = w->run;
     const int width = EM_MODEL_LANES.width;
+    const long steps = (long)f->n_steps[lane];
     for (int k = 0; k < N_STATE; ++k) {
         w->y[k] = EM_LANE(f->y, k);
         w->y_new[k] = EM_LANE(f->y_new, k);
         w->K[0][k] = EM_LANE(f->K, k);
         w->f_new[k] = EM_LANE(f->f_new, k);
     }
+    for (int k = 0; k < EM_MODEL_LANES.remembered; ++k) {
+        w->memory[k] = EM_LANE(f->memory, k);
+        w->memory_new[k] = EM_LANE(f->memory_new, k);
+    }
     w->t = f->t[lane];
     w->t_new = f->t_new[lane];
     w->h = f->h[lane];
+    w->h_next = f->h_next[lane];
     w->longest_step = f->longest[lane];
     w->retries = (int)f->retries[lane];
-    w->run->n_steps = (long)f->n_steps[lane];
-    w->run->n_rejected = (long)f->n_rejected[lane];
-    w->run->n_stiff = (long)f->n_stiff[lane];
+    run->n_bounded += w->mode == 1 ? steps - run->n_steps : 0;
+    run->n_steps = steps;
+    run->n_rejected = (long)f->n_rejected[lane];
+    run->n_stiff = (long)f->n_stiff[lane];
+    run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
     w->stiff = f->stiff[lane] > 0.0;
-    w->run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
-    w->size_norm = 1.0;
+    w->error_norm = w->size_norm = f->error[lane];
+    w->mode_new = w->mode;
     w->moved = SETTLES;
     em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);
 }
 
+/* What em_land does about a step that was settled. 0, or -1 */
+static int em_member_trusts(em_walk *w, const em_flock *f, int lane) {
+    if (N_EVENTS > 0 || em_needs_interpolant(w)) {
+        const em_tableau *const rk = &EM_DOP853_TABLEAU;
+        em_member_read_stages(w, f, lane);
+        em_combine(rk->a[rk->solution], rk->stages, 0, w->h, w->y, w->K, w->y_raw);
+    }
+    if (em_check_chart(w) || em_check_witness(w) || (N_EVENTS > 0 && em_watch(w))) return -1;
+    return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
+}
+
+/* em_land, of a step that the lane has left as it came out, and its result into the lane. 0, or -1 */
+static int em_member_lands(em_walk *w, em_flock *f, int lane) {
+    const int width = EM_MODEL_LANES.width, judged = w->run->n_steps % EM_STIFF_EVERY == 0;
+    if (N_EVENTS > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
+    w->end_rate = NULL;
+    --w->run->n_rhs; /* that of the lane was in vain */
+    if (em_land(w) || !(w->error_norm < 1.0)) return -1;
+    for (int k = 0; k < N_STATE; ++k) {
+        EM_LANE(f->y_new, k) = w->y_new[k];
+        EM_LANE(f->f_new, k) = w->f_new[k];
+    }
+    for (int k = 0; k < EM_MODEL_LANES.remembered; ++k) EM_LANE(f->memory_new, k) = w->memory_new[k];
+    f->stiff[lane] = w->stiff;
+    return 0;
+}
+
 /* em_model.look: what em_land and em_advance do about an accepted step. */
-static int em_member_look(void *walk, em_flock *f, int lane) {
+static int em_member_look(void *walk, em_flock *f, int lane, em_landing landing) {
     em_walk *const w = walk;
     int terminal = 0;
     em_member_read(w, f, lane);
-    if (N_EVENTS > 0 || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     double t_stop = w->t_new;
-    if (em_check_chart(w) || em_check_witness(w) || (N_EVENTS > 0 && em_watch(w))) return -1;
-    if (em_needs_interpolant(w) && w->scheme.interpolate(w)) return -1;
+    if (landing == EM_UNSETTLED ? em_member_lands(w, f, lane) : em_member_trusts(w, f, lane)) return -1;
     if (em_record(w, &t_stop, &terminal)) return -1;
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) w->run->fault.status = EM_TERMINAL_EVENT;
+    if (terminal || w->t == w->run->t_end) return 1;
+    if (w->mode != f->mode) return 2;
     em_member_plan(w, f, lane);
     f->n_rhs[lane] += (double)(w->run->n_rhs - (long)f->n_rhs[lane] - EM_DOP853_TABLEAU.stages); /* of the interpolant */
-    return terminal || w->t == w->run->t_end;
+    return 0;
 }
 
 #undef EM_LANE

@@ -42,6 +42,17 @@ EM_INLINE void em_force_on_eta(int n, const real *restrict C, const real *restri
     memcpy(f, a, sizeof a);
 }
 
+/* eta (n) <- as it turned with the rows of C, from what they were; those to first order in what they lacked of being
+ * orthonormal. */
+EM_INLINE void em_turn(int n, const real *restrict before, const real *restrict C, real *restrict eta) {
+    real v[n], back[n];
+    em_transposed_product(n, before, eta, v);
+    em_product(1, n, v, before, back);
+    for (int i = 0; i < n; ++i) eta[i] += 0.5 * (eta[i] - back[i]);
+    em_transposed_product(n, before, eta, v);
+    em_product(1, n, v, C, eta);
+}
+
 /* v <- C^T S^-1 eta (20), and on the way r = 1 / s and w = S^-1 eta. */
 EM_INLINE void em_velocity(int n, const real *restrict C, const real *restrict s, const real *restrict eta,
                            real *restrict r, real *restrict w, real *restrict v) {

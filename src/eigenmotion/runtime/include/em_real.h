@@ -61,6 +61,13 @@ EM_INLINE real em_where(em_truth condition, real yes, real no) {
     return (real)((condition & (em_truth)yes) | (~condition & (em_truth)no));
 }
 
+/* Whether it is so in any lane. */
+EM_INLINE int em_any(em_truth condition) {
+    long long any = 0;
+    for (int lane = 0; lane < EM_LANES; ++lane) any |= condition[lane];
+    return any != 0;
+}
+
 /* Some lane of a, for messages. */
 EM_INLINE double em_number(real a) { return a[0]; }
 

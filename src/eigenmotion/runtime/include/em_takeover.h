@@ -7,7 +7,7 @@
 #ifndef EM_TAKEOVER_H
 #define EM_TAKEOVER_H
 
-#include "em_eigenfactors.h"
+#include "em_quasivelocities.h"
 
 #define EM_NEAR 1.0
 #define EM_FAR 1.4
@@ -18,23 +18,24 @@
 
 enum { EM_LOOK = -1 }; /* it takes the time to the nearest crossing to tell */
 
-/* The least of a (n), which are numbers. */
-EM_INLINE double em_smallest(int n, const double *restrict a) {
-    double least = INFINITY;
-    for (int i = 0; i < n; ++i) least = a[i] < least ? a[i] : least;
+/* The least of a (n), none of which is NaN. */
+EM_INLINE real em_smallest(int n, const real *restrict a) {
+    real least = em_real(INFINITY);
+    for (int i = 0; i < n; ++i) least = em_where(a[i] < least, a[i], least);
     return least;
 }
 
 /* The smallest distance of two eigenvalues, relative to the larger. */
-EM_INLINE double em_gap(int n, const double *restrict s) {
-    double gap[n]; /* of each to those before */
-    for (int j = 0; j < n; ++j) gap[j] = INFINITY;
+EM_INLINE real em_gap(int n, const real *restrict s) {
+    real gap[n]; /* of each to those before */
+    for (int j = 0; j < n; ++j) gap[j] = em_real(INFINITY);
     for (int i = 0; i < n; ++i) {
         EM_ALONG
         for (int j = 0; j < n; ++j) {
-            const double larger = s[j] > s[i] ? s[j] : s[i], apart = fabs((s[i] - s[j]) * (s[i] + s[j]));
-            const double here = j < i ? apart / (larger * larger) : INFINITY;
-            gap[j] = here < gap[j] ? here : gap[j];
+            const real larger = em_where(s[j] > s[i], s[j], s[i]), apart = fabs((s[i] - s[j]) * (s[i] + s[j]));
+            real here = apart / (larger * larger);
+            if (j >= i) here = em_real(INFINITY);
+            gap[j] = em_where(here < gap[j], here, gap[j]);
         }
     }
     return em_smallest(n, gap);
@@ -42,17 +43,17 @@ EM_INLINE double em_gap(int n, const double *restrict s) {
 
 /* How far in time the nearest crossing is: with M(t + z) = M + z Mdot the eigenvalues i, j meet at a complex z of
  * size |l_i - l_j| / sqrt((mu_ii - mu_jj)^2 + 4 mu_ij^2). A step that is not well inside sees a spike in Omega. */
-EM_INLINE double em_time_to_crossing(int n, const double *restrict s, const double *restrict mu) {
-    double time[n], rate[n];
-    for (int j = 0; j < n; ++j) time[j] = INFINITY, rate[j] = mu[j * n + j];
+EM_INLINE real em_time_to_crossing(int n, const real *restrict s, const real *restrict mu) {
+    real time[n], rate[n];
+    for (int j = 0; j < n; ++j) time[j] = em_real(INFINITY), rate[j] = mu[j * n + j];
     for (int i = 0; i < n; ++i) {
         EM_ALONG
         for (int j = 0; j < n; ++j) {
-            const double apart = rate[i] - rate[j], across = 2.0 * mu[i * n + j];
-            const double speed = sqrt(apart * apart + across * across);
-            const double here = fabs((s[i] - s[j]) * (s[i] + s[j])) / (speed > DBL_MIN ? speed : DBL_MIN);
-            const double counts = j < i ? here : INFINITY;
-            time[j] = counts < time[j] ? counts : time[j];
+            const real apart = rate[i] - rate[j], across = 2.0 * mu[i * n + j];
+            const real speed = sqrt(apart * apart + across * across);
+            real here = fabs((s[i] - s[j]) * (s[i] + s[j])) / em_where(speed > DBL_MIN, speed, em_real(DBL_MIN));
+            if (j >= i) here = em_real(INFINITY);
+            time[j] = em_where(here < time[j], here, time[j]);
         }
     }
     return em_smallest(n, time);
@@ -72,8 +73,8 @@ EM_INLINE int em_mode_by_time(int mode, double gap, double time, double pace) {
 }
 
 /* eta <- the same velocities under the other root: L^T xdot where `triangular`, else S C xdot. */
-EM_INLINE void em_change_root(int n, int triangular, const double *restrict C, const double *restrict s,
-                              const double *restrict L, const double *restrict r, double *restrict eta) {
+EM_INLINE void em_change_root(int n, int triangular, const real *restrict C, const real *restrict s,
+                              const real *restrict L, const real *restrict r, real *restrict eta) {
     if (triangular) {
         em_velocity_of_eta(n, C, s, eta);
         em_transposed(n, L, eta);

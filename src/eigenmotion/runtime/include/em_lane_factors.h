@@ -1,0 +1,52 @@
+/* em_lane_factors.h: C and s of runs side by side: after a step that all lanes have taken. Where one needs sweeps, or
+ * another root of M, this says so: that lane's run is settled number by number (em_blocks.h). */
+#ifndef EM_LANE_FACTORS_H
+#define EM_LANE_FACTORS_H
+
+#include "em_refine.h"
+#include "em_takeover.h"
+
+EM_INLINE real em_lane_max(real a, real b) { return em_where(a > b, a, b); }
+EM_INLINE real em_lane_min(real a, real b) { return em_where(a < b, a, b); }
+
+/* C, s <- eigenfactors of M (n, n), near the C given; eta (NULL: another root's) turns with C. Returns -1 in lanes that
+ * have them, and whose eigenvalues leave no doubt that M is positive definite. */
+EM_INLINE em_truth em_refresh(int n, const real *restrict M, real *restrict C, real *restrict s, real *restrict eta) {
+    real before[n * n];
+    if (eta) em_copy(n * n, C, before);
+    const em_truth found = em_refine(n, M, C, s);
+    if (eta) em_turn(n, before, C, eta);
+    real least = s[0], largest = s[0];
+    for (int i = 0; i < n; ++i) {
+        least = em_lane_min(s[i], least);
+        largest = em_lane_max(s[i], largest);
+        s[i] = sqrt(s[i]);
+    }
+    return found & (least > 10.0 * EM_SINGULAR_PIVOT * largest);
+}
+
+/* The time to the nearest crossing of eigenvalues, as M (n, n) changes by Mdot. */
+EM_INLINE real em_time_on_lanes(int n, const real *restrict C, const real *restrict s, const real *restrict Mdot) {
+    real mu[n * n];
+    em_congruence(n, C, Mdot, mu);
+    return em_time_to_crossing(n, s, mu);
+}
+
+/* -1 in lanes whose runs stay in the mode (em_mode_by_gaps, em_mode_by_time). */
+EM_INLINE em_truth em_keeps_mode(int mode, real gap, real time, real pace) {
+    const em_truth apart = gap > EM_APART;
+    if (mode) return ~apart & ((gap < EM_CLOSE) | (time < EM_FAR * fabs(pace)));
+    return apart | ~(time < EM_NEAR * fabs(pace));
+}
+
+/* D (n) of M = L D L^T, and the diagonal of M; NaN where that is not positive definite. */
+EM_INLINE void em_pivots(int n, const real *restrict M, real *restrict pivots, real *restrict diagonal) {
+    real L[n * n], r[n];
+    em_cholesky(n, M, L, r, 0.0);
+    for (int k = 0; k < n; ++k) {
+        pivots[k] = L[k * n + k] * L[k * n + k];
+        diagonal[k] = M[k * n + k];
+    }
+}
+
+#endif
