@@ -36,8 +36,8 @@ def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Different
     """
     if isinstance(asked, str) or not isinstance(asked, Sequence):
         raise OptionError(f"sensitivities is {shown(asked)}: give a list of names")
-    names = tuple(dict.fromkeys(_name(one) for one in asked))
     known = names_of(c)
+    names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else _name(one) for one in asked))
     if wrong := set(names) - set(known):
         raise ModelError(unknown("name in sensitivities", wrong, known))
     quasi = [name for name in names if name in c.quasi_velocities]

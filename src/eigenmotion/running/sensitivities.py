@@ -118,7 +118,7 @@ def sensitivity(task: Task, solution: Solution, asked: Directions, method: Metho
     rows = found[path.of_rows]
     times = [[shifts[marks, column] for marks in path.of_events] for column in range(len(asked.names))]
     return {
-        name: Sensitivity(rows[:, :n, k].T, rows[:, n:, k].T, times[k] if task.model.events else None)
+        name: Sensitivity.of(rows[:, :n, k].T, rows[:, n:, k].T, times[k] if task.model.events else None)
         for k, name in enumerate(asked.names)
     }
 
