@@ -1,5 +1,6 @@
 """Derivatives of whole motions, against closed forms, differences of runs, and through jumps of forces."""
 
+import mpmath
 import numpy as np
 import pytest
 from sympy import Piecewise, symbols
@@ -10,6 +11,8 @@ from eigenmotion import ModelError
 from eigenmotion.runtime.variations import constraint_partials
 
 from .generation import system_for, system_of
+from .models_table import BY_NAME
+from .oracles import Lagrange
 
 TIGHT = {"rtol": 1e-11, "atol": 1e-13}
 
@@ -173,3 +176,53 @@ def test_members_without_sensitivities_say_why():
 def test_mistakes_of_ensembles(wrong):
     with pytest.raises(ModelError, match="sensitivities"):
         em.simulate_ensemble(system_for(oscillator(), "lagrange"), (0, 1), x0={"x": [1, 2]}, **wrong)
+
+
+def extrapolated(rate, z, end, steps, levels):
+    """z (2 n,) at `end` by the midpoint rule in 2, 4, ... parts of equal steps, extrapolated: of order 2 `levels`."""
+    H = mpmath.mpf(end) / steps
+    for step in range(steps):
+        first, table = rate(step * H, z), []
+        for level in range(1, levels + 1):
+            h, count = H / (2 * level), 2 * level
+            before, here = z, [a + h * f for a, f in zip(z, first, strict=True)]
+            for k in range(1, count):
+                slopes = rate(step * H + k * h, here)
+                before, here = here, [a + 2 * h * f for a, f in zip(before, slopes, strict=True)]
+            slopes = rate((step + 1) * H, here)
+            row = [[(a + b + h * f) / 2 for a, b, f in zip(before, here, slopes, strict=True)]]
+            for k, other in enumerate(table[-1] if table else []):
+                part = (mpmath.mpf(level) / (level - k - 1)) ** 2 - 1
+                row.append([a + (a - b) / part for a, b in zip(row[k], other, strict=True)])
+            table.append(row)
+        z = table[-1][-1]
+    return z
+
+
+@pytest.mark.nightly
+def test_thirty_digits():
+    """The paper's ten seconds at 1e-9, against motions in arithmetic of 34 digits by SymPy's equations."""
+    by, end = ["K1", "theta1"], 10.0
+    runs = [system_of("dual_link", formulation).simulate((0.0, end), t_eval=[0.0, end], sensitivities=by, method=method,
+                                                         rtol=1e-9, atol=1e-9)
+            for formulation in ("eigenfactor", "lagrange") for method in ("dop853", "ra15")]  # fmt: skip
+    system, oracle = system_of("dual_link"), Lagrange(BY_NAME["dual_link"].model(), "arbitrary")
+    n, (x, v) = system.n, system.start()
+    with mpmath.workdps(34):
+        h = mpmath.mpf(10) ** -9
+
+        def moved(name, change):
+            given = {key: mpmath.mpf(value) for key, value in system.parameters.items()}
+            start = runs[0].sensitivity[name]
+            directions = np.concatenate([start.dx[:, 0], start.dv[:, 0]])
+            z = [mpmath.mpf(a) + change * mpmath.mpf(b) for a, b in zip([*x, *v], directions, strict=True)]
+            if name in given:
+                given[name] += change
+            return extrapolated(lambda t, z: [*z[n:], *oracle(z[:n], z[n:], t, given, {})[0]], z, end, 40, 8)
+
+        for name in by:
+            ends = zip(moved(name, h), moved(name, -h), strict=True)
+            right = np.array([float((a - b) / (2 * h)) for a, b in ends])
+            for run in runs:
+                found = np.concatenate([run.sensitivity[name].dx[:, 1], run.sensitivity[name].dv[:, 1]])
+                assert np.abs(found - right).max() < 1e-8 * np.abs(right).max()

@@ -178,7 +178,7 @@ class Ensemble:
     def sensitivity(self) -> dict[str, Sensitivity]:
         """Name -> dx, dv (K, n, nt); NaN where a run did not come, or has none."""
         n, S = self._model.n, np.moveaxis(self._found.S, 1, 2)
-        return {name: Sensitivity(S[:, :n, :, k], S[:, n:, :, k], None) for k, name in enumerate(self._differentiated)}
+        return {name: Sensitivity(S[:, :n, :, k], S[:, n:, :, k]) for k, name in enumerate(self._differentiated)}
 
     @property
     def _differentiated(self) -> tuple[str, ...]:
@@ -269,7 +269,7 @@ class Ensemble:
         n, S, pieces = self._model.n, self._found.S[k][there].T, self._event_pieces(k)
         shifts = [self._found.dt_events[piece].T for piece in pieces]
         return {
-            name: Sensitivity(S[i, :n], S[i, n:], [shift[i] for shift in shifts] if pieces else None)
+            name: Sensitivity.of(S[i, :n], S[i, n:], [shift[i] for shift in shifts] if pieces else None)
             for i, name in enumerate(self._differentiated)
         }
 

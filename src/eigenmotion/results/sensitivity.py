@@ -5,7 +5,12 @@ from typing import NamedTuple
 from ..arguments.names import Vector
 
 
-class Sensitivity(NamedTuple):
+class _Rows(NamedTuple):
+    dx: Vector
+    dv: Vector
+
+
+class Sensitivity(_Rows):
     """How a run changes with one number p; an ensemble has these with the K runs first, and no dt_events.
 
     dx, dv : (n, k), d x / d p and d xdot / d p at its rows, at fixed time: of rows at an event that acts, those of the
@@ -14,6 +19,11 @@ class Sensitivity(NamedTuple):
         the place of an event changes
     """
 
-    dx: Vector
-    dv: Vector
-    dt_events: list[Vector] | None
+    dt_events: list[Vector] | None = None
+
+    @classmethod
+    def of(cls, dx: Vector, dv: Vector, dt_events: list[Vector] | None) -> "Sensitivity":
+        """Return one; unpacked, it is dx and dv."""
+        made = cls(dx, dv)
+        made.dt_events = dt_events
+        return made

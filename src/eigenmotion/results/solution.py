@@ -93,7 +93,7 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     n_bounded : steps accepted that did not run the published equations
     n_stiff : about how many stability kept short, and not their error; where most were, `message` says so
     error_estimate, error_cost : an ErrorEstimate and an ErrorCost with estimate_error, else None
-    sensitivity : name -> (dx, dv), each (n, k), of what `sensitivities` asked for
+    sensitivity : name -> dx, dv (n, k) and dt_events, of what `sensitivities` asked for
     method : the name of the one that ran
     stop, status, success, message : a StopReason; -1 failed, 0 finished, 1 terminal event; what to do
 

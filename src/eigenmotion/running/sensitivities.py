@@ -10,13 +10,19 @@ from ..arguments.options import OptionError, Task
 from ..codegen.model.normalise import ModelError
 from ..results.sensitivity import Sensitivity
 from ..results.solution import Solution
-from ..runtime import EvaluationError
+from ..runtime import EvaluationError, StopReason
 from ..runtime.variations import quasi_partials, tangent, vary
+from .mesh import A2, NODES, PLACE, A, Mesh, mesh_of, weights
 from .methods import Method
 from .path import Path, path_of
 
-_LOOSEST = 1e-6
-"""Relative tolerance of sensitivities where that of the run is larger."""
+TOGETHER = {"ra15": 1, "radau5": 1, "radau9": 1, "dop853": 3}
+"""How many steps of a run make one of the equations of variation, whose polynomials are of higher degree."""
+_WORTH = 1e3
+"""By how much, in relative tolerances of a run, the rate of its motion may be off what these equations make of it."""
+_JUMP = 1e-3
+"""By how much it is where a force has jumped."""
+_HALVINGS = 6
 
 
 class Directions(NamedTuple):
@@ -70,7 +76,8 @@ def directions(asked: Differentiated, task: Task) -> Directions:
     v = c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
     z = np.concatenate([task.y[: c.n], v, np.ones(len(c.quasi_velocities)), task.inputs.at(task.t_start),
                         task.prepared.parameters])  # fmt: skip
-    sizes = np.abs(z[[names_of(c).index(name) for name in names]])
+    known = names_of(c)
+    sizes = np.abs(z[[known.index(name) for name in names]])
     return Directions(names, S, P, np.where(sizes > 0.0, sizes, 1.0))
 
 
@@ -93,8 +100,8 @@ def _quasi(task: Task, names: tuple[str, ...], S: Vector, P: Vector) -> None:
     S[c.n :, free] = -np.linalg.solve(D[:, c.n : 2 * c.n], moved[:, free])
 
 
-def sensitivity(task: Task, solution: Solution, asked: Directions) -> dict[str, Sensitivity]:
-    """Return name -> derivatives of all rows of a run.
+def sensitivity(task: Task, solution: Solution, asked: Directions, method: Method) -> dict[str, Sensitivity]:
+    """Return name -> derivatives of all rows of a run that has kept its dense output.
 
     Raises
     ------
@@ -103,7 +110,7 @@ def sensitivity(task: Task, solution: Solution, asked: Directions) -> dict[str, 
         once, or one that only touches zero.
     """
     n, path = task.model.n, path_of(task, solution)
-    found, shifts, fault = _varied(task, asked, path)
+    found, shifts, fault = _varied(task, solution, asked, path, TOGETHER.get(method.name, 3))
     if fault is not None and solution.success:  # else the run has ended for a reason of its own, and says it
         remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
                   "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
@@ -111,26 +118,67 @@ def sensitivity(task: Task, solution: Solution, asked: Directions) -> dict[str, 
     rows = found[path.of_rows]
     times = [[shifts[marks, column] for marks in path.of_events] for column in range(len(asked.names))]
     return {
-        name: Sensitivity(rows[:, :n, k].T, rows[:, n:, k].T, times[k] if task.model.events else None)
+        name: Sensitivity.of(rows[:, :n, k].T, rows[:, n:, k].T, times[k] if task.model.events else None)
         for k, name in enumerate(asked.names)
     }
 
 
-def _varied(task: Task, asked: Directions, path: Path) -> tuple[Vector, Vector, EvaluationError | None]:
+def _varied(
+    task: Task, solution: Solution, asked: Directions, path: Path, together: int
+) -> tuple[Vector, Vector, EvaluationError | None]:
     """Return directions (k, 2 n, columns) at all nodes, changes (marks, columns) of event times, and why they end.
 
     They are NaN from there on.
     """
     c, n, columns = task.model, task.model.n, len(asked.names)
-    prepared, t, z = path.prepared, path.t, path.z
-    nothing = np.full((len(t), 2 * n, columns), np.nan), np.full((len(path.mark_row), columns), np.nan)
+    found = np.full((len(path.t), 2 * n, columns), np.nan)
     try:
-        S = tangent(c, t[0], z[0, :n], z[0, n:], prepared, task.least_norm, asked.S, asked.P)
+        S = tangent(c, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, task.least_norm, asked.S, asked.P)
     except EvaluationError as error:
-        return *nothing, error
-    rtol = min(max(task.rtol, 1e-14), _LOOSEST)
-    found, shifts, fault, _, _ = vary(
-        c, prepared, task.inputs.compiled, t, z, path.mark_row, path.mark_event, S, asked.P, asked.sizes, rtol,
-        task.atol, task.max_steps, task.stabilise, task.least_norm,
-    )  # fmt: skip
+        return found, np.full((len(path.mark_row), columns), np.nan), error
+    sol = solution.get("sol")
+    kinks = np.array(task.inputs.kinks(*sorted((task.t_start, task.t_end))), dtype=float)
+    mesh = mesh_of(path, sol.ts if sol is not None else np.empty(0), kinks, together)
+    marks = np.searchsorted(mesh.stops, path.mark_row), path.mark_event
+    sign = 1.0 if task.t_end >= task.t_start else -1.0
+    limit = min(max(_WORTH * task.rtol, 1e-9), 1e-4)
+
+    def state(t: Vector) -> Vector:
+        y = np.ascontiguousarray(sol(np.clip(t, sol.t_min, sol.t_max)).T)
+        return np.hstack([y[:, :n], c.velocity_rows(t, y, task.prepared)])
+
+    for halving in range(_HALVINGS + 1):
+        nodes = mesh.at_nodes(state) if len(mesh.start) else np.empty((0, NODES, 2 * n))
+        stops = path.t[mesh.stops], path.z[mesh.stops], mesh.steps_after
+        at_stops, shifts, at_steps, K, apart, fault = vary(
+            c, path.prepared, task.inputs.compiled, sign, stops, (mesh.start, mesh.end, nodes), marks, (PLACE, A, A2),
+            S, asked.P, task.stabilise, task.least_norm,
+        )  # fmt: skip
+        off = ~(apart <= limit) & ~np.isnan(apart)
+        if not off.any() or halving == _HALVINGS:
+            break
+        mesh = mesh.halved(off)
+    if len(mesh.stops) < len(path.t):
+        found[:] = _within(path.t, mesh, at_steps, K)
+    found[mesh.stops] = at_stops
+    if (apart > _JUMP).any():
+        first = int(np.argmax(apart > _JUMP))
+        found[sign * path.t > sign * mesh.start[first]] = np.nan
+        words = f"{c.name}: a force jumps at about t = {mesh.end[first]:.9g}"
+        fault = EvaluationError(words, StopReason.NON_FINITE_STATE)
     return found, shifts, fault
+
+
+def _within(t: Vector, mesh: Mesh, S: Vector, K: Vector) -> Vector:
+    """Return directions (k, 2 n, columns) at times within steps that begin with S, by their polynomials."""
+    n = S.shape[1] // 2
+    if not len(S):
+        return np.full((len(t), *S.shape[1:]), np.nan)
+    sign = 1.0 if mesh.end[-1] >= mesh.start[0] else -1.0
+    step = np.clip(np.searchsorted(sign * mesh.start, sign * t, "right") - 1, 0, len(S) - 1)
+    h = (mesh.end - mesh.start)[step]
+    x = np.clip((t - mesh.start[step]) / h, 0.0, 1.0)
+    once, twice = weights(x)
+    v = S[step, n:] + h[:, None, None] * np.einsum("kj,kjic->kic", once, K[step])
+    moved = (x * h)[:, None, None] * S[step, n:] + (h**2)[:, None, None] * np.einsum("kj,kjic->kic", twice, K[step])
+    return np.concatenate([S[step, :n] + moved, v], axis=1)

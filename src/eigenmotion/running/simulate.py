@@ -147,6 +147,7 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", 
     if sensitivities is not None:
         check_method(chosen)
         asked = directions(differentiated(task.model, sensitivities, v0), task)
+        dense, task = task.dense, task._replace(dense=True)
     if estimate_error is False:
         solution = run_task(task, chosen)
     else:
@@ -155,7 +156,8 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", 
     if why:
         solution["message"] += why
     if asked is not None:
-        solution["sensitivity"] = sensitivity(task, solution, asked)
+        solution["sensitivity"] = sensitivity(task, solution, asked, chosen)
+        solution["sol"] = solution["sol"] if dense else None
     return solution
 
 

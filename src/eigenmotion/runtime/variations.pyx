@@ -16,6 +16,8 @@ from .faults import EvaluationError, StopReason, explain
 
 
 cdef extern from "em_variations.h" nogil:
+    const int EM_VARIATION_NODES
+
     ctypedef struct em_variations:
         const em_model *model
         const double *c
@@ -24,33 +26,40 @@ cdef extern from "em_variations.h" nogil:
         int least_norm
         int stabilise
         int n_given
-        double rtol
-        const double *atol
-        const double *size
-        long max_steps
-        size_t n_rows
+        double direction
+        size_t n_stops
         size_t n_marks
+        size_t n_steps
         const double *t
         const double *z
         const double *P
-        const long *mark_row
+        const long *steps
+        const long *mark_stop
         const int *mark_event
+        # "from" is a word of Python's
+        const double *start "from"
+        const double *to
+        const double *nodes
+        const double *place
+        const double *A
+        const double *A2
         double *S
         double *dt
+        double *S_from
+        double *K
+        double *apart
         int (*poll)(void *) noexcept nogil
         void *poll_argument
         em_fault fault
         int why
         double t_reached
-        long n_rhs
-        long n_steps
 
     int em_vary(em_variations *)
 
 
 _REASONS = tuple(StopReason)
 _ENDS = (
-    "", "a force jumps", "{} and {} act at once, and which of them is first depends on what is varied",
+    "", "{} and {} act at once, and which of them is first depends on what is varied",
     "{} only touches zero, so that whether it happens depends on what is varied",
     "the directions went through other events than the run",
 )  # of em_variation_steps.h
@@ -152,50 +161,60 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
     return made.array
 
 
-def vary(PointModel model not None, Prepared c not None, tuple inputs, t, z, mark_row, mark_event, S, P, size,
-         double rtol, atol, long max_steps, bint stabilise, bint least_norm):
-    """S (k, 2 n, columns) at the rows t (k,), z (k, 2 n), from S (2 n, columns) at the first, and dt (marks, columns),
-    how the times of events change: events mark_event happen at rows mark_row; where some act, the next row is what they
-    make of that one. NaN where a pass did not get; and what ended it, None where nothing did; steps, evaluations."""
+def vary(PointModel model not None, Prepared c not None, tuple inputs, double direction, stops, steps, marks, nodes, S, P,
+         bint stabilise, bint least_norm):
+    """How directions S (2 n, columns) at the first of `stops` go along a motion (em_variation_steps.h).
+
+    stops : t (stops,), z (stops, 2 n), how many steps follow each (stops,); steps : from, to (steps,), z at their nodes
+    (steps, nodes, 2 n); marks : stop, event (marks,); nodes : place (nodes,), A, A^2 (nodes, nodes)
+
+    Returns S (stops, 2 n, columns), dt (marks, columns), and of the steps S (steps, 2 n, columns) where they begin, K (steps,
+    nodes, n, columns) and how far the witness is off (steps,); NaN where a pass did not get; and what ended it, or None.
+    """
     cdef em_variations pass_
-    cdef Py_ssize_t k = len(t), j
+    cdef Py_ssize_t k = len(stops[0]), made = len(steps[0]), happened = len(marks[0]), n = model.n, nodes_of = EM_VARIATION_NODES, j
     cdef int columns = S.shape[1], status
-    cdef Numbers T = given(t, (k,), "t"), Z = given(z, (k, 2 * model.n), "z")
-    cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
-    cdef Numbers made = given(np.full((k, 2 * model.n, columns), np.nan), (k, 2 * model.n, columns), "S")
-    cdef Numbers sizes = given(size, (columns,), "size"), absolute = given(atol, (model.n,), "atol")
-    cdef Py_ssize_t marks = len(mark_row)
-    cdef long[::1] at = np.append(mark_row, -1).astype(np.int_)
-    cdef int[::1] happens = np.append(mark_event, -1).astype(np.intc)
-    cdef Numbers shifts = given(np.full((marks, columns), np.nan), (marks, columns), "dt")
+    cdef Numbers T = given(stops[0], (k,), "t"), Z = given(stops[1], (k, 2 * n), "z")
+    cdef Numbers start = given(steps[0], (made,), "from"), to = given(steps[1], (made,), "to")
+    cdef Numbers within = given(steps[2], (made, nodes_of, 2 * n), "nodes")
+    cdef Numbers place = given(nodes[0], (nodes_of,), "place")
+    cdef Numbers A = given(nodes[1], (nodes_of, nodes_of), "A"), A2 = given(nodes[2], (nodes_of, nodes_of), "A2")
+    cdef Numbers rest = given(P, (model.n_arguments - 2 * n, columns), "P")
+    cdef Numbers at_stops = _unknown(k, 2 * n, columns), shifts = _unknown(happened, columns)
+    cdef Numbers at_steps = _unknown(made, 2 * n, columns), K = _unknown(made, nodes_of, n, columns), apart = _unknown(made)
+    cdef long[::1] follow = np.append(stops[2], 0).astype(np.int_), at = np.append(marks[0], -1).astype(np.int_)
+    cdef int[::1] happens = np.append(marks[1], -1).astype(np.intc)
     cdef em_signal *signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
     cdef list held = []
     if signals == NULL:
         raise MemoryError
-    made.array[0] = S
+    at_stops.array[0] = S
     try:
         for j, (kind, times, values) in enumerate(inputs):
             held.append((given(times, (len(times),), "times"), given(values, (len(values),), "values")))
             signals[j].kind, signals[j].count = <em_signal_kind> (<int> kind), len(times)
             signals[j].times, signals[j].values = (<Numbers> held[j][0]).data, (<Numbers> held[j][1]).data
         pass_.model, pass_.c, pass_.inputs, pass_.columns = model.model, c.c, signals, columns
-        pass_.least_norm, pass_.stabilise, pass_.rtol, pass_.n_rows = least_norm, stabilise, rtol, k
-        pass_.atol, pass_.size, pass_.max_steps = absolute.data, sizes.data, max_steps
-        pass_.n_given = model.n_arguments - 2 * model.n
-        pass_.t, pass_.z, pass_.P, pass_.S = T.data, Z.data, rest.data, made.data
-        pass_.n_marks, pass_.mark_row, pass_.mark_event, pass_.dt = marks, &at[0], &happens[0], shifts.data
-        pass_.poll, pass_.poll_argument, pass_.n_rhs, pass_.n_steps = poll, NULL, 0, 0
-        pass_.t_reached = T.data[0]
+        pass_.least_norm, pass_.stabilise, pass_.direction = least_norm, stabilise, direction
+        pass_.n_given = model.n_arguments - 2 * n
+        pass_.n_stops, pass_.t, pass_.z, pass_.steps = k, T.data, Z.data, &follow[0]
+        pass_.n_steps, pass_.start, pass_.to, pass_.nodes = made, start.data, to.data, within.data
+        pass_.n_marks, pass_.mark_stop, pass_.mark_event, pass_.dt = happened, &at[0], &happens[0], shifts.data
+        pass_.place, pass_.A, pass_.A2, pass_.P = place.data, A.data, A2.data, rest.data
+        pass_.S, pass_.S_from, pass_.K, pass_.apart = at_stops.data, at_steps.data, K.data, apart.data
+        pass_.poll, pass_.poll_argument, pass_.t_reached = poll, NULL, T.data[0]
         with nogil:
             status = em_vary(&pass_)
     finally:
         free(signals)
-    if status == 0:
-        return made.array, shifts.array, None, pass_.n_steps, pass_.n_rhs
-    if _REASONS[<int> pass_.fault.status] is StopReason.INTERRUPTED:
+    if status != 0 and _REASONS[<int> pass_.fault.status] is StopReason.INTERRUPTED:
         raise KeyboardInterrupt
-    said = model.failure(&pass_.fault)
-    if pass_.why:
+    said = None if status == 0 else model.failure(&pass_.fault)
+    if status != 0 and pass_.why:
         words = _ENDS[pass_.why].format(*(repr(model.events[k]) for k in (pass_.fault.first, pass_.fault.second) if k >= 0))
         said = EvaluationError(f"{model.name}: {words} at about t = {pass_.t_reached:.9g}", StopReason.NON_FINITE_STATE)
-    return made.array, shifts.array, said, pass_.n_steps, pass_.n_rhs
+    return at_stops.array, shifts.array, at_steps.array, K.array, apart.array, said
+
+
+def _unknown(*shape):
+    return given(np.full(shape, np.nan), shape, "unknown")

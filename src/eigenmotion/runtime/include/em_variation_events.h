@@ -11,7 +11,7 @@
 
 #include "em_variation_steps.h"
 
-#define EM_BESIDE 1e-9 /* of the length of a step: how far beside an event both sides are looked at */
+#define EM_BESIDE 1e-9 /* of the time between stops: how far beside an event both sides are looked at */
 #define EM_SAME_RATE 1e-6 /* relative: rates on one side of a jump, at it and beside it */
 #define EM_SAME_STATE 1e-8 /* relative: what events made of a state in the run, and in the pass */
 
@@ -25,16 +25,27 @@ static int em_is_same_rate(int n, const double *a, const double *b) {
     return apart <= EM_SAME_RATE * size;
 }
 
-/* rate (2 n) <- (v, a) at y, or, where that is on the other side of a jump, beside it. */
+/* rate (2 n) <- (v, a) at z, or, where that is on the other side of a jump, beside it. */
 static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
     const int n = p->n;
-    double *const there = p->next, *const near = p->K[3];
-    if (em_variation_rate(p, t, p->y, p->K[0])) return -1;
-    memcpy(rate, p->K[0], 2 * n * sizeof *rate);
-    memcpy(there, p->y, p->size * sizeof *there);
-    for (int i = 0; i < 2 * n; ++i) there[i] += ahead * p->K[0][i];
-    if (em_variation_rate(p, t + ahead, there, near)) return -1;
+    double there[2 * n], near[2 * n];
+    if (em_motion_rate(p, t, p->z, rate)) return -1;
+    for (int i = 0; i < 2 * n; ++i) there[i] = p->z[i] + ahead * rate[i];
+    if (em_motion_rate(p, t + ahead, there, near)) return -1;
     if (!em_is_same_rate(n, rate, near)) memcpy(rate, near, 2 * n * sizeof *rate);
+    em_pass_inputs(p, t);
+    return 0;
+}
+
+/* S <- `ahead` of t, by their rates: beyond an event, or to it. */
+static int em_move_beside(em_pass *p, double t, double ahead) {
+    em_variations *const w = p->of;
+    const int n = p->n, block = n * p->columns;
+    em_pass_inputs(p, t);
+    if (w->model->motion_along(t, p->z, p->z + n, p->c, p->u, w->least_norm, p->columns, p->S, p->P, p->a, p->lambda,
+                               p->W, &w->fault)) return -1;
+    em_add_to(block, ahead, p->S + block, p->S);
+    em_add_to(block, ahead, p->W, p->S + block);
     return 0;
 }
 
@@ -42,13 +53,13 @@ static int em_rate_on_side(em_pass *p, double t, double ahead, double *rate) {
 static void em_event_shift(em_pass *p, double t, int event, const double *rate, double *dt) {
     const int n = p->n, k = p->columns, width = p->of->model->n_arguments;
     double G[width * p->of->model->n_events], gdot = 0.0;
-    p->of->model->event_partials(t, p->y, p->y + n, p->c, p->u, G);
+    p->of->model->event_partials(t, p->z, p->z + n, p->c, p->u, G);
     const double *const g = G + event * width;
     for (int i = 0; i < 2 * n; ++i) gdot += g[i] * rate[i];
     for (int i = 0; i < p->of->n_given; ++i) gdot += g[2 * n + i] * p->P[i * k + k - 1];
     for (int column = 0; column < k; ++column) {
         double change = 0.0;
-        for (int i = 0; i < 2 * n; ++i) change += g[i] * p->y[2 * n + i * k + column];
+        for (int i = 0; i < 2 * n; ++i) change += g[i] * p->S[i * k + column];
         for (int i = 0; i < p->of->n_given; ++i) change += g[2 * n + i] * p->P[i * k + column];
         dt[column] = -change / gdot;
     }
@@ -57,11 +68,11 @@ static void em_event_shift(em_pass *p, double t, int event, const double *rate, 
 /* Where accelerations jump, directions do. */
 static int em_variation_jump(em_pass *p, double t, const double *before, const double *dt, double beside) {
     const int n = p->n, k = p->columns;
-    double *const after = p->K[2];
+    double after[2 * n];
     if (em_rate_on_side(p, t, beside, after)) return -1;
     if (em_is_same_rate(n, before, after)) return 0;
     for (int column = 0; column + 1 < k; ++column)
-        for (int i = n; i < 2 * n; ++i) p->y[2 * n + i * k + column] += (before[i] - after[i]) * dt[column];
+        for (int i = n; i < 2 * n; ++i) p->S[i * k + column] += (before[i] - after[i]) * dt[column];
     return 0;
 }
 
@@ -82,38 +93,38 @@ static int em_is_same_state(int n, const double *y, const double *z, const doubl
     return apart[0] <= EM_SAME_STATE * size[0] && apart[1] <= EM_SAME_STATE * size[1];
 }
 
-/* At t events act: y and the mode after them, which the run says is z, and the directions. */
-static int em_variation_act(em_pass *p, double t, int *fired, const double *before, const double *dt, const double *z,
-                            double beside) {
+/* At t events act: z and the mode after them, of which the run says it is `next`, and the directions. */
+static int em_variation_act(em_pass *p, double t, int *fired, const double *before, const double *dt,
+                            const double *next, double beside) {
     em_variations *const w = p->of;
     const int n = p->n, k = p->columns;
-    double P[w->n_given * k], *const after = p->K[2], v[n];
-    memcpy(v, p->y + n, sizeof v);
+    double P[w->n_given * k], after[2 * n], v[n];
+    memcpy(v, p->z + n, sizeof v);
     for (int i = 0; i < w->n_given; ++i)
         for (int j = 0; j < k; ++j) P[i * k + j] = p->P[i * k + j] + p->P[i * k + k - 1] * dt[j];
     for (int i = 0; i < 2 * n; ++i)
-        for (int j = 0; j < k; ++j) p->y[2 * n + i * k + j] += before[i] * dt[j];
-    if (w->model->act_along(t, p->y, p->y + n, p->c, p->u, w->least_norm, fired, p->pile, k, p->y + 2 * n, P, &w->fault))
+        for (int j = 0; j < k; ++j) p->S[i * k + j] += before[i] * dt[j];
+    if (w->model->act_along(t, p->z, p->z + n, p->c, p->u, w->least_norm, fired, p->pile, k, p->S, P, &w->fault))
         return -1;
-    if (!em_is_same_state(n, p->y, z, v, fabs(beside) / EM_BESIDE)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
-    memcpy(p->y, z, 2 * n * sizeof *z);
+    if (!em_is_same_state(n, p->z, next, v, fabs(beside) / EM_BESIDE)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
+    memcpy(p->z, next, 2 * n * sizeof *next);
     if (em_rate_on_side(p, t, beside, after)) return -1;
     for (int i = 0; i < 2 * n; ++i)
-        for (int j = 0; j < k; ++j) p->y[2 * n + i * k + j] -= after[i] * dt[j];
+        for (int j = 0; j < k; ++j) p->S[i * k + j] -= after[i] * dt[j];
     return 0;
 }
 
-/* The marks from `mark` on that are at `row`: dt, directions and, where some act, y and the mode of the next row. Returns
- * how many events act, or -1. */
-static int em_variation_marks(em_pass *p, size_t row, size_t *mark, double beside) {
+/* The marks from `mark` on that are at a stop: dt, directions and, where some act, z and the mode of the next stop.
+ * Returns how many events act, or -1. */
+static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double beside) {
     em_variations *const w = p->of;
-    const int k = p->columns, n_events = w->model->n_events;
-    const double t = w->t[row], *const z = w->z + row * 2 * p->n;
-    double dt[k], of_act[k], *const before = p->K[1];
-    int fired[n_events + 1], acting = 0, first = -1;
+    const int k = p->columns;
+    const double t = w->t[stop];
+    double dt[k], of_act[k], before[2 * p->n];
+    int fired[w->model->n_events + 1], acting = 0, first = -1;
     memset(fired, 0, sizeof fired);
     if (em_rate_on_side(p, t, -beside, before)) return -1;
-    for (; *mark < w->n_marks && w->mark_row[*mark] == (long)row; ++*mark) {
+    for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
         const int event = w->mark_event[*mark];
         em_event_shift(p, t, event, before, dt);
         memcpy(w->dt + *mark * (k - 1), dt, (k - 1) * sizeof *dt);
@@ -127,8 +138,7 @@ static int em_variation_marks(em_pass *p, size_t row, size_t *mark, double besid
             return -1;
         }
     }
-    p->renew = 1;
-    if (acting && em_variation_act(p, t, fired, before, of_act, z + 2 * p->n, beside)) return -1;
+    if (acting && em_variation_act(p, t, fired, before, of_act, w->z + (stop + 1) * 2 * p->n, beside)) return -1;
     return acting;
 }
 

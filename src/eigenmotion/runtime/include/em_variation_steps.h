@@ -1,46 +1,52 @@
-/* em_variation_steps.h: steps of the equations of variation between two rows of a run. */
+/* em_variation_steps.h: steps of the equations of variation, along a motion that is known within them.
+ *
+ * They are linear: S_v' = J_x S_x + J_v S_v + F, S_x' = S_v, with J and F at the nodes of a step by Radau IIA. So a step is
+ * one linear system for K = S_v' at all nodes, of all directions, (I - h^2 A^2 J_x - h A J_v) K = J_x (S_x + c h S_v) +
+ * J_v S_v + F: by elimination, or by iteration where it is large and that converges. */
 #ifndef EM_VARIATION_STEPS_H
 #define EM_VARIATION_STEPS_H
 
 #include <stdlib.h>
 
 #include "em_signals.h"
-#include "em_tableaux.h"
 
-#define EM_JUMP 1e-3  /* of an acceleration, relative to what it was: a force has jumped */
 #define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
 
 /* What ends a pass but faults of the model. */
-enum { EM_BY_FAULT, EM_FORCE_JUMPS, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION };
+enum { EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION };
 
-/* t, z (n_rows): rows of a run, z (2 n) = x, v. S (n_rows, 2 n, columns): row 0 is given. P (n_given, columns).
- * Marks are events that happen at rows, in their order; where some act, the next row is what they make of that one. */
+enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which that takes less */ };
+
+/* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v; where what happens at one acts, the next is what
+ * comes of it. Between two of them lie `steps`, each from `from` to `to`, with z at its nodes. Marks are events, in the
+ * order of their stops. P (n_given, columns). */
 typedef struct em_variations {
     const em_model *model;
-    const double *c; /* of the first row */
+    const double *c; /* of the first stop */
     const em_signal *inputs;
     int columns, least_norm, stabilise, n_given;
-    double rtol;
-    const double *atol, *size; /* (n), and (columns), how large what is differentiated by is itself */
-    long max_steps;
-    size_t n_rows, n_marks;
+    double direction;
+    size_t n_stops, n_marks, n_steps;
     const double *t, *z, *P;
-    const long *mark_row; /* (n_marks) */
+    const long *steps, *mark_stop;
     const int *mark_event;
-    double *S, *dt; /* dt (n_marks, columns): how the times of events change */
+    const double *from, *to, *nodes;       /* (n_steps), (n_steps), (n_steps, EM_VARIATION_NODES, 2 n) */
+    const double *place, *A, *A2;          /* of the nodes in a step; A, and its square */
+    double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 given; (n_marks, columns): of times of events */
+    double *S_from, *K, *apart;            /* (n_steps, 2 n, columns), (n_steps, nodes, n, columns), and how far the witness is off */
     int (*poll)(void *);
     void *poll_argument;
     em_fault fault;
     int why;
     double t_reached;
-    long n_rhs, n_steps;
 } em_variations;
 
-/* What a pass works with: y (2 n + 2 n (columns + 1)): x, v, and directions, the last the witness. */
+/* What a pass works with: S (2 n, columns) of directions, the last the witness; z where it is; J (n, n_arguments) at each
+ * node, the linear system L (nodes n) and its right-hand sides K; Y of sums. */
 typedef struct em_pass {
     em_variations *of;
-    int n, m, columns, size, renew; /* renew: the witness is none any more */
-    double direction, *y, *next, *P, *u, *W, *a, *lambda, *c, *K[EM_STAGES];
+    int n, m, columns; /* of directions, the witness counted */
+    double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W;
     em_pile *pile;
     long *piece;
 } em_pass;
@@ -61,147 +67,185 @@ static double em_signal_rate(const em_signal *u, long piece, double t) {
     return (3.0 * b[0] * x + 2.0 * b[1]) * x + b[2];
 }
 
-static int em_variation_rate(em_pass *p, double t, const double *y, double *dy) {
-    em_variations *const w = p->of;
-    const int n = p->n, k = p->columns, n_inputs = w->model->n_inputs;
-    const double *const S = y + 2 * n;
-    for (int i = 0; i < n_inputs; ++i) {
-        p->u[i] = em_signal_at(&w->inputs[i], p->piece[i], t);
-        p->P[i * k + k - 1] = em_signal_rate(&w->inputs[i], p->piece[i], t);
-    }
-    ++w->n_rhs;
-    if (w->model->motion_along(t, y, y + n, p->c, p->u, w->least_norm, k, S, p->P, p->a, p->lambda, p->W, &w->fault))
-        return -1;
-    memcpy(dy, y + n, n * sizeof *dy);
-    memcpy(dy + n, p->a, n * sizeof *dy);
-    memcpy(dy + 2 * n, S + n * k, (size_t)n * k * sizeof *dy);
-    memcpy(dy + 2 * n + n * k, p->W, (size_t)n * k * sizeof *dy);
-    return 0;
-}
-
-/* The error beside the tolerances: of a direction relative to itself, or to a hundredth of the largest of its kind, and
- * what the absolute tolerance of a coordinate is for a change as large as what is differentiated by. */
-static double em_variation_error(const em_pass *p, double h) {
-    const em_tableau *const T = &EM_DOP853_TABLEAU;
-    const int n = p->n, k = p->columns;
-    double fifth = 0.0, third = 0.0;
-    long count = 0;
-    for (int part = 0; part < 2; ++part)
-        for (int column = -1; column < k; ++column) {
-            const int start = column < 0 ? part * n : 2 * n + part * n * k + column, stride = column < 0 ? 1 : k;
-            double largest = 0.0;
-            for (int i = 0; i < n; ++i) {
-                const int at = start + i * stride;
-                largest = fmax(largest, fmax(fabs(p->y[at]), fabs(p->next[at])));
-            }
-            for (int i = 0; i < n; ++i, ++count) {
-                const int at = start + i * stride;
-                const double size = fmax(fmax(fabs(p->y[at]), fabs(p->next[at])), 0.01 * largest);
-                double e[2] = {0.0, 0.0};
-                for (int stage = 0; stage < T->stages; ++stage)
-                    for (int row = 0; row < 2; ++row) e[row] += T->e[row][stage] * p->K[stage][at];
-                const double least = p->of->atol[i] / (column < 0 || column + 1 == k ? 1.0 : p->of->size[column]);
-                const double weight = 1.0 / (p->of->rtol * size + least + DBL_MIN);
-                fifth += e[0] * weight * (e[0] * weight), third += e[1] * weight * (e[1] * weight);
-            }
-        }
-    const double both = fifth + 0.01 * third;
-    return both > 0.0 ? fabs(h) * fifth / sqrt(both * count) : 0.0;
-}
-
-/* next <- y after a step; its error, or infinity where there is none. */
-static double em_variation_step(em_pass *p, double t, double h) {
-    const em_tableau *const T = &EM_DOP853_TABLEAU;
-    for (int stage = 1; stage <= T->stages; ++stage) {
-        memcpy(p->next, p->y, p->size * sizeof *p->next);
-        for (int j = 0; j < stage; ++j) {
-            const double factor = h * T->a[stage][j];
-            if (factor != 0.0)
-                for (int i = 0; i < p->size; ++i) p->next[i] += factor * p->K[j][i];
-        }
-        if (stage < T->stages && em_variation_rate(p, t + T->c[stage] * h, p->next, p->K[stage])) return INFINITY;
-    }
-    const double error = em_variation_error(p, h);
-    return isfinite(error) ? error : INFINITY;
-}
-
-/* The witness <- (v, a), of which K_0 knows a. */
-static void em_renew_witness(em_pass *p) {
-    const int n = p->n, k = p->columns;
-    for (int i = 0; i < 2 * n; ++i) {
-        p->y[2 * n + i * k + k - 1] = p->K[0][i];
-    }
-}
-
-/* Whether a force has jumped: the witness is not (v, a), relative to the largest acceleration. */
-static int em_has_jumped(const em_pass *p, const double *rate, double h) {
-    const int n = p->n, k = p->columns;
-    double apart = 0.0, size = 0.0;
-    for (int i = 0; i < n; ++i) size = fmax(size, EM_UNIFORM * fabs(rate[i] / h));
-    for (int i = n; i < 2 * n; ++i) {
-        const double witness = p->y[2 * n + i * k + k - 1];
-        apart = fmax(apart, fabs(witness - rate[i]));
-        size = fmax(size, fmax(fabs(witness), fabs(rate[i])));
-    }
-    return !(apart <= EM_JUMP * size);
-}
-
-/* K_0 <- the rate at y, with the pieces of inputs that begin there, and a witness of its own where they are others. */
-static int em_begin_piece(em_pass *p, double t) {
-    int other = p->renew;
+/* The inputs at t, and their rates, with which the witness goes. */
+static void em_pass_inputs(em_pass *p, double t) {
     for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        const long piece = em_signal_piece(&p->of->inputs[i], t, p->direction);
+        p->u[i] = em_signal_at(&p->of->inputs[i], p->piece[i], t);
+        p->P[i * p->columns + p->columns - 1] = em_signal_rate(&p->of->inputs[i], p->piece[i], t);
+    }
+}
+
+/* The pieces of inputs that hold after t. Returns whether others did before. */
+static int em_pass_pieces(em_pass *p, double t) {
+    int other = 0;
+    for (int i = 0; i < p->of->model->n_inputs; ++i) {
+        const long piece = em_signal_piece(&p->of->inputs[i], t, p->of->direction);
         other |= piece != p->piece[i];
         p->piece[i] = piece;
     }
-    p->renew = 0;
-    if (em_variation_rate(p, t, p->y, p->K[0])) return -1;
-    if (!other) return 0;
-    em_renew_witness(p);
-    return em_variation_rate(p, t, p->y, p->K[0]);
+    return other;
 }
 
-static double em_piece_end(const em_pass *p, double end) {
-    for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        const double next = em_signal_end(&p->of->inputs[i], p->piece[i], p->direction, 0);
-        if (p->direction * (next - end) < 0.0) end = next;
-    }
-    return end;
-}
-
-/* From t to `end`, with steps about *h long. */
-static int em_variation_leg(em_pass *p, double t, double end, double *h) {
+/* rate (2 n) <- (v, a) at z. */
+static int em_motion_rate(em_pass *p, double t, const double *z, double *rate) {
     em_variations *const w = p->of;
-    while (t != end) {
-        if (em_begin_piece(p, t)) return -1;
-        const double stop = em_piece_end(p, end);
-        while (t != stop) {
-            const int last = fabs(*h) >= fabs(stop - t) * (1.0 - 1e-9);
-            const double step = last ? stop - t : *h, error = em_variation_step(p, t, step);
-            const double factor = error > 0.0 ? 0.9 * pow(error, -0.125) : 6.0;
-            if (++w->n_steps > w->max_steps) return em_fail(&w->fault, EM_TOO_MANY_STEPS, -1, -1, 0.0);
-            if (w->poll && w->n_steps % 64 == 0 && w->poll(w->poll_argument))
-                return em_fail(&w->fault, EM_INTERRUPTED, -1, -1, 0.0);
-            if (!(error <= 1.0)) {
-                *h = step * fmax(0.2, fmin(factor, 0.9));
-                if (!(fabs(*h) > 16.0 * DBL_EPSILON * fabs(t)) || *h == 0.0)
-                    return em_fail(&w->fault, w->fault.status ? w->fault.status : EM_STEP_SIZE_UNDERFLOW, -1, -1, 0.0);
-                continue;
-            }
-            t = last ? stop : t + step;
-            w->t_reached = t;
-            if (!last || fabs(*h) < 6.0 * fabs(step)) *h = fmax(fabs(*h), fabs(step)) * fmin(factor, 6.0) * p->direction;
-            memcpy(p->y, p->next, p->size * sizeof *p->y);
-            if (w->stabilise && w->model->m) {
-                if (w->model->project(t, p->y, p->y + p->n, p->c, w->least_norm, &w->fault) < 0) return -1;
-                if (w->model->tangent(t, p->y, p->y + p->n, p->c, w->least_norm, p->columns, p->y + 2 * p->n, p->P,
-                                      &w->fault)) return -1;
-            }
-            if (em_variation_rate(p, t, p->y, p->K[0])) return -1;
-            if (em_has_jumped(p, p->K[0], step)) return em_end_pass(w, EM_FORCE_JUMPS, -1, -1);
+    em_pass_inputs(p, t);
+    memcpy(rate, z + p->n, p->n * sizeof *rate);
+    return w->model->acceleration(t, z, z + p->n, p->c, p->u, w->least_norm, rate + p->n, p->lambda, &w->fault);
+}
+
+/* The witness <- rates (2 n) of z. */
+static void em_set_witness(em_pass *p, const double *rate) {
+    for (int i = 0; i < 2 * p->n; ++i) p->S[i * p->columns + p->columns - 1] = rate[i];
+}
+
+/* to (columns) += factor from */
+static inline void em_add_to(int columns, double factor, const double *restrict from, double *restrict to) {
+    for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
+}
+
+/* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
+static void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
+    for (int i = 0; i < rows; ++i)
+        for (int k = 0; k < inner; ++k)
+            if (D[i * width + k] != 0.0) em_add_to(columns, D[i * width + k], S + k * columns, W + i * columns);
+}
+
+/* J at node j of a step, and G there: all that does not hang on K. */
+static int em_variation_node(em_pass *p, size_t step, int j) {
+    em_variations *const w = p->of;
+    const int n = p->n, k = p->columns, width = w->model->n_arguments;
+    const double h = w->to[step] - w->from[step], t = j + 1 < EM_VARIATION_NODES ? w->from[step] + w->place[j] * h : w->to[step];
+    const double *const z = w->nodes + (step * EM_VARIATION_NODES + j) * 2 * n;
+    double *const J = p->J + j * n * width, *const G = p->G + j * n * k;
+    em_pass_inputs(p, t);
+    if (w->model->motion_derivatives(t, z, z + n, p->c, p->u, w->least_norm, p->a, p->lambda, J, p->dlambda, &w->fault))
+        return -1;
+    memcpy(p->Y, p->S, (size_t)n * k * sizeof *p->Y);
+    em_add_to(n * k, w->place[j] * h, p->S + n * k, p->Y);
+    memset(G, 0, (size_t)n * k * sizeof *G);
+    em_add_product(n, n, width, k, J, p->Y, G);
+    em_add_product(n, n, width, k, J + n, p->S + n * k, G);
+    em_add_product(n, w->n_given, width, k, J + 2 * n, p->P, G);
+    return 0;
+}
+
+/* K <- L^-1 K by elimination, rows of the largest pivot first. 0, or -1: singular. */
+static int em_eliminate_all(int size, int columns, double *L, double *K) {
+    for (int i = 0; i < size; ++i) {
+        int best = i;
+        for (int r = i + 1; r < size; ++r)
+            if (fabs(L[r * size + i]) > fabs(L[best * size + i])) best = r;
+        if (!(fabs(L[best * size + i]) > 0.0)) return -1;
+        for (int j = i; j < size && best != i; ++j) {
+            const double kept = L[best * size + j];
+            L[best * size + j] = L[i * size + j], L[i * size + j] = kept;
+        }
+        for (int j = 0; j < columns && best != i; ++j) {
+            const double kept = K[best * columns + j];
+            K[best * columns + j] = K[i * columns + j], K[i * columns + j] = kept;
+        }
+        for (int r = i + 1; r < size; ++r) {
+            const double part = L[r * size + i] / L[i * size + i];
+            if (part == 0.0) continue;
+            em_add_to(size - i - 1, -part, L + i * size + i + 1, L + r * size + i + 1);
+            em_add_to(columns, -part, K + i * columns, K + r * columns);
         }
     }
+    for (int i = size - 1; i >= 0; --i) {
+        for (int r = i + 1; r < size; ++r) em_add_to(columns, -L[i * size + r], K + r * columns, K + i * columns);
+        for (int j = 0; j < columns; ++j) K[i * columns + j] /= L[i * size + i];
+    }
     return 0;
+}
+
+static int em_solve_nodes(em_pass *p, double h) {
+    enum { NODES = EM_VARIATION_NODES };
+    const int n = p->n, size = NODES * n, width = p->of->model->n_arguments;
+    for (int i = 0; i < NODES; ++i)
+        for (int row = 0; row < n; ++row)
+            for (int j = 0; j < NODES; ++j) {
+                const double by_x = -h * h * p->of->A2[i * NODES + j], by_v = -h * p->of->A[i * NODES + j];
+                const double *const J = p->J + (i * n + row) * width;
+                double *const at = p->L + (i * n + row) * size + j * n;
+                for (int q = 0; q < n; ++q) at[q] = by_x * J[q] + by_v * J[n + q] + (i == j && row == q);
+            }
+    memcpy(p->K, p->G, (size_t)size * p->columns * sizeof *p->K);
+    return em_eliminate_all(size, p->columns, p->L, p->K);
+}
+
+/* K <- by iteration from G. 0, or -1: does not converge. */
+static int em_iterate_nodes(em_pass *p, double h) {
+    enum { NODES = EM_VARIATION_NODES, MOST = 25 };
+    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
+    double before = INFINITY;
+    memcpy(p->K, p->G, (size_t)NODES * block * sizeof *p->K);
+    for (int round = 0; round < MOST; ++round) {
+        double change = 0.0, size = 0.0;
+        memcpy(p->W, p->G, (size_t)NODES * block * sizeof *p->W);
+        for (int i = 0; i < NODES; ++i) {
+            memset(p->Y, 0, 2 * (size_t)block * sizeof *p->Y);
+            for (int j = 0; j < NODES; ++j) {
+                em_add_to(block, h * h * p->of->A2[i * NODES + j], p->K + j * block, p->Y);
+                em_add_to(block, h * p->of->A[i * NODES + j], p->K + j * block, p->Y + block);
+            }
+            em_add_product(n, 2 * n, width, k, p->J + i * n * width, p->Y, p->W + i * block);
+        }
+        for (int i = 0; i < NODES * block; ++i) {
+            change = fmax(change, fabs(p->W[i] - p->K[i])), size = fmax(size, fabs(p->W[i]));
+            p->K[i] = p->W[i];
+        }
+        if (change <= 1e-15 * size) return 0;
+        if (!(change < 0.5 * before) && round > 1) return change <= 1e-13 * size ? 0 : -1;
+        before = change;
+    }
+    return -1;
+}
+
+/* How far the witness is off (v, a) at the end of a step, relative to the largest acceleration; and it is one again. */
+static double em_check_witness(em_pass *p, double h, const double *z) {
+    const int n = p->n, k = p->columns;
+    double apart = 0.0, size = 0.0;
+    for (int i = 0; i < n; ++i) size = fmax(size, EM_UNIFORM * fabs(z[n + i] / h));
+    for (int i = 0; i < n; ++i) {
+        const double witness = p->S[(n + i) * k + k - 1];
+        apart = fmax(apart, fabs(witness - p->a[i]));
+        size = fmax(size, fmax(fabs(witness), fabs(p->a[i])));
+    }
+    for (int i = 0; i < n; ++i) p->S[i * k + k - 1] = z[n + i], p->S[(n + i) * k + k - 1] = p->a[i];
+    return apart > 0.0 ? apart / size : 0.0;
+}
+
+/* S <- at the end of a step. */
+static int em_variation_step(em_pass *p, size_t step) {
+    enum { NODES = EM_VARIATION_NODES };
+    em_variations *const w = p->of;
+    const int n = p->n, k = p->columns, block = n * k;
+    const double h = w->to[step] - w->from[step];
+    const double *const z = w->nodes + (step * NODES + NODES - 1) * 2 * n;
+    if (em_pass_pieces(p, w->from[step])) {
+        double rate[2 * n];
+        if (em_motion_rate(p, w->from[step], p->z, rate)) return -1;
+        em_set_witness(p, rate);
+    }
+    for (int j = 0; j < NODES; ++j)
+        if (em_variation_node(p, step, j)) return -1;
+    const int iterated = NODES * n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
+    if (!iterated && em_solve_nodes(p, h)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    for (int i = 0; i < 2 * n; ++i) memcpy(w->S_from + (step * 2 * n + i) * (k - 1), p->S + i * k, (k - 1) * sizeof *p->S);
+    for (int i = 0; i < NODES * n; ++i) memcpy(w->K + (step * NODES * n + i) * (k - 1), p->K + i * k, (k - 1) * sizeof *p->K);
+    em_add_to(block, h, p->S + block, p->S);
+    for (int j = 0; j < NODES; ++j) {
+        em_add_to(block, h * h * w->A2[(NODES - 1) * NODES + j], p->K + j * block, p->S);
+        em_add_to(block, h * w->A[(NODES - 1) * NODES + j], p->K + j * block, p->S + block);
+    }
+    w->t_reached = w->to[step];
+    w->apart[step] = em_check_witness(p, h, z);
+    memcpy(p->z, z, 2 * n * sizeof *z);
+    for (int i = 0; i < 2 * block; ++i)
+        if (!isfinite(p->S[i])) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    if (!w->stabilise || !w->model->m) return 0;
+    return w->model->tangent(w->to[step], z, z + n, p->c, w->least_norm, k, p->S, p->P, &w->fault);
 }
 
 #endif
