@@ -11,7 +11,6 @@ from .point import Prepared as Prepared
 from .point import forgiven as forgiven
 from .run import COUNTS as COUNTS
 from .run import TOLD as TOLD
-from .run import TOLD_NODES as TOLD_NODES
 from .run import Run as Run
 from .run import record as record
 from .stepper import Steps as Steps

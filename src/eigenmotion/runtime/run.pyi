@@ -1,4 +1,4 @@
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from .faults import StopReason
@@ -6,7 +6,6 @@ from .point import PointModel, Prepared, Vector
 
 COUNTS: tuple[str, ...]
 TOLD: int
-TOLD_NODES: Vector
 
 def record(
     t: Vector,
@@ -30,7 +29,9 @@ class Run:
     model: PointModel
     def __init__(self, task: Any, method: int, whole: bool = True) -> None: ...
     def advance(self, t: float) -> bool: ...
-    def tell(self, t: float, t_new: float, values: Vector) -> bool | None: ...
+    def tell(
+        self, t: float, z: Vector, t_new: float, z_new: Vector, inside: Callable[[Vector], Vector]
+    ) -> bool | None: ...
     def set(self, place: int, value: float) -> None: ...
     def now(self) -> tuple[Vector, Vector]: ...
     def close(self, stop: StopReason | None = None, said: str = "") -> None: ...
