@@ -17,7 +17,7 @@ from scipy.integrate import Radau
 from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..results.solution import Solution
-from ..runtime import TOLD, TOLD_NODES, EvaluationError, Run, StopReason, explain
+from ..runtime import TOLD, EvaluationError, Run, StopReason, explain
 from .compiled import solution_of
 from .methods import Method
 
@@ -74,15 +74,18 @@ def _follow(task: Task, method: Method, run: Run, tally: _Tally) -> None:
 
 def _tell(run: Run, solver: Any, tally: _Tally) -> bool:
     """Tell the steps of a solver up to its end, or an event that acts; return whether the run goes on."""
+
+    def inside(t: Vector) -> Vector:
+        values: Vector = solver.dense_output()(t)
+        return values
+
     while solver.status == "running":
         start, z = solver.t, solver.y.copy()
         if not _stepped(solver):
             stop = StopReason.STEP_SIZE_UNDERFLOW
             raise tally.obstacle or EvaluationError(explain(stop, run.model.coordinates), stop)
         tally.obstacle = None
-        values = solver.dense_output()(start + TOLD_NODES * (solver.t - start)).T
-        values[0], values[-1] = z, solver.y
-        goes_on = run.tell(start, solver.t, values)
+        goes_on = run.tell(start, z, solver.t, solver.y, inside)
         if not goes_on:
             return goes_on is None
     return True

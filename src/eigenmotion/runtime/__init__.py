@@ -13,7 +13,6 @@ from .record import COUNTS as COUNTS
 from .record import modes_of as modes_of
 from .record import record as record
 from .run import TOLD as TOLD
-from .run import TOLD_NODES as TOLD_NODES
 from .run import Run as Run
 from .stepper import Steps as Steps
 from .steppers import ManySteps as ManySteps

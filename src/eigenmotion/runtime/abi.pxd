@@ -6,6 +6,7 @@ cdef extern from "eigenmotion.h" nogil:
 
     ctypedef enum em_status:
         EM_TERMINAL_EVENT
+        EM_NON_FINITE_STATE
         EM_INTERRUPTED
 
     ctypedef struct em_fault:

@@ -5,7 +5,7 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15, EM_TOLD
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_NON_FINITE_STATE, EM_RA15, EM_TOLD
 from .abi cimport em_dense_step, em_fault, em_method, em_piece, em_rows, em_run, em_signal, em_signal_kind, em_status
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
@@ -150,26 +150,41 @@ cdef class Run:
             raise self.pending
         return not ended
 
-    def tell(self, double t, double t_new, values):
-        """Go on along a step from t to t_new that the caller has made (em_told.h).
+    def tell(self, double t, z, double t_new, z_new, inside):
+        """Go on along a step that the caller has made (em_told.h).
 
         Parameters
         ----------
-        values
-            (10, 2 n) x and v at `TOLD_NODES` of it.
+        z, z_new
+            (2 n,) x and v at its ends.
+        inside
+            Called as inside(times (k,)) -> (2 n, k), unless nobody asks for a state within.
 
         Returns
         -------
         bool or None
             Whether the run goes on; None: from where it stands now, as an event has acted.
         """
-        table = np.zeros((EM_DENSE_COEFFICIENTS, self.model.n_state))
-        table[:, :2 * self.model.n] = values
-        cdef Numbers y = given(table, (EM_DENSE_COEFFICIENTS, self.model.n_state), "values")
+        cdef Numbers y = zeros((EM_DENSE_COEFFICIENTS, self.model.n_state))
+        cdef bint goes_on, blank = not self.looks_inside()
+        table = y.array[:, :2 * self.model.n]
+        table[:] = np.nan if blank else inside(t + TOLD_NODES * (t_new - t)).T
+        table[0], table[-1] = z, z_new
         self.piece = em_piece(t=t, h=t_new - t, y=y.data, left=False)
         self.run.piece = &self.piece
-        cdef bint goes_on = self.advance(t_new)
+        goes_on = self.advance(t_new)
+        if blank and self.run.fault.status == EM_NON_FINITE_STATE and self.run.t_reached == t:
+            table[1:-1] = inside(t + TOLD_NODES[1:-1] * (t_new - t)).T  # its end is none: how far the motion gets
+            goes_on = self.advance(t_new)
         return None if goes_on and self.piece.left else goes_on
+
+    cdef bint looks_inside(self):
+        """Whether somebody asks for states within steps."""
+        cdef Py_ssize_t k
+        for k in range(self.model.n_inputs):
+            if self.signals[k].count > 0:
+                return True
+        return self.run.dense or self.run.t_eval != NULL or self.model.n_events > 0
 
     def set(self, Py_ssize_t place, double value):
         """An input, which is constant, from here on."""
