@@ -133,9 +133,7 @@ def main() -> None:
         print("steps of 1 ms of fixed-step methods: right-hand sides; microseconds: median, 99.9th percentile, most")
         for name, formulation in STEPPED:
             show_fixed(name, formulation, Path(folder))
-    print(
-        "K furuta_pendulums by 10 ms: thousands a second as one, in a loop, ratio; lanes; apart after 0.5 s"
-    )
+    print("K furuta_pendulums by 10 ms: thousands a second as one, in a loop, ratio; lanes; apart after 0.5 s")
     system = em.build(MODELS / "furuta_pendulum.py", formulation="lagrange")
     for options in ({"method": "rk4", "step": 0.005}, {"method": "dop853", "rtol": 1e-6}):
         for count in (1, 64, 1024):

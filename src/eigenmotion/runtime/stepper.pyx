@@ -156,6 +156,9 @@ cdef class Steps:
         self.claim()
         if not isfinite(t):
             raise ValueError(f"t is {t}, not a finite number")
+        if self.model.acts and t < self.steps.t:
+            raise ValueError(f"{self.model.name}: events that act do so forwards only, so this stepper cannot go back to "
+                             f"t = {t:.9g}: restore what was saved there")
         if inputs is not None:
             self.set_inputs(inputs)
             u = self.u
