@@ -73,8 +73,8 @@ def check_way(model: CompiledModel, goals: Vector, t: Vector, ended: NDArray[np.
     back = (goals < t) & ~ended if model.acts else ended[:0]
     if back.any():
         raise ModelError(
-            f"{model.name}: events that act do so forwards only, so member {int(back.argmax())} cannot go back: restore "
-            "what was saved"
+            f"{model.name}: events that act do so forwards only, so member {int(back.argmax())} cannot go back: "
+            "restore what was saved"
         )
 
 
