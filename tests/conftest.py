@@ -1,16 +1,19 @@
 """Fixtures that files share."""
 
+import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import pytest
+from eigenmotion.codegen.choices import FORMULATIONS
 
 from eigenmotion import System
+from eigenmotion.building.toolchain import FLAGS
 
 from . import generation
 from .expressions import Bench
-from .models_table import HEAVY, Scenario
+from .models_table import DAILY, HEAVY, Scenario
 
 SCENE = """\
 from sympy import cos, symbols
@@ -30,13 +33,28 @@ LONGEST = ("test_stability", "test_generated", "test_random_mechanisms", "test_l
 """Files that take a process a minute: first, so that none of them is what all wait for at the end."""
 
 
+def pytest_configure() -> None:
+    """Optimise less, for half the compiler's time; `test_default_flags`, `test_warnings` look at users' flags."""
+    os.environ.setdefault(FLAGS, "-O1")
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Longest files first, where `--no-loadscope-reorder` leaves it at that; what takes a heavy model, at night."""
+    """Longest files first, where `--no-loadscope-reorder` leaves it at that; what is not for every day, at night."""
     items.sort(key=lambda item: item.path.stem not in LONGEST)
     for item in items:
-        if item.path.stem != "test_gallery" and HEAVY & {_model_of(given) for given in _given(item)}:
+        if not _daily(item):
             item.add_marker(pytest.mark.nightly)
+
+
+def _daily(item: pytest.Item) -> bool:
+    """Whether no heavy model takes part, and no model in a formulation that is not its own by day."""
+    given = list(_given(item))
+    models = {_model_of(one) for one in given}
+    formulations = set(FORMULATIONS).intersection(one for one in given if isinstance(one, str))
+    if models & HEAVY:
+        return item.path.stem == "test_gallery"
+    return all(formulations <= DAILY[name] for name in models & DAILY.keys())
 
 
 def _given(item: pytest.Item) -> Iterable[object]:

@@ -106,6 +106,12 @@ SCENARIOS = (
 )
 
 HEAVY = frozenset(name for one in SCENARIOS if one.heavy for name in (one.file, one.name))
+DAILY = {
+    name: {"eigenfactor", ("cholesky", "lagrange", "inverse")[row % 3]}
+    for row, one in enumerate(SCENARIOS)
+    for name in (one.file, one.name)
+}
+"""The formulations in which a model goes through its tests by day; in the others at night."""
 ACTING = (
     "block_on_incline",
     "bouncing_ball",

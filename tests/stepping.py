@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 Build = Callable[[Mechanism], "Compiled"]
 
 STRICT = "-std=c11 -Wall -Wextra -Wpedantic -Werror".split()
-FAST = "-O3 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math".split()
+FAST = "-O1 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math".split()
 COMPILER = shlex.split(os.environ.get("CC", "cc"))
 
 METHODS = tuple(COMPILED)

@@ -29,7 +29,7 @@ def shared_cache(tmp_path_factory, monkeypatch):
     """One cache for this file's tests, none of the user's."""
     monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "build-cache"))
     monkeypatch.delenv("CC", raising=False)
-    monkeypatch.delenv("EIGENMOTION_CFLAGS", raising=False)
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
 
 
 @pytest.fixture
@@ -75,7 +75,7 @@ def test_what_differs_is_built_apart_and_nothing_twice(own_cache, monkeypatch):
     for name in ("compile_in", "_generate"):
         monkeypatch.delattr(sys.modules["eigenmotion.building.build"], name)
     em.build(swing(), formulation="lagrange", flags="-O1")
-    monkeypatch.delenv("EIGENMOTION_CFLAGS")
+    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
     assert built().parameters["g"] == 9.81
     assert (entries(own_cache, "binaries"), entries(own_cache, "sources")) == before
 

@@ -41,7 +41,7 @@ def held_chain(m: int) -> em.Model:
 @pytest.mark.parametrize("m", [4, *(pytest.param(m, marks=pytest.mark.nightly) for m in (2, 3, 5))])
 def test_eigenfactors_of_delta(m, compiler):
     """At each step's end they are those of A M^-1 A^T, also in the order in which GCC 12 once mixed its entries up."""
-    system = em.build(held_chain(m), schur="eigenfactor", compiler=compiler)
+    system = em.build(held_chain(m), schur="eigenfactor", compiler=compiler, flags="")
     run = system.simulate((0.0, 0.2), rtol=1e-9, atol=1e-9)
     assert run.success, run.message
     for x, y in zip(run.x.T, run.y.T, strict=True):
@@ -54,7 +54,7 @@ def test_eigenfactors_of_delta(m, compiler):
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("name", [*MANY_ROWS, *(pytest.param(n, marks=pytest.mark.nightly) for n in OTHERS)])
 def test_runs_are_those_of_code_that_is_hardly_optimised(name, compiler):
-    quick, plain = em.build(MODELS / f"{name}.py", compiler=compiler), system_of(name)
+    quick, plain = em.build(MODELS / f"{name}.py", compiler=compiler, flags=""), system_of(name)
     runs = [system.simulate((0.0, 0.5), rtol=1e-10, atol=1e-10) for system in (quick, plain)]
     assert all(run.success for run in runs)
     scale = 1.0 + np.abs(runs[1].x[:, -1]).max()

@@ -197,7 +197,8 @@ def test_what_users_build_has_lanes(tmp_path):
 )
 def test_a_run_is_the_same_on_lanes_and_without(formulation):
     """To rounding: what users build has lanes, what is compiled in a hurry has none."""
-    lanes, numbers = build(model_of("dual_link"), formulation=formulation), system_of("dual_link", formulation)
+    lanes = build(model_of("dual_link"), formulation=formulation, flags="")
+    numbers = system_of("dual_link", formulation)
     runs = [simulate(system, (0.0, 10.0), method="ra15", rtol=1e-9, atol=1e-9) for system in (lanes, numbers)]
     assert all(run.success for run in runs)
     np.testing.assert_allclose(runs[0].x[:, -1], runs[1].x[:, -1], atol=1e-9)

@@ -140,7 +140,7 @@ def test_scipys_runs_are_stopped(monkeypatch):
 
 def test_casadis_failures_are_told_in_brief(monkeypatch):
     pytest.importorskip("casadi")
-    monkeypatch.setattr(peers, "MOST_STEPS", {False: 3})
+    monkeypatch.setattr(peers, "MOST_STEPS", {True: 3})
     (cvodes, _) = [solver for solver in _peers().solvers if solver.family == "CVODES"]
     with pytest.raises(RuntimeError, match=r"^CVode returned .CV_TOO_MUCH_WORK"):
         cvodes.attempt(1e-6).run()

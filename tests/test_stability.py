@@ -30,7 +30,7 @@ EIGENFACTOR = Variant("eigenfactor")
 
 
 HARD = [name for name, case in CASES.items() if case.reduced]
-BY_DAY = [name for name in HARD if name in ("damped_spring", "gap", "sides")]
+BY_DAY = [name for name in HARD if name in ("damped_spring", "gap")]
 
 
 @pytest.fixture(scope="module", params=[BY_DAY, pytest.param(HARD, marks=pytest.mark.nightly)], ids=["day", "night"])
