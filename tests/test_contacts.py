@@ -120,6 +120,69 @@ def test_a_dumbbell_tips_on_to_both_its_ends():
     assert at[4:6] == pytest.approx(struck, rel=1e-9)
 
 
+def crate(rubs: bool) -> System:
+    """A box, two wide and one high, on two feet; both rub on the floor, where there is friction."""
+    tilt = dynamicsymbols("tilt")
+    feet = {"left": -1, "right": 1}
+    height = {foot: z + side * sin(tilt) + (1 - cos(tilt)) / 2 for foot, side in feet.items()}
+    place = {foot: x + side * cos(tilt) + sin(tilt) / 2 for foot, side in feet.items()}
+    contacts = {foot: Contact(gap, restitution=e, rest=Rational(1, 1000)) for foot, gap in height.items()}
+    if rubs:
+        contacts |= {f"rub_{foot}": Friction(place[foot].diff(t), limit=mu, normal=foot) for foot in feet}
+    return system_for(
+        Model(
+            name="crate",
+            coordinates=[x, z, tilt],
+            kinetic_energy=m * (x.diff() ** 2 + z.diff() ** 2 + tilt.diff() ** 2 / 2) / 2,
+            potential_energy=m * g * z,
+            contacts=contacts,
+            parameters={m: 2.0, g: G, e: 0.3} | ({mu: 0.5} if rubs else {}),
+        ),
+        "lagrange",
+    )
+
+
+def test_a_box_settles_on_both_its_feet():
+    """The last impact brings all of it to rest."""
+    system = crate(rubs=False)
+    for tilt in (0.0, 0.3, -0.1):
+        run = system.simulate((0.0, 3.0), x0={"z": 1.0, "tilt": tilt}, rtol=1e-9, atol=1e-11)
+        assert run.stop is StopReason.FINISHED
+        assert run.modes[-1][1] == {"left_held": 1.0, "right_held": 1.0}
+        assert run.multipliers[:, -1] == pytest.approx([-G, -G])
+        assert run.x[:, -1] == pytest.approx(0.0, abs=1e-9)
+        assert np.diff(run.energy).max() < 1e-8
+    with pytest.raises(em.ModelError, match="x0 is inside contact 'right': its gap is"):
+        system.simulate((0.0, 1.0), x0={"tilt": -0.2})
+    for method in ("radau9", "Radau"):
+        with pytest.raises(em.ModelError, match="x0 is inside contact 'left'"):
+            system.simulate((0.0, 1.0), x0={"z": -1e-6}, method=method)
+    assert system.simulate((0.0, 1.0), x0={"z": -1e-9}).success  # as much as a start may be off a constraint
+    stepper = system.stepper(x0={"z": 1.0})
+    stepper.advance(0.3)
+    with pytest.raises(ValueError, match="forwards only"):
+        stepper.advance(0.2)
+    assert stepper.t == 0.3
+
+
+def test_a_box_skids_on_two_feet_and_sticks():
+    """The foot in front bears what friction below the middle asks for. Two that stick say one thing twice."""
+    system = crate(rubs=True)
+    start = {"v0": {"x": 2.0}, "rtol": 1e-10, "atol": 1e-12}
+    stops = 2.0 / (0.5 * G)
+    run = system.simulate((0.0, 0.9 * stops), **start)
+    assert run.multipliers[:2, -1] == pytest.approx([-0.75 * G, -1.25 * G])  # moments: mu m g / 2 over 2
+    assert run.x[0, -1] == pytest.approx(0.5 * G * stops**2 * (1 - 0.01) / 2)
+    refused = system.simulate((0.0, 1.0), **start)
+    assert refused.stop is StopReason.DEPENDENT_CONSTRAINTS
+    assert 'dependent_constraints="least_norm"' in refused.message
+    held = system.simulate((0.0, 1.0), dependent_constraints="least_norm", **start)
+    assert held.success
+    assert held.t_events[2] == pytest.approx([stops], abs=1e-9)
+    assert held.x[:, -1] == pytest.approx([0.5 * G * stops**2 / 2, 0.0, 0.0], abs=1e-9)
+    assert held.multipliers[:, -1] == pytest.approx([-G, -G, 0.0, 0.0], abs=1e-9)
+
+
 def test_a_pendulum_leans_on_its_stop():
     run = system_of("pendulum_with_stop", "lagrange").simulate((0.0, 30.0), rtol=1e-11, atol=1e-12)
     amplitude = 1.2

@@ -15,7 +15,7 @@ from ..arguments.names import Vector
 from ..codegen.model.normalise import ModelError, number
 from ..running.start import start_state
 from ..runtime import EvaluationError, ManySteps, StopReason
-from .told import chosen_by, columns, numbers, rows
+from .told import check_way, chosen_by, columns, numbers, rows
 
 _LEAST = 64  # members for which a thread is worth asking; in lanes, which are quick,
 _LEAST_IN_LANES = 1024
@@ -107,6 +107,7 @@ class Steppers(ManySteps):
                 self.goals[...] = numbers(t, self.count, "t")
             if inputs is not None and not (self._simple(inputs) and self.set_inputs(cast("Vector", inputs))):
                 self.set_inputs(columns(inputs, self.model.inputs, self.u))
+            check_way(self.model, self.goals, self.t, self.ended)
             self._go()
         finally:
             self._busy = False

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..arguments.names import Vector, by_name, vector
 from ..codegen.model.normalise import ModelError, shown
+from ..runtime import CompiledModel
 
 
 def numbers(given: ArrayLike, count: int, what: str) -> Vector:
@@ -65,6 +66,16 @@ def _check_finite(made: Vector, names: tuple[str, ...], chosen: NDArray[np.intp]
     if not np.isfinite(made[chosen]).all():
         k, place = np.argwhere(~np.isfinite(made[chosen]))[0]
         raise ModelError(f"{what} {names[place]!r} of member {chosen[k]} is not a finite number")
+
+
+def check_way(model: CompiledModel, goals: Vector, t: Vector, ended: NDArray[np.bool_]) -> None:
+    """Refuse to go back where events act, which they do forwards only."""
+    back = (goals < t) & ~ended if model.acts else ended[:0]
+    if back.any():
+        raise ModelError(
+            f"{model.name}: events that act do so forwards only, so member {int(back.argmax())} cannot go back: "
+            "restore what was saved"
+        )
 
 
 def chosen_by(mask: ArrayLike | None, count: int) -> NDArray[np.intp]:

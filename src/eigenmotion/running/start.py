@@ -26,14 +26,28 @@ def start_state(
     Raises
     ------
     ModelError
-        One of them does not hold; says which coordinate or row, by how much, and which start would do.
+        One of them does not hold; says which coordinate or row, by how much, and which start would do. Or x is inside
+        a contact.
     """
     y = model.start(t, x, v, prepared, rtol, atol)
     if y is None:
         y = _Start(model, prepared, t, x, v).examined(*forgiven(rtol, atol))
+        _check_contacts(model, prepared, t, x, v, rtol, atol)
     if model.extrapolates:
         _check_turning(model, prepared, t, x)
     return y
+
+
+def _check_contacts(
+    model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
+) -> None:
+    """Refuse a start within what a contact keeps apart: it would never come to strike."""
+    if found := model.inside(t, x, v, prepared, rtol, atol):
+        name, gap = found
+        raise ModelError(
+            f"{model.name}: x0 is inside contact {name!r}: its gap is {gap:.6g} there, and never negative. Start where "
+            "it is at least 0, or turn the sign of the gap."
+        )
 
 
 def check_direction(model: CompiledModel, start: float, end: float) -> None:

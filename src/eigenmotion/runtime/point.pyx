@@ -10,7 +10,8 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_ABI, em_fault, em_model
 from .arrays cimport Numbers, given, takes, zeros
-from .start cimport EM_START_STEPS, em_factored_gradient, em_factored_matrix, em_start, em_start_tolerance
+from .start cimport EM_START_STEPS, em_factored_gradient, em_factored_matrix, em_inside_contact, em_start
+from .start cimport em_start_tolerance
 
 import numpy as np
 
@@ -157,6 +158,16 @@ cdef class PointModel:
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), y = zeros((self.n_state,))
         cdef Numbers absolute = given(atol, (self.n,), "atol")
         return y.array if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data) else None
+
+    def inside(self, double t, x, v, Prepared c not None, double rtol, atol):
+        """(name, gap) of the contact that x is inside of, by more than a start may be; or None (em_start.h)."""
+        cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), g = zeros((self.n_events,))
+        cdef Numbers absolute = given(atol, (self.n,), "atol")
+        cdef int event = em_inside_contact(self.model, t, q.data, w.data, c.c, rtol, absolute.data)
+        if event < 0:
+            return None
+        self.model.event(t, q.data, w.data, c.c, self.model.input_defaults, g.data)
+        return self.events[event], g.data[event]
 
     def identity(self, Prepared c not None):
         """What tells models apart whose runs are kept as bytes: names, and what is made of these parameters."""

@@ -8,5 +8,7 @@ cdef extern from "em_start.h" nogil:
     double em_start_tolerance(double)
     void em_factored_matrix(const em_model *, double, const double *, const double *, double *)
     void em_factored_gradient(const em_model *, double, const double *, const double *, double *)
+    int em_inside_contact(const em_model *, double, const double *, const double *, const double *, double,
+                          const double *)
     int em_start(const em_model *, double, const double *, const double *, const double *, double, const double *,
                  double *)

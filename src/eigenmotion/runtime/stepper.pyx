@@ -164,6 +164,9 @@ cdef class Steps:
             raise TypeError(f"t is {t!r}, not a real number") from None
         if not isfinite(there):
             raise ValueError(f"t is {there}, not a finite number")
+        if self.model.acts and there < self.steps.t:
+            raise ValueError(f"{self.model.name}: events that act do so forwards only, so this stepper cannot go back to "
+                             f"t = {there:.9g}: restore what was saved there")
         if inputs is not None:
             self.set_inputs(inputs)
             u = self.u

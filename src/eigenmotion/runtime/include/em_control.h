@@ -123,7 +123,7 @@ static inline int em_stepper_set(em_stepper *s, const double *u) {
     return jumped;
 }
 
-/* Exactly to t, forwards or back, with inputs u (n_inputs) from here on, NULL: as they are. 0, or -1 and s->run.fault. */
+/* Exactly to t, forwards or, where no event acts, back, with inputs u (n_inputs) from here on, NULL: as they are. 0, or -1 and s->run.fault. */
 static inline int em_stepper_advance(em_stepper *s, double t, const double *u) {
     if (!isfinite(t)) {
         s->run.fault = (em_fault){EM_NON_FINITE_STATE, -1, -1, t};

@@ -88,8 +88,10 @@ static int em_handle_publish(const void *walk, double *y, em_fault *fault) {
 static void em_handle_save(const void *walk, void *saved) {
     const em_walk *w = walk;
     const em_run *run = w->run;
-    em_tally tally = {run->kept, run->n_rhs, run->n_steps, run->n_rejected, run->n_bounded, run->n_stiff,
-                      run->t_reached, {0.0}};
+    em_tally tally;
+    memset(&tally, 0, sizeof tally); /* with what pads it: the same motion gives the same bytes */
+    tally.kept = run->kept, tally.n_rhs = run->n_rhs, tally.n_steps = run->n_steps, tally.n_rejected = run->n_rejected;
+    tally.n_bounded = run->n_bounded, tally.n_stiff = run->n_stiff, tally.t_reached = run->t_reached;
     memcpy(tally.prepared, run->prepared, EM_SAVED_PREPARED * sizeof *tally.prepared);
     memcpy(saved, w, EM_SAVED_WALK);
     memcpy((char *)saved + EM_SAVED_WALK, &tally, sizeof tally);

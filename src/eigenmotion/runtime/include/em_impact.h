@@ -75,7 +75,7 @@ EM_COLD void em_solve_impulses(const double *Delta, double *impulse) {
  * freedom along N. */
 EM_COLD int em_strike(const em_root *root, const double *struck, double e, double *v, double *impulse) {
     double B[EM_STRUCK_ROWS * N], Delta[EM_STRUCK_ROWS * EM_STRUCK_ROWS], change[N] = {0.0};
-    const double before = em_approach(struck, v);
+    const double before = em_approach(struck, v), fastest = em_fastest(root, struck, v); /* after it all may rest */
     em_struck_rows(root, struck, B, Delta);
     memset(impulse, 0, EM_STRUCK_ROWS * sizeof *impulse);
     impulse[N_ROWS] = (1.0 + e) * before;
@@ -84,7 +84,7 @@ EM_COLD int em_strike(const em_root *root, const double *struck, double e, doubl
         for (int k = 0; k < N; ++k) change[k] += B[row * N + k] * impulse[row];
     em_backward(N, root->L, root->r, change);
     for (int k = 0; k < N; ++k) v[k] -= change[k];
-    return fabs(em_approach(struck, v) + e * before) <= EM_BLOCKED * em_fastest(root, struck, v) ? 0 : -1;
+    return fabs(em_approach(struck, v) + e * before) <= EM_BLOCKED * fastest ? 0 : -1;
 }
 
 #endif

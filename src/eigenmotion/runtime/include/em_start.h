@@ -56,11 +56,34 @@ static int em_meets_constraints(const em_model *model, double t, const double *x
     return 1;
 }
 
+/* The contact that x is inside of, its event; -1: none. As off as constraints may be it may be off its gap, by what such
+ * changes of x make of that. With rtol 0 nobody starts there, and it is not asked. */
+static int em_inside_contact(const em_model *model, double t, const double *x, const double *v, const double *c,
+                             double rtol, const double *atol) {
+    if (model->n_switches == 0 || rtol == 0.0) return -1;
+    const int n = model->n, events = model->n_events;
+    double gap[events], elsewhere[events], reach[events], near[n];
+    model->event(t, x, v, c, model->input_defaults, gap);
+    for (int i = 0; i < events; ++i) reach[i] = 0.0;
+    for (int k = 0; k < n; ++k) {
+        for (int j = 0; j < n; ++j) near[j] = x[j];
+        near[k] += EM_START_STEPS * atol[k] + em_start_tolerance(rtol) * fabs(x[k]);
+        model->event(t, near, v, c, model->input_defaults, elsewhere);
+        for (int i = 0; i < events; ++i) reach[i] += fabs(elsewhere[i] - gap[i]);
+    }
+    for (int k = 0; k < model->n_switches; ++k) {
+        const em_switch *const s = &model->switches[k];
+        if (s->slides < 0 && c[s->holds] == 0.0 && gap[s->event] < -reach[s->event]) return s->event;
+    }
+    return -1;
+}
+
 /* y (n_state, in: 0) <- the state at x, v (n). Returns 1, or 0: look closer. */
 static int em_start(const em_model *model, double t, const double *x, const double *v, const double *c,
                     double rtol, const double *atol, double *y) {
     em_fault fault;
     if (!em_has_inertia(model, t, x, c) || !em_meets_constraints(model, t, x, v, c, rtol, atol)) return 0;
+    if (em_inside_contact(model, t, x, v, c, rtol, atol) >= 0) return 0;
     if (model->state(t, x, v, c, y, &fault)) return 0;
     for (int k = 0; k < model->n_state; ++k)
         if (!isfinite(y[k])) return 0;
