@@ -44,7 +44,8 @@ EM_INLINE int em_tiled(EM_UNUSED int n) { return 0; }
 EM_INLINE int em_tiled(int n) { return __builtin_constant_p(n) ? n / EM_TILE * EM_TILE : 0; }
 
 /* Columns first ... first + width of as many rows of A B, in registers. The next row of B is fetched while one is used;
- * fetched where it is used, GCC may fetch it for each row of A. */
+ * fetched where it is used, GCC may fetch it for each row of A. Two tiles side by side, where there are as many columns:
+ * they share what they fetch of A, and the sums of one fill the time in which those of the other are not ready. */
 #define EM_TILES_OF(width)                                                                                             \
     typedef double em_numbers_##width __attribute__((vector_size(8 * width)));                                         \
     typedef double em_stored_##width __attribute__((vector_size(8 * width), aligned(8), may_alias));                   \
@@ -57,6 +58,25 @@ EM_INLINE int em_tiled(int n) { return __builtin_constant_p(n) ? n / EM_TILE * E
             b = *(const em_stored_##width *)(B + (k + 1) * n + first);                                                 \
         }                                                                                                              \
         for (int row = 0; row < EM_TILE; ++row) *(em_stored_##width *)(O + row * n + first) = sign * sum[row];         \
+    }                                                                                                                  \
+    EM_INLINE void em_tiles_##width(int n, int first, double sign, const double *restrict A,                           \
+                                    const double *restrict B, double *restrict O) {                                    \
+        em_numbers_##width left[EM_TILE] = {{0.0}}, right[EM_TILE] = {{0.0}};                                          \
+        em_numbers_##width b = *(const em_stored_##width *)(B + first);                                                \
+        em_numbers_##width c = *(const em_stored_##width *)(B + first + width);                                        \
+        for (int k = 0;; ++k) {                                                                                        \
+            for (int row = 0; row < EM_TILE; ++row) {                                                                  \
+                left[row] += A[row * n + k] * b;                                                                       \
+                right[row] += A[row * n + k] * c;                                                                      \
+            }                                                                                                          \
+            if (k + 1 == n) break;                                                                                     \
+            b = *(const em_stored_##width *)(B + (k + 1) * n + first);                                                 \
+            c = *(const em_stored_##width *)(B + (k + 1) * n + first + width);                                         \
+        }                                                                                                              \
+        for (int row = 0; row < EM_TILE; ++row) {                                                                      \
+            *(em_stored_##width *)(O + row * n + first) = sign * left[row];                                            \
+            *(em_stored_##width *)(O + row * n + first + width) = sign * right[row];                                   \
+        }                                                                                                              \
     }                                                                                                                  \
     EM_INLINE void em_forward_##width(int n, int rows, int first, const double *restrict L, const double *restrict r,  \
                                       double *restrict X) {                                                            \
@@ -104,6 +124,8 @@ EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A
         real *const product = O + row * n;
         const int last = lower ? row + EM_TILE : n;
         int j = 0;
+        for (; EM_LANES >= 8 && j + 16 <= last; j += 16) em_tiles_8(n, j, sign, rows, B, product);
+        for (; EM_LANES == 4 && j + 8 <= last; j += 8) em_tiles_4(n, j, sign, rows, B, product);
         for (; EM_LANES >= 8 && j + 8 <= n && j < last; j += 8) em_tile_8(n, j, sign, rows, B, product);
         for (; EM_LANES >= 4 && j + 4 <= n && j < last; j += 4) em_tile_4(n, j, sign, rows, B, product);
         for (; j + 2 <= n && j < last; j += 2) em_tile_2(n, j, sign, rows, B, product);
