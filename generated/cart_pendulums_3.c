@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:554b3677d7b636aaae1552fd66160f9e4bee84020864af073b7cf3baec8a9e78 */
+/* body sha256:f3e51705d5e74ac19d632e37e8a80aad862ea2d9d0830fa2bd18350852e37396 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -405,8 +405,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 4 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

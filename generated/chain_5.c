@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:a20e43a371e1012990a00954acf9450762c0bbbf44fa4db93be5da0883e3885d */
+/* body sha256:2e6b5484b0b58b65f62e2149d457f8a9f0797f938924d6c202e9db700c3ee695 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -550,8 +550,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 5 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

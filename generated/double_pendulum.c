@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:12129914a1fa27dc986f5cbe325ba95b5b75367eaad604296c9ab5274af43b0f */
+/* body sha256:0ca46b7d70d56efafe842adc3e6ca81944dc01d4b046b7e5a28cfa1f445565c4 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -279,8 +279,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 2 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

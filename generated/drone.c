@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:94f7a2323409bcc210533243644779e16adefaec3d49edb5b5974552f775b52f */
+/* body sha256:2b044a5bc3ed3548ad5a50703ebfd7cf94bd3130dc322c3b387444960315afbe */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -630,8 +630,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 8 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:b1010142e4aeec48616d10d5f36de830c1f544bffefba4173026e62f222d0f7b */
+/* body sha256:6c29eea7020004bd330e4a5e42b9756dcb7cae685725df3a68820929f777e089 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -452,8 +452,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

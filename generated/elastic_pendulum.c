@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:d3c5ca466330be73741c11834f13892b63d68b141a968d76183aa57c607b2976 */
+/* body sha256:7f18784b6f1e891d1cfd64b118e8558f86aee399267ce0a24d58d4eb5cb08e2e */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -190,8 +190,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 1 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

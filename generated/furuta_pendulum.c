@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:f96f5184c92108dc1f367bb7ae279c69403f9acb252543234f8023da654077d0 */
+/* body sha256:4c4da77e095716b3c902a90edcedade2506af78ac550db52c7d629d1cf8a5c95 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -265,8 +265,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 2 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:4448a7ff84985da00f7c30b150832ee6d006da81bc64c0aaaf4353fad9b20b55 */
+/* body sha256:aa8679fdca2bd0fef85f06f5d074caa6d058b58193c8649ac08438edee08f940 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -290,8 +290,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 1 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:c83bac758cad162cda05a72fb8c1d6d7c293846de9466c7163bf47619330a09d */
+/* body sha256:389f0d8daf6a07090885a8175485e744615e821294d7af42c80df07e9595ff6c */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -298,8 +298,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 2 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

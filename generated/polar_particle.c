@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:989723a2ff7bf285858b15cd1840057c970664b81d87f1ba24c041da6c16d6e3 */
+/* body sha256:beaf68dd0aa5550fa48a5e5fcce5efc7af26eb25b40ff477dac534282d0cadb3 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -189,8 +189,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 1 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:99502d8dd3efc39fb6a65963bfa77a87b511e190fb0f57a48903f8b5baeae591 */
+/* body sha256:bb7e82eef38c9bb890e708e2374274a4f88086b6e88454b8aff95bf9257d0512 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -1336,8 +1336,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 6 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

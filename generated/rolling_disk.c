@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:6c11948af7c3a5e7c381609f7fd27f5b9a724b46de5cfdf5fea262c0e8ccb496 */
+/* body sha256:8878eacd854e812386cae9dd4fd18da9be7ee5655308eef5df8aaff9998b5231 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -476,8 +476,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 5 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:72a3b9fac0cc719bf57b46cda48c220dbfd5e890c14461584de7b6e11e646863 */
+/* body sha256:64263a781eb2060eb1766abd275f9ae6a0d1b3910d559f47848e96ca6d42e537 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -536,8 +536,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:7a0d88e278d44b16132446d79808f51ee6c344fee4ef06478ea0d9d524b35f39 */
+/* body sha256:9fd29f987f5e44e8c26a842bdc2b0b18714aed53280e57de3ac28c12d39b8704 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -575,8 +575,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;

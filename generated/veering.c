@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:4eb1eb8506a11c70972560347c77e00882e41bbd7c3e44a502512d2a21c5bd51 */
+/* body sha256:a23fa7c257eb874c87278d478e8a49040b7789813c50b0bcba0803ae28826c8b */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -234,8 +234,9 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 
 #include "em_lane_factors.h"
 
-/* The pivots of M of the blocks that vary, and its diagonal */
 enum { N_PIVOTS = 2 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
     (void)t, (void)y, (void)c;
