@@ -44,6 +44,16 @@ class BlockView:
     L: int
     r: int
 
+    @property
+    def root_place(self) -> str:
+        """The array that holds its triangular root."""
+        return "memory" if self.home in ("EM_IN_STATE", "EM_IN_MEMORY") else "c"
+
+    @property
+    def factor_place(self) -> str:
+        """The array that holds its C and s."""
+        return "y" if self.home == "EM_IN_STATE" else "c"
+
 
 @dataclass(frozen=True, slots=True)
 class RowGroup:
@@ -294,6 +304,11 @@ class Program:
     def turning(self) -> tuple[BlockView, ...]:
         """Blocks whose eigenvectors change."""
         return tuple(block for block in self.blocks if block.turning)
+
+    @property
+    def varying(self) -> tuple[BlockView, ...]:
+        """Blocks that are not constant."""
+        return tuple(block for block in self.blocks if not block.fixed)
 
     @property
     def constrained(self) -> tuple[BlockView, ...]:
