@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:8607b309b2778eeb170519907188b574c6caa7faa1eedddc4c9ee0e49e254423 */
+/* body sha256:cfd96a6a0842ffe71ea592741c7054c28347d02667fc77dbc6df7124f7013346 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -799,7 +799,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes andrews_lanes;
-em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -1915,7 +1915,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes andrews_lanes;
-EM_WEAK em_lanes andrews_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes andrews_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES andrews_lanes
 
 #include "em_blocks.h"

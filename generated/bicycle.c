@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:90ec7987eb7baf71ac652ebb8f8889a564df1b636edeccf745dbf982082f7983 */
+/* body sha256:d1a0051ce4dadc44558a366091fc093e266b9176f4bf1eb59c7c7ac0ebff3cd7 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -2117,7 +2117,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes bicycle_lanes;
-em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -9186,7 +9186,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes bicycle_lanes;
-EM_WEAK em_lanes bicycle_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes bicycle_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES bicycle_lanes
 
 #include "em_blocks.h"

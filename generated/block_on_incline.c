@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:03d5621973962baf8857c8d39d1e86ef78534342db1ec8f28aa7ea0e17cd87cd */
+/* body sha256:0b90c0fb279595dda9bf37adca0fa53029ba39c0f938680710b2bd8473bba3a8 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -152,7 +152,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes block_on_incline_lanes;
-em_lanes block_on_incline_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes block_on_incline_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -419,7 +419,7 @@ EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes block_on_incline_lanes;
-EM_WEAK em_lanes block_on_incline_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes block_on_incline_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES block_on_incline_lanes
 
 #include "em_blocks.h"
@@ -514,11 +514,11 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
+EM_INLINE void settled_masses(const real *restrict c, real A1[N_ROWS][N1], real b[N_ROWS])
 {
-    const double friction_stuck = c[4];
+    const real friction_stuck = c[4];
     A1[0][0] = friction_stuck;
-    b[0] = 0.0;
+    b[0] = em_real(0.0);
 }
 
 /* After an accepted step, and at the start: constraints on velocities.
@@ -528,7 +528,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int changed = (flags & EM_STABILISE);
-    double A1[N_ROWS][N1], b[N_ROWS];
+    real A1[N_ROWS][N1], b[N_ROWS];
     settled_masses(c, A1, b);
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */

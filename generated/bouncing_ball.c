@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:f6c85259a047e787de9693fcbf946605044bb096a117e365a0d0085d4bd3723a */
+/* body sha256:0a81e8226ddc41b5d295c8a34b3f33073ef6d0a4957d04ef6b5ca30adb25095c */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -178,7 +178,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes bouncing_ball_lanes;
-em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -421,7 +421,7 @@ EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes bouncing_ball_lanes;
-EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES bouncing_ball_lanes
 
 #include "em_blocks.h"

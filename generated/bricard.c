@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:5ba7e692a0c8ce68fa5cc1157c4d24448c56124a2c2341199ce79c5864dbe16b */
+/* body sha256:4f7a62da8675d429ad82ea87c2fcec1ff4b83a8b64479e314307400772ed4661 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1255,7 +1255,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes bricard_lanes;
-em_lanes bricard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes bricard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -5086,7 +5086,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes bricard_lanes;
-EM_WEAK em_lanes bricard_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes bricard_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES bricard_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:66b3a5a092c70faf8d4787e02dfe42dd8263f9cda50fc4e3fb1177503258f011 */
+/* body sha256:94dbb1926ed6252699c855fc83a169b29a663d50869d486ce5a896b747037671 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -308,11 +308,88 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[6])
+{
+    const real c_9 = c[17];
+    M1[0][0] = c_9;
+    const real q1 = x[1];
+    const real cos_q1 = em_cos(q1);
+    const real c_0 = c[8];
+    M1[0][1] = M1[1][0] = -cos_q1*c_0;
+    const real c_10 = c[18];
+    M1[1][1] = c_10;
+    const real q2 = x[2];
+    const real cos_q2 = em_cos(q2);
+    const real c_1 = c[9];
+    M1[0][2] = M1[2][0] = -cos_q2*c_1;
+    const real sin_q1 = em_sin(q1);
+    const real sin_q2 = em_sin(q2);
+    const real c_2 = c[10];
+    M1[1][2] = M1[2][1] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_2;
+    const real c_11 = c[19];
+    M1[2][2] = c_11;
+    const real q3 = x[3];
+    const real cos_q3 = em_cos(q3);
+    const real c_3 = c[11];
+    M1[0][3] = M1[3][0] = -cos_q3*c_3;
+    const real sin_q3 = em_sin(q3);
+    const real c_4 = c[12];
+    M1[1][3] = M1[3][1] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_4;
+    const real c_5 = c[13];
+    M1[2][3] = M1[3][2] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_5;
+    const real c_12 = c[20];
+    M1[3][3] = c_12;
+    shared[0] = sin_q1;
+    shared[1] = sin_q2;
+    shared[2] = cos_q2;
+    shared[3] = cos_q1;
+    shared[4] = sin_q3;
+    shared[5] = cos_q3;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[6],
+                             real Mdot1[N1][N1])
+{
+    Mdot1[0][0] = em_real(0.0);
+    const real c_0 = c[8];
+    const real q1_dot = v[1];
+    const real sin_q1 = shared[0];
+    const real z_6 = q1_dot*sin_q1;
+    Mdot1[0][1] = Mdot1[1][0] = c_0*z_6;
+    Mdot1[1][1] = em_real(0.0);
+    const real c_1 = c[9];
+    const real q2_dot = v[2];
+    const real sin_q2 = shared[1];
+    const real z_7 = q2_dot*sin_q2;
+    Mdot1[0][2] = Mdot1[2][0] = c_1*z_7;
+    const real c_2 = c[10];
+    const real cos_q2 = shared[2];
+    const real cos_q1 = shared[3];
+    const real z_8 = q1_dot*cos_q1;
+    const real z_9 = q2_dot*cos_q2;
+    Mdot1[1][2] = Mdot1[2][1] = -c_2*((cos_q2*z_6 + cos_q1*z_7) - (sin_q2*z_8 + sin_q1*z_9));
+    Mdot1[2][2] = em_real(0.0);
+    const real c_3 = c[11];
+    const real q3_dot = v[3];
+    const real sin_q3 = shared[4];
+    const real z_10 = q3_dot*sin_q3;
+    Mdot1[0][3] = Mdot1[3][0] = c_3*z_10;
+    const real c_4 = c[12];
+    const real cos_q3 = shared[5];
+    const real z_11 = q3_dot*cos_q3;
+    Mdot1[1][3] = Mdot1[3][1] = -c_4*((cos_q3*z_6 + cos_q1*z_10) - (sin_q3*z_8 + sin_q1*z_11));
+    const real c_5 = c[13];
+    Mdot1[2][3] = Mdot1[3][2] = -c_5*((cos_q3*z_7 + cos_q2*z_10) - (sin_q3*z_9 + sin_q2*z_11));
+    Mdot1[3][3] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -326,8 +403,70 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 4 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], shared[6];
+    settled_masses(y, c, M1, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[3] };
+    if (mode) em_backward(N1, memory + 0, memory + 16, v1);
+    else em_velocity_of_eta(N1, y + 8, y + 24, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], shared[6];
+    settled_masses(y, c, M1, shared);
+    real eta1[N1] = { y[4], y[5], y[6], y[7] };
+    *done &= em_refresh(N1, M1[0], y + 8, y + 24, mode ? NULL : eta1);
+    y[4] = eta1[0];
+    y[5] = eta1[1];
+    y[6] = eta1[2];
+    y[7] = eta1[3];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 16, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 24));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 8, y + 24, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes cart_pendulums_3_lanes;
-em_lanes cart_pendulums_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes cart_pendulums_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -821,7 +960,7 @@ EM_ASIDE void quasi_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes cart_pendulums_3_lanes;
-EM_WEAK em_lanes cart_pendulums_3_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes cart_pendulums_3_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES cart_pendulums_3_lanes
 
 #include "em_blocks.h"
@@ -942,84 +1081,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[6])
-{
-    const double c_9 = c[17];
-    M1[0][0] = c_9;
-    const double q1 = x[1];
-    const double cos_q1 = em_cos(q1);
-    const double c_0 = c[8];
-    M1[0][1] = M1[1][0] = -cos_q1*c_0;
-    const double c_10 = c[18];
-    M1[1][1] = c_10;
-    const double q2 = x[2];
-    const double cos_q2 = em_cos(q2);
-    const double c_1 = c[9];
-    M1[0][2] = M1[2][0] = -cos_q2*c_1;
-    const double sin_q1 = em_sin(q1);
-    const double sin_q2 = em_sin(q2);
-    const double c_2 = c[10];
-    M1[1][2] = M1[2][1] = (cos_q1*cos_q2 + sin_q1*sin_q2)*c_2;
-    const double c_11 = c[19];
-    M1[2][2] = c_11;
-    const double q3 = x[3];
-    const double cos_q3 = em_cos(q3);
-    const double c_3 = c[11];
-    M1[0][3] = M1[3][0] = -cos_q3*c_3;
-    const double sin_q3 = em_sin(q3);
-    const double c_4 = c[12];
-    M1[1][3] = M1[3][1] = (cos_q1*cos_q3 + sin_q1*sin_q3)*c_4;
-    const double c_5 = c[13];
-    M1[2][3] = M1[3][2] = (cos_q2*cos_q3 + sin_q2*sin_q3)*c_5;
-    const double c_12 = c[20];
-    M1[3][3] = c_12;
-    shared[0] = sin_q1;
-    shared[1] = sin_q2;
-    shared[2] = cos_q2;
-    shared[3] = cos_q1;
-    shared[4] = sin_q3;
-    shared[5] = cos_q3;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[6],
-                             double Mdot1[N1][N1])
-{
-    Mdot1[0][0] = 0.0;
-    const double c_0 = c[8];
-    const double q1_dot = v[1];
-    const double sin_q1 = shared[0];
-    const double z_6 = q1_dot*sin_q1;
-    Mdot1[0][1] = Mdot1[1][0] = c_0*z_6;
-    Mdot1[1][1] = 0.0;
-    const double c_1 = c[9];
-    const double q2_dot = v[2];
-    const double sin_q2 = shared[1];
-    const double z_7 = q2_dot*sin_q2;
-    Mdot1[0][2] = Mdot1[2][0] = c_1*z_7;
-    const double c_2 = c[10];
-    const double cos_q2 = shared[2];
-    const double cos_q1 = shared[3];
-    const double z_8 = q1_dot*cos_q1;
-    const double z_9 = q2_dot*cos_q2;
-    Mdot1[1][2] = Mdot1[2][1] = -c_2*((cos_q2*z_6 + cos_q1*z_7) - (sin_q2*z_8 + sin_q1*z_9));
-    Mdot1[2][2] = 0.0;
-    const double c_3 = c[11];
-    const double q3_dot = v[3];
-    const double sin_q3 = shared[4];
-    const double z_10 = q3_dot*sin_q3;
-    Mdot1[0][3] = Mdot1[3][0] = c_3*z_10;
-    const double c_4 = c[12];
-    const double cos_q3 = shared[5];
-    const double z_11 = q3_dot*cos_q3;
-    Mdot1[1][3] = Mdot1[3][1] = -c_4*((cos_q3*z_6 + cos_q1*z_10) - (sin_q3*z_8 + sin_q1*z_11));
-    const double c_5 = c[13];
-    Mdot1[2][3] = Mdot1[3][2] = -c_5*((cos_q3*z_7 + cos_q2*z_10) - (sin_q3*z_9 + sin_q2*z_11));
-    Mdot1[3][3] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -1028,7 +1089,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[6];
+    real M1[N1][N1], shared[6];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -1038,7 +1099,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -1129,6 +1190,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "q1", "q2", "q3", NULL };
 static const char *const parameter_names[] = { "m0", "m1", "m2", "m3", "l1", "l2", "l3", "g", NULL };
@@ -1239,6 +1301,9 @@ const em_model cart_pendulums_3_model = {
     .quasi_partials = quasi_partials,
     .event = model_events,
     .lanes = &cart_pendulums_3_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 9,
     .dimension = 2,
     .shapes = shapes,

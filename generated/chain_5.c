@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:2e7d781d6a9266d7f8f3ecf9dd2e97ba96f28edc63b5511e82a9f308d5f574e6 */
+/* body sha256:bf3829924c4c4275eb21673628320253e94def4d890011e28ad4b0fd52d24194 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -403,11 +403,138 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                              real shared[10])
+{
+    const real c_15 = c[26];
+    M1[0][0] = c_15;
+    const real c_0 = c[11];
+    const real theta_1 = x[0];
+    const real cos_theta_1 = em_cos(theta_1);
+    const real theta_2 = x[1];
+    const real cos_theta_2 = em_cos(theta_2);
+    const real sin_theta_1 = em_sin(theta_1);
+    const real sin_theta_2 = em_sin(theta_2);
+    M1[0][1] = M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
+    const real c_16 = c[27];
+    M1[1][1] = c_16;
+    const real c_1 = c[12];
+    const real theta_3 = x[2];
+    const real cos_theta_3 = em_cos(theta_3);
+    const real sin_theta_3 = em_sin(theta_3);
+    M1[0][2] = M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
+    const real c_2 = c[13];
+    M1[1][2] = M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
+    const real c_17 = c[28];
+    M1[2][2] = c_17;
+    const real c_3 = c[14];
+    const real theta_4 = x[3];
+    const real cos_theta_4 = em_cos(theta_4);
+    const real sin_theta_4 = em_sin(theta_4);
+    M1[0][3] = M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
+    const real c_4 = c[15];
+    M1[1][3] = M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
+    const real c_5 = c[16];
+    M1[2][3] = M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
+    const real c_18 = c[29];
+    M1[3][3] = c_18;
+    const real c_6 = c[17];
+    const real theta_5 = x[4];
+    const real cos_theta_5 = em_cos(theta_5);
+    const real sin_theta_5 = em_sin(theta_5);
+    M1[0][4] = M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
+    const real c_7 = c[18];
+    M1[1][4] = M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
+    const real c_8 = c[19];
+    M1[2][4] = M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
+    const real c_9 = c[20];
+    M1[3][4] = M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
+    const real c_19 = c[30];
+    M1[4][4] = c_19;
+    shared[0] = cos_theta_2;
+    shared[1] = sin_theta_1;
+    shared[2] = cos_theta_1;
+    shared[3] = sin_theta_2;
+    shared[4] = cos_theta_3;
+    shared[5] = sin_theta_3;
+    shared[6] = cos_theta_4;
+    shared[7] = sin_theta_4;
+    shared[8] = cos_theta_5;
+    shared[9] = sin_theta_5;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[10],
+                             real Mdot1[N1][N1])
+{
+    Mdot1[0][0] = em_real(0.0);
+    const real c_0 = c[11];
+    const real cos_theta_2 = shared[0];
+    const real theta_1_dot = v[0];
+    const real sin_theta_1 = shared[1];
+    const real z_10 = theta_1_dot*sin_theta_1;
+    const real cos_theta_1 = shared[2];
+    const real theta_2_dot = v[1];
+    const real sin_theta_2 = shared[3];
+    const real z_11 = theta_2_dot*sin_theta_2;
+    const real z_12 = theta_1_dot*cos_theta_1;
+    const real z_13 = theta_2_dot*cos_theta_2;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
+        sin_theta_1*z_13));
+    Mdot1[1][1] = em_real(0.0);
+    const real c_1 = c[12];
+    const real cos_theta_3 = shared[4];
+    const real theta_3_dot = v[2];
+    const real sin_theta_3 = shared[5];
+    const real z_14 = theta_3_dot*sin_theta_3;
+    const real z_15 = theta_3_dot*cos_theta_3;
+    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
+        sin_theta_1*z_15));
+    const real c_2 = c[13];
+    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
+        sin_theta_2*z_15));
+    Mdot1[2][2] = em_real(0.0);
+    const real c_3 = c[14];
+    const real cos_theta_4 = shared[6];
+    const real theta_4_dot = v[3];
+    const real sin_theta_4 = shared[7];
+    const real z_16 = theta_4_dot*sin_theta_4;
+    const real z_17 = theta_4_dot*cos_theta_4;
+    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
+        sin_theta_1*z_17));
+    const real c_4 = c[15];
+    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
+        sin_theta_2*z_17));
+    const real c_5 = c[16];
+    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
+        sin_theta_3*z_17));
+    Mdot1[3][3] = em_real(0.0);
+    const real c_6 = c[17];
+    const real cos_theta_5 = shared[8];
+    const real theta_5_dot = v[4];
+    const real sin_theta_5 = shared[9];
+    const real z_18 = theta_5_dot*sin_theta_5;
+    const real z_19 = theta_5_dot*cos_theta_5;
+    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
+        sin_theta_1*z_19));
+    const real c_7 = c[18];
+    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
+        sin_theta_2*z_19));
+    const real c_8 = c[19];
+    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
+        sin_theta_3*z_19));
+    const real c_9 = c[20];
+    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
+        sin_theta_4*z_19));
+    Mdot1[4][4] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -421,8 +548,72 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 5 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], shared[10];
+    settled_masses(y, c, M1, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[3], e[4] };
+    if (mode) em_backward(N1, memory + 0, memory + 25, v1);
+    else em_velocity_of_eta(N1, y + 10, y + 35, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+    v[4] = v1[4];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], shared[10];
+    settled_masses(y, c, M1, shared);
+    real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    *done &= em_refresh(N1, M1[0], y + 10, y + 35, mode ? NULL : eta1);
+    y[5] = eta1[0];
+    y[6] = eta1[1];
+    y[7] = eta1[2];
+    y[8] = eta1[3];
+    y[9] = eta1[4];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 25, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 35));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 10, y + 35, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes chain_5_lanes;
-em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes chain_5_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -1190,7 +1381,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chain_5_lanes;
-EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes chain_5_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES chain_5_lanes
 
 #include "em_blocks.h"
@@ -1353,133 +1544,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[10])
-{
-    const double c_15 = c[26];
-    M1[0][0] = c_15;
-    const double c_0 = c[11];
-    const double theta_1 = x[0];
-    const double cos_theta_1 = em_cos(theta_1);
-    const double theta_2 = x[1];
-    const double cos_theta_2 = em_cos(theta_2);
-    const double sin_theta_1 = em_sin(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    M1[0][1] = M1[1][0] = c_0*(cos_theta_1*cos_theta_2 + sin_theta_1*sin_theta_2);
-    const double c_16 = c[27];
-    M1[1][1] = c_16;
-    const double c_1 = c[12];
-    const double theta_3 = x[2];
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    M1[0][2] = M1[2][0] = c_1*(cos_theta_1*cos_theta_3 + sin_theta_1*sin_theta_3);
-    const double c_2 = c[13];
-    M1[1][2] = M1[2][1] = c_2*(cos_theta_2*cos_theta_3 + sin_theta_2*sin_theta_3);
-    const double c_17 = c[28];
-    M1[2][2] = c_17;
-    const double c_3 = c[14];
-    const double theta_4 = x[3];
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    M1[0][3] = M1[3][0] = c_3*(cos_theta_1*cos_theta_4 + sin_theta_1*sin_theta_4);
-    const double c_4 = c[15];
-    M1[1][3] = M1[3][1] = c_4*(cos_theta_2*cos_theta_4 + sin_theta_2*sin_theta_4);
-    const double c_5 = c[16];
-    M1[2][3] = M1[3][2] = c_5*(cos_theta_3*cos_theta_4 + sin_theta_3*sin_theta_4);
-    const double c_18 = c[29];
-    M1[3][3] = c_18;
-    const double c_6 = c[17];
-    const double theta_5 = x[4];
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    M1[0][4] = M1[4][0] = c_6*(cos_theta_1*cos_theta_5 + sin_theta_1*sin_theta_5);
-    const double c_7 = c[18];
-    M1[1][4] = M1[4][1] = c_7*(cos_theta_2*cos_theta_5 + sin_theta_2*sin_theta_5);
-    const double c_8 = c[19];
-    M1[2][4] = M1[4][2] = c_8*(cos_theta_3*cos_theta_5 + sin_theta_3*sin_theta_5);
-    const double c_9 = c[20];
-    M1[3][4] = M1[4][3] = c_9*(cos_theta_4*cos_theta_5 + sin_theta_4*sin_theta_5);
-    const double c_19 = c[30];
-    M1[4][4] = c_19;
-    shared[0] = cos_theta_2;
-    shared[1] = sin_theta_1;
-    shared[2] = cos_theta_1;
-    shared[3] = sin_theta_2;
-    shared[4] = cos_theta_3;
-    shared[5] = sin_theta_3;
-    shared[6] = cos_theta_4;
-    shared[7] = sin_theta_4;
-    shared[8] = cos_theta_5;
-    shared[9] = sin_theta_5;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[10],
-                             double Mdot1[N1][N1])
-{
-    Mdot1[0][0] = 0.0;
-    const double c_0 = c[11];
-    const double cos_theta_2 = shared[0];
-    const double theta_1_dot = v[0];
-    const double sin_theta_1 = shared[1];
-    const double z_10 = theta_1_dot*sin_theta_1;
-    const double cos_theta_1 = shared[2];
-    const double theta_2_dot = v[1];
-    const double sin_theta_2 = shared[3];
-    const double z_11 = theta_2_dot*sin_theta_2;
-    const double z_12 = theta_1_dot*cos_theta_1;
-    const double z_13 = theta_2_dot*cos_theta_2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(cos_theta_2*z_10 + cos_theta_1*z_11) - c_0*(sin_theta_2*z_12 +
-        sin_theta_1*z_13));
-    Mdot1[1][1] = 0.0;
-    const double c_1 = c[12];
-    const double cos_theta_3 = shared[4];
-    const double theta_3_dot = v[2];
-    const double sin_theta_3 = shared[5];
-    const double z_14 = theta_3_dot*sin_theta_3;
-    const double z_15 = theta_3_dot*cos_theta_3;
-    Mdot1[0][2] = Mdot1[2][0] = -(c_1*(cos_theta_3*z_10 + cos_theta_1*z_14) - c_1*(sin_theta_3*z_12 +
-        sin_theta_1*z_15));
-    const double c_2 = c[13];
-    Mdot1[1][2] = Mdot1[2][1] = -(c_2*(cos_theta_3*z_11 + cos_theta_2*z_14) - c_2*(sin_theta_3*z_13 +
-        sin_theta_2*z_15));
-    Mdot1[2][2] = 0.0;
-    const double c_3 = c[14];
-    const double cos_theta_4 = shared[6];
-    const double theta_4_dot = v[3];
-    const double sin_theta_4 = shared[7];
-    const double z_16 = theta_4_dot*sin_theta_4;
-    const double z_17 = theta_4_dot*cos_theta_4;
-    Mdot1[0][3] = Mdot1[3][0] = -(c_3*(cos_theta_4*z_10 + cos_theta_1*z_16) - c_3*(sin_theta_4*z_12 +
-        sin_theta_1*z_17));
-    const double c_4 = c[15];
-    Mdot1[1][3] = Mdot1[3][1] = -(c_4*(cos_theta_4*z_11 + cos_theta_2*z_16) - c_4*(sin_theta_4*z_13 +
-        sin_theta_2*z_17));
-    const double c_5 = c[16];
-    Mdot1[2][3] = Mdot1[3][2] = -(c_5*(cos_theta_4*z_14 + cos_theta_3*z_16) - c_5*(sin_theta_4*z_15 +
-        sin_theta_3*z_17));
-    Mdot1[3][3] = 0.0;
-    const double c_6 = c[17];
-    const double cos_theta_5 = shared[8];
-    const double theta_5_dot = v[4];
-    const double sin_theta_5 = shared[9];
-    const double z_18 = theta_5_dot*sin_theta_5;
-    const double z_19 = theta_5_dot*cos_theta_5;
-    Mdot1[0][4] = Mdot1[4][0] = -(c_6*(cos_theta_5*z_10 + cos_theta_1*z_18) - c_6*(sin_theta_5*z_12 +
-        sin_theta_1*z_19));
-    const double c_7 = c[18];
-    Mdot1[1][4] = Mdot1[4][1] = -(c_7*(cos_theta_5*z_11 + cos_theta_2*z_18) - c_7*(sin_theta_5*z_13 +
-        sin_theta_2*z_19));
-    const double c_8 = c[19];
-    Mdot1[2][4] = Mdot1[4][2] = -(c_8*(cos_theta_5*z_14 + cos_theta_3*z_18) - c_8*(sin_theta_5*z_15 +
-        sin_theta_3*z_19));
-    const double c_9 = c[20];
-    Mdot1[3][4] = Mdot1[4][3] = -(c_9*(cos_theta_5*z_16 + cos_theta_4*z_18) - c_9*(sin_theta_5*z_17 +
-        sin_theta_4*z_19));
-    Mdot1[4][4] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -1488,7 +1552,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[10];
+    real M1[N1][N1], shared[10];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -1498,7 +1562,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -1589,6 +1653,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "theta_1", "theta_2", "theta_3", "theta_4", "theta_5", NULL };
 static const char *const parameter_names[] = { "m_1", "m_2", "m_3", "m_4", "m_5", "l_1", "l_2", "l_3", "l_4", "l_5", "g", NULL };
@@ -1697,6 +1762,9 @@ const em_model chain_5_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &chain_5_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 12,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:7c07447452a0a6d76167900120a092baedc99456329ee1822229694f26e65b8a */
+/* body sha256:622c8fb8815309c3f9c718197e5a8f5d3f87db557750c1b102b2de5fb2a73082 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -266,11 +266,52 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                              real A1[N_ROWS][N1], real b[N_ROWS], real shared[2])
+{
+    const real m = c[0];
+    M1[0][0] = m;
+    M1[0][1] = M1[1][0] = em_real(0.0);
+    M1[1][1] = m;
+    const real theta = x[2];
+    const real sin_theta = em_sin(theta);
+    const real c_0 = c[3];
+    M1[0][2] = M1[2][0] = -sin_theta*c_0;
+    const real cos_theta = em_cos(theta);
+    M1[1][2] = M1[2][1] = cos_theta*c_0;
+    const real c_1 = c[4];
+    M1[2][2] = c_1;
+    A1[0][0] = -sin_theta;
+    A1[0][1] = cos_theta;
+    A1[0][2] = em_real(0.0);
+    b[0] = em_real(0.0);
+    shared[0] = cos_theta;
+    shared[1] = sin_theta;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[2],
+                             real Mdot1[N1][N1])
+{
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
+    Mdot1[1][1] = em_real(0.0);
+    const real cos_theta = shared[0];
+    const real theta_dot = v[2];
+    const real c_0 = c[3];
+    const real z_2 = theta_dot*c_0;
+    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_2;
+    const real sin_theta = shared[1];
+    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_2;
+    Mdot1[2][2] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -284,8 +325,88 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
+    settled_masses(y, c, M1, A1, b, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2] };
+    if (mode) em_backward(N1, memory + 0, memory + 9, v1);
+    else em_velocity_of_eta(N1, y + 6, y + 15, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s, constraints on velocities. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
+    settled_masses(y, c, M1, A1, b, shared);
+    real eta1[N1] = { y[3], y[4], y[5] };
+    *done &= em_refresh(N1, M1[0], y + 6, y + 15, mode ? NULL : eta1);
+    y[3] = eta1[0];
+    y[4] = eta1[1];
+    y[5] = eta1[2];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 9, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 15));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 6, y + 15, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+
+    real B1[N_ROWS][N1];
+    if (mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 9, A1[0], B1[0]);
+    else em_rows_of_factors(N_ROWS, N1, y + 6, y + 15, A1[0], B1[0]);
+    real a1[N1] = { y[3], y[4], y[5] };
+    /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        lambda[row] = b[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        for (int column = 0; column <= row; ++column) {
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    y[3] = a1[0];
+    y[4] = a1[1];
+    y[5] = a1[2];
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes chaplygin_sleigh_lanes;
-em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes chaplygin_sleigh_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -496,7 +617,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes chaplygin_sleigh_lanes;
-EM_WEAK em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes chaplygin_sleigh_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES chaplygin_sleigh_lanes
 
 #include "em_blocks.h"
@@ -582,47 +703,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_tangent.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[2])
-{
-    const double m = c[0];
-    M1[0][0] = m;
-    M1[0][1] = M1[1][0] = 0.0;
-    M1[1][1] = m;
-    const double theta = x[2];
-    const double sin_theta = em_sin(theta);
-    const double c_0 = c[3];
-    M1[0][2] = M1[2][0] = -sin_theta*c_0;
-    const double cos_theta = em_cos(theta);
-    M1[1][2] = M1[2][1] = cos_theta*c_0;
-    const double c_1 = c[4];
-    M1[2][2] = c_1;
-    A1[0][0] = -sin_theta;
-    A1[0][1] = cos_theta;
-    A1[0][2] = 0.0;
-    b[0] = 0.0;
-    shared[0] = cos_theta;
-    shared[1] = sin_theta;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[2],
-                             double Mdot1[N1][N1])
-{
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    const double cos_theta = shared[0];
-    const double theta_dot = v[2];
-    const double c_0 = c[3];
-    const double z_2 = theta_dot*c_0;
-    Mdot1[0][2] = Mdot1[2][0] = -cos_theta*z_2;
-    const double sin_theta = shared[1];
-    Mdot1[1][2] = Mdot1[2][1] = -sin_theta*z_2;
-    Mdot1[2][2] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -631,7 +711,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -641,7 +721,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -751,6 +831,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", "theta", NULL };
 static const char *const parameter_names[] = { "m", "J", "a", NULL };
@@ -856,6 +937,9 @@ const em_model chaplygin_sleigh_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &chaplygin_sleigh_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 4,
     .dimension = 2,
     .shapes = shapes,

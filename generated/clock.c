@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
-/* body sha256:9e445e88fbee6041c08e9f3adb19d19063e0f545e64e8774cba0d5dd9bb7aedd */
+/* body sha256:5d6dafe3d238ac060a3aaa73d453926a2bbcc5220a0a76ce677795ff7b73c49d */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -155,7 +155,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes clock_lanes;
-em_lanes clock_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes clock_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -437,7 +437,7 @@ EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes clock_lanes;
-EM_WEAK em_lanes clock_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes clock_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES clock_lanes
 
 #include "em_blocks.h"
@@ -527,11 +527,11 @@ static void model_events(EM_UNUSED double t, const double *restrict x, const dou
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict c, double A1[N_ROWS][N1], double b[N_ROWS])
+EM_INLINE void settled_masses(const real *restrict c, real A1[N_ROWS][N1], real b[N_ROWS])
 {
-    const double pivot_stuck = c[5];
+    const real pivot_stuck = c[5];
     A1[0][0] = pivot_stuck;
-    b[0] = 0.0;
+    b[0] = em_real(0.0);
 }
 
 /* After an accepted step, and at the start: constraints on velocities.
@@ -541,7 +541,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int changed = (flags & EM_STABILISE);
-    double A1[N_ROWS][N1], b[N_ROWS];
+    real A1[N_ROWS][N1], b[N_ROWS];
     settled_masses(c, A1, b);
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */

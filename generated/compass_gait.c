@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:043624f82534220222207256ca37a4cbae5727dec7950815b55a9a86c1ab2e45 */
+/* body sha256:d803ea206a038edb5f7a021a5300ce4f906532f2c58708fe67d0153673095efc */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -260,7 +260,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes compass_gait_lanes;
-em_lanes compass_gait_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes compass_gait_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -784,7 +784,7 @@ EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes compass_gait_lanes;
-EM_WEAK em_lanes compass_gait_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes compass_gait_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES compass_gait_lanes
 
 #include "em_blocks.h"
@@ -893,18 +893,17 @@ static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED
 #include "em_differentiate.h"
 
 /* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[3])
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[3])
 {
-    const double c_7 = c[12];
-    const double l = c[2];
-    const double phi = x[1];
-    const double cos_phi = em_cos(phi);
-    const double c_1 = c[6];
-    const double z_1 = (l - l*cos_phi)*c_1;
-    const double c_0 = c[5];
-    const double sin_phi = em_sin(phi);
-    const double z_3 = c_0*(sin_phi*sin_phi) - cos_phi*z_1;
+    const real c_7 = c[12];
+    const real l = c[2];
+    const real phi = x[1];
+    const real cos_phi = em_cos(phi);
+    const real c_1 = c[6];
+    const real z_1 = (l - l*cos_phi)*c_1;
+    const real c_0 = c[5];
+    const real sin_phi = em_sin(phi);
+    const real z_3 = c_0*(sin_phi*sin_phi) - cos_phi*z_1;
     M1[0][0] = c_7 + z_1 + z_3;
     M1[0][1] = M1[1][0] = -z_3;
     M1[1][1] = c_0;
@@ -914,21 +913,21 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 }
 
 /* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[3],
-                             double Mdot1[N1][N1])
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[3],
+                             real Mdot1[N1][N1])
 {
-    const double c_0 = c[5];
-    const double phi_dot = v[1];
-    const double sin_phi = shared[0];
-    const double z_4 = phi_dot*sin_phi;
-    const double cos_phi = shared[1];
-    const double z_5 = cos_phi*z_4;
-    const double z_1 = shared[2];
-    const double c_2 = c[7];
-    const double z_6 = (c_0*z_5 - z_1*z_4) - c_2*z_5;
+    const real c_0 = c[5];
+    const real phi_dot = v[1];
+    const real sin_phi = shared[0];
+    const real z_4 = phi_dot*sin_phi;
+    const real cos_phi = shared[1];
+    const real z_5 = cos_phi*z_4;
+    const real z_1 = shared[2];
+    const real c_2 = c[7];
+    const real z_6 = (c_0*z_5 - z_1*z_4) - c_2*z_5;
     Mdot1[0][0] = c_0*z_4 - z_6;
     Mdot1[0][1] = Mdot1[1][0] = -(-z_6);
-    Mdot1[1][1] = 0.0;
+    Mdot1[1][1] = em_real(0.0);
 }
 
 /* After an accepted step, and at the start: C and s.
@@ -939,7 +938,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[3];
+    real M1[N1][N1], shared[3];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -949,7 +948,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:9e4e6e3a734f229da177797697b587bc24b2e1bff3a0cd1219d9bf652e987b66 */
+/* body sha256:a6d4b11b10c3251fcf2af3a229238f4b1b7c7e7c40b9cd88b0ce8b0c66a9c0f4 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -220,11 +220,50 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[4])
+{
+    const real c_3 = c[8];
+    M1[0][0] = c_3;
+    const real c_0 = c[5];
+    const real theta1 = x[0];
+    const real cos_theta1 = em_cos(theta1);
+    const real theta2 = x[1];
+    const real cos_theta2 = em_cos(theta2);
+    const real sin_theta1 = em_sin(theta1);
+    const real sin_theta2 = em_sin(theta2);
+    M1[0][1] = M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
+    const real c_4 = c[9];
+    M1[1][1] = c_4;
+    shared[0] = cos_theta2;
+    shared[1] = sin_theta1;
+    shared[2] = cos_theta1;
+    shared[3] = sin_theta2;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[4],
+                             real Mdot1[N1][N1])
+{
+    Mdot1[0][0] = em_real(0.0);
+    const real c_0 = c[5];
+    const real theta1_dot = v[0];
+    const real cos_theta2 = shared[0];
+    const real sin_theta1 = shared[1];
+    const real z_4 = cos_theta2*sin_theta1;
+    const real theta2_dot = v[1];
+    const real cos_theta1 = shared[2];
+    const real sin_theta2 = shared[3];
+    const real z_5 = cos_theta1*sin_theta2;
+    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
+    Mdot1[1][1] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -238,8 +277,66 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 2 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], shared[4];
+    settled_masses(y, c, M1, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1] };
+    if (mode) em_backward(N1, memory + 0, memory + 4, v1);
+    else em_velocity_of_eta(N1, y + 4, y + 8, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], shared[4];
+    settled_masses(y, c, M1, shared);
+    real eta1[N1] = { y[2], y[3] };
+    *done &= em_refresh(N1, M1[0], y + 4, y + 8, mode ? NULL : eta1);
+    y[2] = eta1[0];
+    y[3] = eta1[1];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 4, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 8));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 4, y + 8, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes double_pendulum_lanes;
-em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes double_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -487,7 +584,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes double_pendulum_lanes;
-EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes double_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES double_pendulum_lanes
 
 #include "em_blocks.h"
@@ -576,46 +673,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[4])
-{
-    const double c_3 = c[8];
-    M1[0][0] = c_3;
-    const double c_0 = c[5];
-    const double theta1 = x[0];
-    const double cos_theta1 = em_cos(theta1);
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    M1[0][1] = M1[1][0] = c_0*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    const double c_4 = c[9];
-    M1[1][1] = c_4;
-    shared[0] = cos_theta2;
-    shared[1] = sin_theta1;
-    shared[2] = cos_theta1;
-    shared[3] = sin_theta2;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
-                             double Mdot1[N1][N1])
-{
-    Mdot1[0][0] = 0.0;
-    const double c_0 = c[5];
-    const double theta1_dot = v[0];
-    const double cos_theta2 = shared[0];
-    const double sin_theta1 = shared[1];
-    const double z_4 = cos_theta2*sin_theta1;
-    const double theta2_dot = v[1];
-    const double cos_theta1 = shared[2];
-    const double sin_theta2 = shared[3];
-    const double z_5 = cos_theta1*sin_theta2;
-    Mdot1[0][1] = Mdot1[1][0] = -(c_0*(theta1_dot*z_4 + theta2_dot*z_5) - c_0*(theta1_dot*z_5 + theta2_dot*z_4));
-    Mdot1[1][1] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -624,7 +681,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[4];
+    real M1[N1][N1], shared[4];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -634,7 +691,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -725,6 +782,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "l1", "l2", "g", NULL };
@@ -827,6 +885,9 @@ const em_model double_pendulum_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &double_pendulum_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 6,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:1114e5f42bcf033ff3b2e0c1e92a6549375d6a066901f0eded04ddf7409c6229 */
+/* body sha256:6045e530217c9401090a8d49a48b6a083569a7d6c28900c0c1f1a6d269ae47eb */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -197,7 +197,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes driven_pendulum_lanes;
-em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -420,7 +420,7 @@ EM_ASIDE void constraint_partials(double t, const double *restrict x, const doub
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes driven_pendulum_lanes;
-EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes driven_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES driven_pendulum_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:92b6e07bac3ad5081557b3777e930f4ed3058435172e48ce00ddbd089355b699 */
+/* body sha256:744c68ed0de2c1458c3e6ffbe10e6ff081318a15e4c89515e8a0833c68a367ca */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -493,11 +493,128 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                              real M2[N2][N2], real shared[10])
+{
+    const real c_7 = c[15];
+    M1[0][0] = c_7;
+    M1[0][1] = M1[1][0] = em_real(0.0);
+    M1[1][1] = c_7;
+    M1[0][2] = M1[2][0] = em_real(0.0);
+    M1[1][2] = M1[2][1] = em_real(0.0);
+    M1[2][2] = c_7;
+    const real sway = x[6];
+    const real cos_sway = em_cos(sway);
+    const real heave = x[7];
+    const real cos_heave = em_cos(heave);
+    const real c_0 = c[8];
+    const real z_2 = cos_heave*c_0;
+    M1[0][3] = M1[3][0] = cos_sway*z_2;
+    M1[1][3] = M1[3][1] = em_real(0.0);
+    const real sin_sway = em_sin(sway);
+    M1[2][3] = M1[3][2] = sin_sway*z_2;
+    const real c_6 = c[14];
+    M1[3][3] = c_6*(cos_heave*cos_heave);
+    const real sin_heave = em_sin(heave);
+    const real z_5 = sin_heave*c_0;
+    M1[0][4] = M1[4][0] = -sin_sway*z_5;
+    M1[1][4] = M1[4][1] = z_2;
+    M1[2][4] = M1[4][2] = cos_sway*z_5;
+    M1[3][4] = M1[4][3] = em_real(0.0);
+    M1[4][4] = c_6;
+    const real J = c[2];
+    const real pitch = x[4];
+    const real sin_pitch = em_sin(pitch);
+    const real cos_pitch = em_cos(pitch);
+    const real z_8 = cos_pitch*cos_pitch;
+    const real roll = x[5];
+    const real sin_roll = em_sin(roll);
+    const real z_10 = sin_roll*sin_roll;
+    const real J_up = c[3];
+    const real cos_roll = em_cos(roll);
+    const real z_12 = cos_roll*cos_roll;
+    M2[0][0] = J*(sin_pitch*sin_pitch) + z_8*(J*z_10) + z_8*(J_up*z_12);
+    const real c_2 = c[10];
+    const real z_13 = sin_roll*cos_roll;
+    M2[0][1] = M2[1][0] = cos_pitch*(c_2*z_13);
+    M2[1][1] = J*z_12 + J_up*z_10;
+    M2[0][2] = M2[2][0] = -J*sin_pitch;
+    M2[1][2] = M2[2][1] = em_real(0.0);
+    M2[2][2] = J;
+    shared[0] = cos_sway;
+    shared[1] = sin_heave;
+    shared[2] = cos_heave;
+    shared[3] = sin_sway;
+    shared[4] = cos_pitch;
+    shared[5] = sin_pitch;
+    shared[6] = z_10;
+    shared[7] = z_8;
+    shared[8] = z_13;
+    shared[9] = z_12;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[10],
+                             real Mdot1[N1][N1], real Mdot2[N2][N2])
+{
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
+    Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
+    Mdot1[2][2] = em_real(0.0);
+    const real c_0 = c[8];
+    const real cos_sway = shared[0];
+    const real heave_dot = v[7];
+    const real sin_heave = shared[1];
+    const real z_14 = heave_dot*sin_heave;
+    const real cos_heave = shared[2];
+    const real sway_dot = v[6];
+    const real sin_sway = shared[3];
+    const real z_15 = sway_dot*sin_sway;
+    Mdot1[0][3] = Mdot1[3][0] = -c_0*(cos_sway*z_14 + cos_heave*z_15);
+    Mdot1[1][3] = Mdot1[3][1] = em_real(0.0);
+    const real z_16 = sway_dot*cos_sway;
+    Mdot1[2][3] = Mdot1[3][2] = c_0*(cos_heave*z_16 - sin_sway*z_14);
+    const real c_1 = c[9];
+    Mdot1[3][3] = -c_1*(cos_heave*z_14);
+    const real z_17 = heave_dot*cos_heave;
+    Mdot1[0][4] = Mdot1[4][0] = -c_0*(sin_sway*z_17 + sin_heave*z_16);
+    Mdot1[1][4] = Mdot1[4][1] = -c_0*z_14;
+    Mdot1[2][4] = Mdot1[4][2] = -c_0*(sin_heave*z_15 - cos_sway*z_17);
+    Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
+    Mdot1[4][4] = em_real(0.0);
+    const real J = c[2];
+    const real cos_pitch = shared[4];
+    const real pitch_dot = v[4];
+    const real sin_pitch = shared[5];
+    const real z_18 = pitch_dot*sin_pitch;
+    const real z_19 = cos_pitch*z_18;
+    const real z_10 = shared[6];
+    const real z_8 = shared[7];
+    const real roll_dot = v[5];
+    const real z_13 = shared[8];
+    const real z_20 = roll_dot*z_13;
+    const real z_21 = z_8*z_20;
+    const real J_up = c[3];
+    const real z_12 = shared[9];
+    Mdot2[0][0] = 2.0*(J*z_19 - J*(z_10*z_19 - z_21) - J_up*(z_21 + z_12*z_19));
+    const real c_2 = c[10];
+    const real z_22 = roll_dot*cos_pitch;
+    Mdot2[0][1] = Mdot2[1][0] = -c_2*(z_13*z_18 + z_10*z_22 - z_12*z_22);
+    const real c_3 = c[11];
+    Mdot2[1][1] = -c_3*z_20;
+    Mdot2[0][2] = Mdot2[2][0] = -pitch_dot*J*cos_pitch;
+    Mdot2[1][2] = Mdot2[2][1] = em_real(0.0);
+    Mdot2[2][2] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -511,8 +628,88 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 8 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], M2[N2][N2], shared[10];
+    settled_masses(y, c, M1, M2, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+    pivots += N1, diagonal += N1;
+    em_pivots(N2, M2[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[6], e[7] };
+    if (mode) em_backward(N1, memory + 0, memory + 25, v1);
+    else em_velocity_of_eta(N1, y + 16, y + 50, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[6] = v1[3];
+    v[7] = v1[4];
+    real v2[N2] = { e[3], e[4], e[5] };
+    if (mode) em_backward(N2, memory + 30, memory + 39, v2);
+    else em_velocity_of_eta(N2, y + 41, y + 55, v2);
+    v[3] = v2[0];
+    v[4] = v2[1];
+    v[5] = v2[2];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], M2[N2][N2], shared[10];
+    settled_masses(y, c, M1, M2, shared);
+    real eta1[N1] = { y[8], y[9], y[10], y[14], y[15] };
+    *done &= em_refresh(N1, M1[0], y + 16, y + 50, mode ? NULL : eta1);
+    y[8] = eta1[0];
+    y[9] = eta1[1];
+    y[10] = eta1[2];
+    y[14] = eta1[3];
+    y[15] = eta1[4];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 25, EM_SINGULAR_PIVOT);
+    real eta2[N2] = { y[11], y[12], y[13] };
+    *done &= em_refresh(N2, M2[0], y + 41, y + 55, mode ? NULL : eta2);
+    y[11] = eta2[0];
+    y[12] = eta2[1];
+    y[13] = eta2[2];
+    if (mode) em_cholesky(N2, M2[0], memory + 30, memory + 39, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 50));
+    gap = em_lane_min(gap, em_gap(N2, y + 55));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1], Mdot2[N2][N2];
+        settled_rates(v, c, shared, Mdot1, Mdot2);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 16, y + 50, Mdot1[0]));
+        time = em_lane_min(time, em_time_on_lanes(N2, y + 41, y + 55, Mdot2[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes drone_lanes;
-em_lanes drone_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes drone_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -1241,7 +1438,7 @@ EM_ASIDE void output_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes drone_lanes;
-EM_WEAK em_lanes drone_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes drone_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES drone_lanes
 
 #include "em_blocks.h"
@@ -1384,123 +1581,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double M2[N2][N2], double shared[10])
-{
-    const double c_7 = c[15];
-    M1[0][0] = c_7;
-    M1[0][1] = M1[1][0] = 0.0;
-    M1[1][1] = c_7;
-    M1[0][2] = M1[2][0] = 0.0;
-    M1[1][2] = M1[2][1] = 0.0;
-    M1[2][2] = c_7;
-    const double sway = x[6];
-    const double cos_sway = em_cos(sway);
-    const double heave = x[7];
-    const double cos_heave = em_cos(heave);
-    const double c_0 = c[8];
-    const double z_2 = cos_heave*c_0;
-    M1[0][3] = M1[3][0] = cos_sway*z_2;
-    M1[1][3] = M1[3][1] = 0.0;
-    const double sin_sway = em_sin(sway);
-    M1[2][3] = M1[3][2] = sin_sway*z_2;
-    const double c_6 = c[14];
-    M1[3][3] = c_6*(cos_heave*cos_heave);
-    const double sin_heave = em_sin(heave);
-    const double z_5 = sin_heave*c_0;
-    M1[0][4] = M1[4][0] = -sin_sway*z_5;
-    M1[1][4] = M1[4][1] = z_2;
-    M1[2][4] = M1[4][2] = cos_sway*z_5;
-    M1[3][4] = M1[4][3] = 0.0;
-    M1[4][4] = c_6;
-    const double J = c[2];
-    const double pitch = x[4];
-    const double sin_pitch = em_sin(pitch);
-    const double cos_pitch = em_cos(pitch);
-    const double z_8 = cos_pitch*cos_pitch;
-    const double roll = x[5];
-    const double sin_roll = em_sin(roll);
-    const double z_10 = sin_roll*sin_roll;
-    const double J_up = c[3];
-    const double cos_roll = em_cos(roll);
-    const double z_12 = cos_roll*cos_roll;
-    M2[0][0] = J*(sin_pitch*sin_pitch) + z_8*(J*z_10) + z_8*(J_up*z_12);
-    const double c_2 = c[10];
-    const double z_13 = sin_roll*cos_roll;
-    M2[0][1] = M2[1][0] = cos_pitch*(c_2*z_13);
-    M2[1][1] = J*z_12 + J_up*z_10;
-    M2[0][2] = M2[2][0] = -J*sin_pitch;
-    M2[1][2] = M2[2][1] = 0.0;
-    M2[2][2] = J;
-    shared[0] = cos_sway;
-    shared[1] = sin_heave;
-    shared[2] = cos_heave;
-    shared[3] = sin_sway;
-    shared[4] = cos_pitch;
-    shared[5] = sin_pitch;
-    shared[6] = z_10;
-    shared[7] = z_8;
-    shared[8] = z_13;
-    shared[9] = z_12;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[10],
-                             double Mdot1[N1][N1], double Mdot2[N2][N2])
-{
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = 0.0;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-    const double c_0 = c[8];
-    const double cos_sway = shared[0];
-    const double heave_dot = v[7];
-    const double sin_heave = shared[1];
-    const double z_14 = heave_dot*sin_heave;
-    const double cos_heave = shared[2];
-    const double sway_dot = v[6];
-    const double sin_sway = shared[3];
-    const double z_15 = sway_dot*sin_sway;
-    Mdot1[0][3] = Mdot1[3][0] = -c_0*(cos_sway*z_14 + cos_heave*z_15);
-    Mdot1[1][3] = Mdot1[3][1] = 0.0;
-    const double z_16 = sway_dot*cos_sway;
-    Mdot1[2][3] = Mdot1[3][2] = c_0*(cos_heave*z_16 - sin_sway*z_14);
-    const double c_1 = c[9];
-    Mdot1[3][3] = -c_1*(cos_heave*z_14);
-    const double z_17 = heave_dot*cos_heave;
-    Mdot1[0][4] = Mdot1[4][0] = -c_0*(sin_sway*z_17 + sin_heave*z_16);
-    Mdot1[1][4] = Mdot1[4][1] = -c_0*z_14;
-    Mdot1[2][4] = Mdot1[4][2] = -c_0*(sin_heave*z_15 - cos_sway*z_17);
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
-    const double J = c[2];
-    const double cos_pitch = shared[4];
-    const double pitch_dot = v[4];
-    const double sin_pitch = shared[5];
-    const double z_18 = pitch_dot*sin_pitch;
-    const double z_19 = cos_pitch*z_18;
-    const double z_10 = shared[6];
-    const double z_8 = shared[7];
-    const double roll_dot = v[5];
-    const double z_13 = shared[8];
-    const double z_20 = roll_dot*z_13;
-    const double z_21 = z_8*z_20;
-    const double J_up = c[3];
-    const double z_12 = shared[9];
-    Mdot2[0][0] = 2.0*(J*z_19 - J*(z_10*z_19 - z_21) - J_up*(z_21 + z_12*z_19));
-    const double c_2 = c[10];
-    const double z_22 = roll_dot*cos_pitch;
-    Mdot2[0][1] = Mdot2[1][0] = -c_2*(z_13*z_18 + z_10*z_22 - z_12*z_22);
-    const double c_3 = c[11];
-    Mdot2[1][1] = -c_3*z_20;
-    Mdot2[0][2] = Mdot2[2][0] = -pitch_dot*J*cos_pitch;
-    Mdot2[1][2] = Mdot2[2][1] = 0.0;
-    Mdot2[2][2] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -1509,7 +1589,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], M2[N2][N2], shared[10];
+    real M1[N1][N1], M2[N2][N2], shared[10];
     settled_masses(y, c, M1, M2, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
     if (changed && em_settle_factors(&block2, *mode, 0, M2[0], y, memory, fault)) return -1;
@@ -1522,7 +1602,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1], Mdot2[N2][N2];
+        real Mdot1[N1][N1], Mdot2[N2][N2];
         settled_rates(v, c, shared, Mdot1, Mdot2);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -1622,6 +1702,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", "z", "yaw", "pitch", "roll", "sway", "heave", NULL };
 static const char *const parameter_names[] = { "m", "load", "J", "J_up", "a", "drag", "L", "g", NULL };
@@ -1729,6 +1810,9 @@ const em_model drone_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &drone_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 9,
     .dimension = 3,
     .shapes = shapes,

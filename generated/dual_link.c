@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:008c3fb14411fd9d6c92f73eb8fd82eed109774a97ccd344a7269543986a8420 */
+/* body sha256:a019b405fde02c1d17e8022d78cb7d19cf97e18fe2e73381613dfcbe0dd60532 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -374,11 +374,69 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                              real A1[N_ROWS][N1], real b[N_ROWS], real shared[4])
+{
+    const real c_3 = c[16];
+    const real theta3 = x[2];
+    const real l1 = c[3];
+    const real z_0 = theta3 + l1;
+    M1[0][0] = c_3*(z_0*z_0);
+    const real c_1 = c[14];
+    const real theta1 = x[0];
+    const real cos_theta1 = em_cos(theta1);
+    const real theta2 = x[1];
+    const real cos_theta2 = em_cos(theta2);
+    const real sin_theta1 = em_sin(theta1);
+    const real sin_theta2 = em_sin(theta2);
+    const real z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
+    const real z_6 = c_1*z_5;
+    M1[0][1] = M1[1][0] = z_0*z_6;
+    const real c_4 = c[17];
+    M1[1][1] = c_4;
+    M1[0][2] = M1[2][0] = em_real(0.0);
+    const real z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
+    M1[1][2] = M1[2][1] = c_1*z_7;
+    M1[2][2] = c_3;
+    A1[0][0] = z_0*cos_theta1;
+    const real l2 = c[4];
+    A1[0][1] = l2*cos_theta2;
+    A1[0][2] = sin_theta1;
+    b[0] = em_real(0.0);
+    shared[0] = z_0;
+    shared[1] = z_5;
+    shared[2] = z_7;
+    shared[3] = z_6;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[4],
+                             real Mdot1[N1][N1])
+{
+    const real c_0 = c[13];
+    const real theta3_dot = v[2];
+    const real z_0 = shared[0];
+    Mdot1[0][0] = c_0*(theta3_dot*z_0);
+    const real c_1 = c[14];
+    const real z_5 = shared[1];
+    const real z_7 = shared[2];
+    const real theta1_dot = v[0];
+    const real theta2_dot = v[1];
+    const real z_8 = theta1_dot - theta2_dot;
+    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_7*(z_0*z_8));
+    Mdot1[1][1] = em_real(0.0);
+    Mdot1[0][2] = Mdot1[2][0] = em_real(0.0);
+    const real z_6 = shared[3];
+    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
+    Mdot1[2][2] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -392,8 +450,91 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, b, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2] };
+    if (mode) em_backward(N1, memory + 0, memory + 9, v1);
+    else em_velocity_of_eta(N1, y + 8, y + 17, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    real v2[N2] = { e[3] };
+    em_velocity_of_eta(N2, c + 9, c + 10, v2);
+    v[3] = v2[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s, constraints on velocities. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, b, shared);
+    real eta1[N1] = { y[4], y[5], y[6] };
+    *done &= em_refresh(N1, M1[0], y + 8, y + 17, mode ? NULL : eta1);
+    y[4] = eta1[0];
+    y[5] = eta1[1];
+    y[6] = eta1[2];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 9, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 17));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 8, y + 17, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+
+    real B1[N_ROWS][N1];
+    if (mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 9, A1[0], B1[0]);
+    else em_rows_of_factors(N_ROWS, N1, y + 8, y + 17, A1[0], B1[0]);
+    real a1[N1] = { y[4], y[5], y[6] };
+    /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        lambda[row] = b[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        for (int column = 0; column <= row; ++column) {
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    y[4] = a1[0];
+    y[5] = a1[1];
+    y[6] = a1[2];
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes dual_link_lanes;
-em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes dual_link_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -827,7 +968,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes dual_link_lanes;
-EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes dual_link_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES dual_link_lanes
 
 #include "em_blocks.h"
@@ -943,64 +1084,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_tangent.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[4])
-{
-    const double c_3 = c[16];
-    const double theta3 = x[2];
-    const double l1 = c[3];
-    const double z_0 = theta3 + l1;
-    M1[0][0] = c_3*(z_0*z_0);
-    const double c_1 = c[14];
-    const double theta1 = x[0];
-    const double cos_theta1 = em_cos(theta1);
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double sin_theta1 = em_sin(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = cos_theta1*cos_theta2 + sin_theta1*sin_theta2;
-    const double z_6 = c_1*z_5;
-    M1[0][1] = M1[1][0] = z_0*z_6;
-    const double c_4 = c[17];
-    M1[1][1] = c_4;
-    M1[0][2] = M1[2][0] = 0.0;
-    const double z_7 = cos_theta2*sin_theta1 - cos_theta1*sin_theta2;
-    M1[1][2] = M1[2][1] = c_1*z_7;
-    M1[2][2] = c_3;
-    A1[0][0] = z_0*cos_theta1;
-    const double l2 = c[4];
-    A1[0][1] = l2*cos_theta2;
-    A1[0][2] = sin_theta1;
-    b[0] = 0.0;
-    shared[0] = z_0;
-    shared[1] = z_5;
-    shared[2] = z_7;
-    shared[3] = z_6;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
-                             double Mdot1[N1][N1])
-{
-    const double c_0 = c[13];
-    const double theta3_dot = v[2];
-    const double z_0 = shared[0];
-    Mdot1[0][0] = c_0*(theta3_dot*z_0);
-    const double c_1 = c[14];
-    const double z_5 = shared[1];
-    const double z_7 = shared[2];
-    const double theta1_dot = v[0];
-    const double theta2_dot = v[1];
-    const double z_8 = theta1_dot - theta2_dot;
-    Mdot1[0][1] = Mdot1[1][0] = c_1*(theta3_dot*z_5 - z_7*(z_0*z_8));
-    Mdot1[1][1] = 0.0;
-    Mdot1[0][2] = Mdot1[2][0] = 0.0;
-    const double z_6 = shared[3];
-    Mdot1[1][2] = Mdot1[2][1] = z_8*z_6;
-    Mdot1[2][2] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -1009,7 +1092,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -1020,7 +1103,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -1132,6 +1215,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "theta1", "theta2", "theta3", "theta4", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "m3", "l1", "l2", "l3", "K1", "K2", "K3", NULL };
@@ -1244,6 +1328,9 @@ const em_model dual_link_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &dual_link_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 10,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:677cb080426ca6acd59ed99d13f4496c73fee0e7a782233b3051bf6aab01604b */
+/* body sha256:2734e0d6ca6f5fd4f768c8fc01434741b47725b428220c44d391d3cda9747782 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -162,11 +162,19 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
+{
+    const real m = c[0];
+    const real r = x[1];
+    M1[0][0] = m*(r*r);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -180,8 +188,52 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 1 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1];
+    settled_masses(y, c, M1);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_backward(N1, memory + 0, memory + 1, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 4, c + 5, v2);
+    v[1] = v2[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: the root of M is kept. *done becomes 0 in lanes that are settled number by number
+ * instead; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1];
+    settled_masses(y, c, M1);
+    em_cholesky(N1, M1[0], memory + 0, memory + 1, 0.0);
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes elastic_pendulum_lanes;
-em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes elastic_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -352,7 +404,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes elastic_pendulum_lanes;
-EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes elastic_pendulum_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES elastic_pendulum_lanes
 
 #include "em_blocks.h"
@@ -431,21 +483,13 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
-{
-    const double m = c[0];
-    const double r = x[1];
-    M1[0][0] = m*(r*r);
-}
-
 /* After an accepted step, and at the start: the root of M is kept.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
+    real M1[N1][N1];
     settled_masses(y, c, M1);
     if (em_keep_root(&block1, M1[0], memory, fault)) return -1;
     return 0;
@@ -522,6 +566,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "theta", "r", NULL };
 static const char *const parameter_names[] = { "m", "k", "g", "L", NULL };
@@ -624,6 +669,9 @@ const em_model elastic_pendulum_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &elastic_pendulum_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 4,
     .dimension = 2,
     .shapes = shapes,

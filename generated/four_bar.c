@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:7d17802085d77bb24a3f05199315285cb45c4bcf2ba7b7327b87f459e29a3bd6 */
+/* body sha256:f7522057fdec9ef4400f0c2120e9cb8253bbab98b1d36657ca2e920e4901ebcc */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -376,7 +376,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes four_bar_lanes;
-em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -771,7 +771,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
-EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES four_bar_lanes
 
 #include "em_blocks.h"

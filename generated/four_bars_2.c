@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:d088fcffee8b704cb0b9019db85c76bde71b0c709ebfb202c6a65fb4d7da2986 */
+/* body sha256:93a82e74f43bc2e60de3d95b6ba03850b156ba07652b5812b7b654728bfab104 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -513,7 +513,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes four_bars_2_lanes;
-em_lanes four_bars_2_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes four_bars_2_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -1045,7 +1045,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bars_2_lanes;
-EM_WEAK em_lanes four_bars_2_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes four_bars_2_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES four_bars_2_lanes
 
 #include "em_blocks.h"

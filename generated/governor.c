@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:8d3660039b18148a50896a1b7ac2dc54f701aba87e0a808d58eab010b46bd5a7 */
+/* body sha256:82af48e252e1c6d9ee7e11f712ed8f5681bcf746b44f667bf2625e98ae926a6a */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -254,11 +254,27 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
+{
+    const real J = c[2];
+    const real M = c[0];
+    const real b = c[4];
+    const real a1 = x[1];
+    const real sin_a1 = em_sin(a1);
+    const real c_0 = c[21];
+    const real z_1 = b + sin_a1*c_0;
+    const real a2 = x[2];
+    const real sin_a2 = em_sin(a2);
+    const real z_3 = b + sin_a2*c_0;
+    M1[0][0] = J + M*(z_1*z_1) + M*(z_3*z_3);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -272,8 +288,58 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 1 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1];
+    settled_masses(y, c, M1);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_backward(N1, memory + 0, memory + 1, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 9, c + 10, v2);
+    v[1] = v2[0];
+    real v3[N3] = { e[2] };
+    em_velocity_of_eta(N3, c + 13, c + 14, v3);
+    v[2] = v3[0];
+    real v4[N4] = { e[3] };
+    em_velocity_of_eta(N4, c + 17, c + 18, v4);
+    v[3] = v4[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: the root of M is kept. *done becomes 0 in lanes that are settled number by number
+ * instead; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1];
+    settled_masses(y, c, M1);
+    em_cholesky(N1, M1[0], memory + 0, memory + 1, 0.0);
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes governor_lanes;
-em_lanes governor_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes governor_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -764,7 +830,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes governor_lanes;
-EM_WEAK em_lanes governor_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes governor_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES governor_lanes
 
 #include "em_blocks.h"
@@ -881,29 +947,13 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
-{
-    const double J = c[2];
-    const double M = c[0];
-    const double b = c[4];
-    const double a1 = x[1];
-    const double sin_a1 = em_sin(a1);
-    const double c_0 = c[21];
-    const double z_1 = b + sin_a1*c_0;
-    const double a2 = x[2];
-    const double sin_a2 = em_sin(a2);
-    const double z_3 = b + sin_a2*c_0;
-    M1[0][0] = J + M*(z_1*z_1) + M*(z_3*z_3);
-}
-
 /* After an accepted step, and at the start: the root of M is kept.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M1[N1][N1];
+    real M1[N1][N1];
     settled_masses(y, c, M1);
     if (em_keep_root(&block1, M1[0], memory, fault)) return -1;
     return 0;
@@ -984,6 +1034,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "phi", "a1", "a2", "s", NULL };
 static const char *const parameter_names[] = { "M", "m", "J", "l", "b", "k", "c", "L", "g", NULL };
@@ -1093,6 +1144,9 @@ const em_model governor_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &governor_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 10,
     .dimension = 3,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:c8b587f4179597875d140b4e270fd90d68612eb41793a9910b9e27b0fefe6479 */
+/* body sha256:cb9ac1c47961d2b7a91ea48055ba34404d76c725b9db60bdf54fa2814d0fdfc0 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -248,11 +248,41 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[2])
+{
+    const real J = c[3];
+    const real theta = x[1];
+    const real sin_theta = em_sin(theta);
+    const real J3 = c[4];
+    const real cos_theta = em_cos(theta);
+    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
+    M1[0][1] = M1[1][0] = J3*cos_theta;
+    M1[1][1] = J3;
+    shared[0] = cos_theta;
+    shared[1] = sin_theta;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[2],
+                             real Mdot1[N1][N1])
+{
+    const real c_0 = c[9];
+    const real cos_theta = shared[0];
+    const real theta_dot = v[1];
+    const real sin_theta = shared[1];
+    const real z_2 = theta_dot*sin_theta;
+    Mdot1[0][0] = c_0*(cos_theta*z_2);
+    const real J3 = c[4];
+    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
+    Mdot1[1][1] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -266,8 +296,69 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 2 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], shared[2];
+    settled_masses(y, c, M1, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[2] };
+    if (mode) em_backward(N1, memory + 0, memory + 4, v1);
+    else em_velocity_of_eta(N1, y + 6, y + 10, v1);
+    v[0] = v1[0];
+    v[2] = v1[1];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 5, c + 6, v2);
+    v[1] = v2[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], shared[2];
+    settled_masses(y, c, M1, shared);
+    real eta1[N1] = { y[3], y[5] };
+    *done &= em_refresh(N1, M1[0], y + 6, y + 10, mode ? NULL : eta1);
+    y[3] = eta1[0];
+    y[5] = eta1[1];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 4, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 10));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 6, y + 10, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes heavy_top_lanes;
-em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes heavy_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -480,7 +571,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes heavy_top_lanes;
-EM_WEAK em_lanes heavy_top_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes heavy_top_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES heavy_top_lanes
 
 #include "em_blocks.h"
@@ -568,37 +659,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[2])
-{
-    const double J = c[3];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double J3 = c[4];
-    const double cos_theta = em_cos(theta);
-    M1[0][0] = J*(sin_theta*sin_theta) + J3*(cos_theta*cos_theta);
-    M1[0][1] = M1[1][0] = J3*cos_theta;
-    M1[1][1] = J3;
-    shared[0] = cos_theta;
-    shared[1] = sin_theta;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[2],
-                             double Mdot1[N1][N1])
-{
-    const double c_0 = c[9];
-    const double cos_theta = shared[0];
-    const double theta_dot = v[1];
-    const double sin_theta = shared[1];
-    const double z_2 = theta_dot*sin_theta;
-    Mdot1[0][0] = c_0*(cos_theta*z_2);
-    const double J3 = c[4];
-    Mdot1[0][1] = Mdot1[1][0] = -J3*z_2;
-    Mdot1[1][1] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -607,7 +667,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[2];
+    real M1[N1][N1], shared[2];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -618,7 +678,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -711,6 +771,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "phi", "theta", "psi", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
@@ -814,6 +875,9 @@ const em_model heavy_top_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &heavy_top_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 4,
     .dimension = 3,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:d1f9610e038717d339e03f32f9dd9f4777b313e5cda4d84dfa118a55121815db */
+/* body sha256:4f1c6059fcc867699b8920bf36601067d09620861544adf5c10c27bd6aabd384 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -781,7 +781,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes jansen_lanes;
-em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -2659,7 +2659,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes jansen_lanes;
-EM_WEAK em_lanes jansen_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes jansen_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES jansen_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:3c2730aefd85af183c213127e972cfae5f9bb16dca9e16a6d33583fa6510f90b */
+/* body sha256:d615147f1619c916ad3515a1d3e0ced4bfa907a74e79d109933247b859359794 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -211,7 +211,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes newtons_cradle_4_lanes;
-em_lanes newtons_cradle_4_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes newtons_cradle_4_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -554,7 +554,7 @@ EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes newtons_cradle_4_lanes;
-EM_WEAK em_lanes newtons_cradle_4_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes newtons_cradle_4_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES newtons_cradle_4_lanes
 
 #include "em_blocks.h"

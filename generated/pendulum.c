@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
-/* body sha256:ee1c27d4d2ec0e7120c7e6c6027323fa3788677e04bf5b9e0df3dc6aba675bde */
+/* body sha256:6e5091138fce68906f27776250a06e6f5ddeea8d66dc3616c4c016e0d7dabf48 */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -116,7 +116,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -130,8 +130,22 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 3, c + 4, v1);
+    v[0] = v1[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes pendulum_lanes;
-em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -263,7 +277,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes pendulum_lanes;
-EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes pendulum_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES pendulum_lanes
 
 #include "em_blocks.h"
@@ -414,6 +428,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", NULL };
@@ -514,6 +529,9 @@ const em_model pendulum_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &pendulum_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 4,
     .dimension = 2,
     .shapes = shapes,

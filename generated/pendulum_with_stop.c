@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:6e095c2c9a8bec29c4141209b61753a4bacf811fdf384ea894966f0c9c0c1cc8 */
+/* body sha256:7d985654db2946806f5f52dc558a1e2cbdaaedaac136c8df1b3209d9e62e8ab1 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -155,7 +155,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes pendulum_with_stop_lanes;
-em_lanes pendulum_with_stop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes pendulum_with_stop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -434,7 +434,7 @@ EM_ASIDE void level_partials(EM_UNUSED double t, const double *restrict x, EM_UN
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes pendulum_with_stop_lanes;
-EM_WEAK em_lanes pendulum_with_stop_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes pendulum_with_stop_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES pendulum_with_stop_lanes
 
 #include "em_blocks.h"

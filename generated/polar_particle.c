@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:0adfebcacf9ba15782cb5e7f659a11427c9198e67fa2fb87f508b4adc647390f */
+/* body sha256:996f4312ffb1c3e92507879429d0631eee5e56493051ee37e5ae808a608e36de */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -161,11 +161,19 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M2[N2][N2])
+{
+    const real m = c[0];
+    const real r = x[0];
+    M2[0][0] = m*(r*r);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -179,8 +187,52 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 1 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M2[N2][N2];
+    settled_masses(y, c, M2);
+    em_pivots(N2, M2[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 2, c + 3, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_backward(N2, memory + 0, memory + 1, v2);
+    v[1] = v2[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: the root of M is kept. *done becomes 0 in lanes that are settled number by number
+ * instead; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M2[N2][N2];
+    settled_masses(y, c, M2);
+    em_cholesky(N2, M2[0], memory + 0, memory + 1, 0.0);
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes polar_particle_lanes;
-em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -328,7 +380,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes polar_particle_lanes;
-EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes polar_particle_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES polar_particle_lanes
 
 #include "em_blocks.h"
@@ -403,21 +455,13 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M2[N2][N2])
-{
-    const double m = c[0];
-    const double r = x[0];
-    M2[0][0] = m*(r*r);
-}
-
 /* After an accepted step, and at the start: the root of M is kept.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    double M2[N2][N2];
+    real M2[N2][N2];
     settled_masses(y, c, M2);
     if (em_keep_root(&block2, M2[0], memory, fault)) return -1;
     return 0;
@@ -494,6 +538,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "r", "theta", NULL };
 static const char *const parameter_names[] = { "m", "mu", NULL };
@@ -595,6 +640,9 @@ const em_model polar_particle_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &polar_particle_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 3,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:e9b8ca39c12a11a0783cf4e0e911b283b97331f553f942a4b77fc5f412666c1e */
+/* body sha256:a592e0faadd5ecefe76b9dbfc84d3f2f63754e4bbbc1eefe90d5801bad72a463 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -954,11 +954,373 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                              real shared[50])
+{
+    const real q2 = x[1];
+    const real sin_q2 = em_sin(q2);
+    const real cos_q2 = em_cos(q2);
+    const real q3 = x[2];
+    const real sin_q3 = em_sin(q3);
+    const real z_3 = cos_q2*sin_q3;
+    const real cos_q3 = em_cos(q3);
+    const real z_5 = sin_q2*cos_q3;
+    const real z_6 = z_3 + z_5;
+    const real q4 = x[3];
+    const real sin_q4 = em_sin(q4);
+    const real z_8 = z_6*sin_q4;
+    const real q5 = x[4];
+    const real cos_q5 = em_cos(q5);
+    const real sin_q5 = em_sin(q5);
+    const real z_11 = sin_q2*sin_q3;
+    const real z_12 = cos_q2*cos_q3;
+    const real z_13 = z_11 - z_12;
+    const real z_14 = 4318.0*cos_q2 - 203.0*z_13;
+    const real cos_q4 = em_cos(q4);
+    const real z_16 = sin_q4*z_14 - 1500.5*z_13*cos_q4;
+    const real z_17 = 8636.0*z_8 - 2.0*z_16;
+    const real z_18 = z_6*sin_q5 + (1.0/3001.0)*z_17*cos_q5;
+    const real z_19 = 4000.0*z_8 + 3001.0*z_18;
+    const real c_0 = c[2];
+    const real z_20 = 5760.0*z_8 + z_19*c_0 + 129043.0*z_18;
+    const real z_21 = cos_q5*z_20;
+    const real z_22 = sin_q5*z_17 - 3001.0*z_6*cos_q5;
+    const real c_1 = c[3];
+    const real z_23 = sin_q5*c_1;
+    const real z_24 = 739312.0*z_8 + z_21 + z_22*z_23 - 164.0*z_16;
+    const real z_25 = z_6*cos_q4;
+    const real z_26 = sin_q5*z_13 - cos_q5*z_25;
+    const real z_27 = sin_q4*z_13 + (2.0/3001.0)*z_14*cos_q4;
+    const real z_28 = z_25 - (3001.0/8636.0)*z_27;
+    const real z_29 = 8636.0*z_28 - 4000.0*z_26;
+    const real c_2 = c[4];
+    const real z_30 = 222132.0*z_25 + z_29*c_2 - 75025.0*z_27 - 1152.0*z_26;
+    const real z_31 = sin_q4*z_24 + 5.0*cos_q4*z_30;
+    const real z_32 = 70992000.0*sin_q2 + 1450848000.0*z_6 + 2159.0*z_31 - 18759823020.0*cos_q2;
+    const real z_33 = 207169.0*sin_q2 - 1632.0*cos_q2;
+    const real z_34 = sin_q4*z_30 - (1.0/5.0)*cos_q4*z_24;
+    const real c_3 = c[5];
+    const real z_35 = z_29*c_3 + 77724.0*z_28 - 33885.0*z_26;
+    const real z_36 = z_13*cos_q5 + sin_q5*z_25;
+    const real z_37 = sin_q5*z_35 - 21250.0*cos_q5*z_36;
+    const real z_38 = 5725482720.0*z_13 + 406.0*z_31 - 15005.0*z_34 - 640.0*z_37;
+    const real z_39 = sin_q5*z_20;
+    const real c_4 = c[6];
+    const real z_40 = 497229916.0*z_25 + 32.0*cos_q5*z_35 + 680000.0*sin_q5*z_36 + z_29*c_4 - 166654533.0*z_27 -
+        2487168.0*z_26;
+    const real c_5 = c[7];
+    const real c_6 = c[8];
+    const real z_41 = sin_q5*c_6;
+    const real z_42 = 1690830848.0*z_8 + 2159.0*z_21 + z_19*c_5 + z_22*z_41 + 4321440.0*z_18 - 369656.0*z_16;
+    const real c_7 = c[9];
+    const real z_43 = cos_q5*z_22;
+    const real z_44 = 5803392000.0*cos_q2 + c_7*z_43 - 9492774802.0*z_6 - 3001.0*z_39 - 20.0*cos_q4*z_40 -
+        4.0*sin_q4*z_42;
+    M1[0][0] = (1.0/1000000000000.0)*(130000000000.0*sin_q2*sin_q2 + 524000000000.0*cos_q2*cos_q2 +
+        4350000.0*sin_q2*z_33 + 25.0*z_11*z_38 + 1134029968642.0 - 100.0*cos_q2*z_32 - 25.0*z_3*z_44 -
+        25.0*z_5*z_44 - 25.0*z_12*z_38);
+    const real z_45 = cos_q5*c_1;
+    const real z_46 = 1821922.0*z_6 + z_39 - z_22*z_45;
+    const real z_47 = 1575840.0*z_13 - 5.0*z_34;
+    const real c_18 = c[20];
+    const real z_48 = (cos_q4*z_42 + 0.5*c_18*z_43) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
+        (1.0/246082.0)*(z_39 + (10.0/203.0)*sin_q4*z_40));
+    M1[0][1] = M1[1][0] = ((-1.0/20000000000.0))*(5383560000.0*sin_q2 + 475020000.0*cos_q2 + 4318.0*cos_q3*z_46 +
+        4318.0*sin_q3*z_47 - 2.0*z_48);
+    const real z_49 = sin_q3*cos_q4;
+    const real z_50 = 4318.0*cos_q3 + 203.0;
+    const real z_51 = cos_q4 - z_49;
+    const real z_52 = sin_q5*z_50 - 4318.0*cos_q5*z_51;
+    const real z_53 = 2000.0*cos_q4 - z_52;
+    const real z_54 = 2880.0*cos_q4 + c_0*z_53 - 43.0*z_52;
+    const real z_55 = cos_q5*z_54;
+    const real z_56 = cos_q5*z_50 + 4318.0*sin_q5*z_51;
+    const real z_57 = 369656.0*cos_q4 + z_55 + z_56*z_23 - 354076.0*z_49;
+    const real z_58 = sin_q3*sin_q4;
+    const real z_59 = sin_q4*cos_q5;
+    const real z_60 = sin_q4 - z_58;
+    const real z_61 = 1000.0*z_59 + 2159.0*z_60;
+    const real z_62 = 55533.0*sin_q4 + 288.0*z_59 + z_61*c_2 - 53975.0*z_58;
+    const real z_63 = 336000.0 + cos_q4*z_57 + 10.0*sin_q4*z_62 - 2072640.0*sin_q3;
+    const real z_64 = sin_q5*z_54;
+    const real z_65 = 2426716.0*cos_q3 + 16646.0 + z_56*z_45 - z_64;
+    const real z_66 = 845415424.0*cos_q4 + 2159.0*z_55 + z_53*c_5 + z_56*z_41 - 798087304.0*z_49 - 1440.0*z_52;
+    const real c_8 = c[10];
+    const real z_67 = 33885.0*z_59 + z_61*c_8 + 77724.0*z_60;
+    const real z_68 = sin_q5*sin_q5;
+    const real z_69 = sin_q4*z_68 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_59);
+    const real z_70 = 8.0*cos_q5*z_67 + z_61*c_4 + 170000.0*z_69 - 119895747.0*z_58;
+    const real z_71 = (cos_q4*z_66 + 0.5*cos_q5*z_56*c_18) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
+        (29.0/207264000.0)*(z_64 - (20.0/203.0)*sin_q4*z_70));
+    M1[1][1] = (1.0/10000000000.0)*(4318.0*cos_q3*z_65 + 30547567588.0 + 2.0*z_71 - 4318.0*sin_q3*z_63);
+    M1[0][2] = M1[2][0] = ((-1.0/20000000000.0))*(-2.0*z_48);
+    M1[1][2] = M1[2][1] = (1.0/10000000000.0)*(1098579138.0 + 2.0*z_71);
+    const real z_72 = 2159.0*sin_q4 + 1000.0*z_59;
+    const real z_73 = 77724.0*sin_q4 + 33885.0*z_59 + z_72*c_8;
+    const real z_74 = 8.0*cos_q5*z_73 + z_72*c_4 + 170000.0*z_69;
+    const real z_75 = sin_q5 - (4318.0/203.0)*cos_q4*cos_q5;
+    const real z_76 = 203.0*z_75 - 2000.0*cos_q4;
+    const real z_77 = c_0*z_76 + 8729.0*z_75 - 2880.0*cos_q4;
+    const real z_78 = 203.0*cos_q5 + 4318.0*sin_q5*cos_q4;
+    const real z_79 = 2159.0*cos_q5*z_77 + z_76*c_5 + 292320.0*z_75 - 845415424.0*cos_q4 - z_78*z_41;
+    const real c_19 = c[21];
+    M1[2][2] = (1.0/500000000000.0)*(1000.0*sin_q4*z_74 + 10150.0*sin_q5*z_77 + 343365622869.0 + cos_q5*z_78*c_19
+        - 100.0*cos_q4*z_79);
+    M1[0][3] = M1[3][0] = ((-1.0/62500000.0))*(81250.0*z_13 - z_37);
+    const real z_80 = sin_q5*z_59;
+    M1[1][3] = M1[3][1] = ((-1.0/62500000.0))*(sin_q5*z_67 - 21250.0*z_80);
+    M1[2][3] = M1[3][2] = (1.0/62500000.0)*(21250.0*z_80 - sin_q5*z_73);
+    const real z_81 = cos_q5*cos_q5;
+    const real c_20 = c[22];
+    M1[3][3] = (1.0/6250000000000.0)*(2125000000.0*z_81 + 1200566413273.0 + c_20*z_68);
+    M1[0][4] = M1[4][0] = (1.0/62500000.0)*(40135.0*z_8 + z_19*c_3 + 27009.0*z_18);
+    const real c_10 = c[12];
+    M1[1][4] = M1[4][1] = (1.0/62500000.0)*(40135.0*cos_q4 + z_53*c_10 - 18.0*z_52);
+    M1[2][4] = M1[4][2] = ((-1.0/62500000.0))*(z_76*c_10 + 3654.0*z_75 - 40135.0*cos_q4);
+    M1[3][4] = M1[4][3] = em_real(0.0);
+    const real c_21 = c[23];
+    M1[4][4] = c_21;
+    M1[0][5] = M1[5][0] = ((-1.0/25000.0))*z_36;
+    M1[1][5] = M1[5][1] = (1.0/25000.0)*(sin_q5*sin_q4);
+    M1[2][5] = M1[5][2] = (1.0/25000.0)*(sin_q5*sin_q4);
+    M1[3][5] = M1[5][3] = (1.0/25000.0)*cos_q5;
+    M1[4][5] = M1[5][4] = em_real(0.0);
+    M1[5][5] = em_real(48526126417.0/250000000000.0);
+    shared[0] = cos_q2;
+    shared[1] = sin_q2;
+    shared[2] = z_32;
+    shared[3] = sin_q3;
+    shared[4] = cos_q3;
+    shared[5] = z_24;
+    shared[6] = cos_q4;
+    shared[7] = sin_q4;
+    shared[8] = z_6;
+    shared[9] = z_14;
+    shared[10] = z_13;
+    shared[11] = z_20;
+    shared[12] = sin_q5;
+    shared[13] = cos_q5;
+    shared[14] = z_17;
+    shared[15] = z_22;
+    shared[16] = z_30;
+    shared[17] = z_25;
+    shared[18] = z_33;
+    shared[19] = z_38;
+    shared[20] = z_11;
+    shared[21] = z_35;
+    shared[22] = z_36;
+    shared[23] = z_44;
+    shared[24] = z_3;
+    shared[25] = z_40;
+    shared[26] = z_42;
+    shared[27] = z_5;
+    shared[28] = z_12;
+    shared[29] = z_46;
+    shared[30] = z_47;
+    shared[31] = z_63;
+    shared[32] = z_57;
+    shared[33] = z_54;
+    shared[34] = z_50;
+    shared[35] = z_51;
+    shared[36] = z_56;
+    shared[37] = z_62;
+    shared[38] = z_65;
+    shared[39] = z_70;
+    shared[40] = z_67;
+    shared[41] = z_59;
+    shared[42] = z_68;
+    shared[43] = z_66;
+    shared[44] = z_74;
+    shared[45] = z_73;
+    shared[46] = z_79;
+    shared[47] = z_77;
+    shared[48] = z_78;
+    shared[49] = z_81;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[50],
+                             real Mdot1[N1][N1])
+{
+    const real cos_q2 = shared[0];
+    const real q2_dot = v[1];
+    const real sin_q2 = shared[1];
+    const real z_82 = q2_dot*sin_q2;
+    const real z_32 = shared[2];
+    const real z_83 = q2_dot*cos_q2;
+    const real sin_q3 = shared[3];
+    const real z_84 = sin_q3*z_82;
+    const real q3_dot = v[2];
+    const real cos_q3 = shared[4];
+    const real z_85 = q3_dot*cos_q3;
+    const real z_86 = cos_q2*z_85;
+    const real z_87 = cos_q3*z_83;
+    const real z_88 = q3_dot*sin_q3;
+    const real z_89 = sin_q2*z_88;
+    const real z_90 = (z_84 - z_86) - (z_87 - z_89);
+    const real z_24 = shared[5];
+    const real q4_dot = v[3];
+    const real cos_q4 = shared[6];
+    const real z_91 = q4_dot*cos_q4;
+    const real sin_q4 = shared[7];
+    const real z_6 = shared[8];
+    const real z_92 = sin_q4*z_90 - z_6*z_91;
+    const real z_14 = shared[9];
+    const real z_93 = sin_q3*z_83;
+    const real z_94 = sin_q2*z_85;
+    const real z_95 = cos_q3*z_82;
+    const real z_96 = cos_q2*z_88;
+    const real z_97 = (z_93 + z_94) + (z_95 + z_96);
+    const real z_98 = 4318.0*z_82 + 203.0*z_97;
+    const real z_13 = shared[10];
+    const real z_99 = q4_dot*sin_q4;
+    const real z_100 = (z_14*z_91 - sin_q4*z_98) - 1500.5*(cos_q4*z_97 - z_13*z_99);
+    const real z_20 = shared[11];
+    const real q5_dot = v[4];
+    const real sin_q5 = shared[12];
+    const real z_101 = q5_dot*sin_q5;
+    const real cos_q5 = shared[13];
+    const real c_0 = c[2];
+    const real z_102 = q5_dot*cos_q5;
+    const real z_103 = 8636.0*z_92 + 2.0*z_100;
+    const real z_17 = shared[14];
+    const real z_104 = (sin_q5*z_90 - z_6*z_102) + (1.0/3001.0)*(cos_q5*z_103 + z_17*z_101);
+    const real z_105 = 4000.0*z_92 + 3001.0*z_104;
+    const real z_106 = 5760.0*z_92 + c_0*z_105 + 129043.0*z_104;
+    const real c_1 = c[3];
+    const real z_22 = shared[15];
+    const real z_107 = (z_17*z_102 - sin_q5*z_103) + 3001.0*(cos_q5*z_90 + z_6*z_101);
+    const real z_108 = (z_20*z_101 + cos_q5*z_106) - c_1*(z_22*z_102 + sin_q5*z_107);
+    const real z_109 = 739312.0*z_92 + 164.0*z_100 + z_108;
+    const real z_30 = shared[16];
+    const real z_110 = cos_q4*z_90;
+    const real z_111 = z_6*z_99;
+    const real z_112 = z_110 + z_111;
+    const real z_25 = shared[17];
+    const real z_113 = (z_13*z_102 + sin_q5*z_97) + (cos_q5*z_110 + cos_q5*z_111 + z_25*z_101);
+    const real z_114 = (z_13*z_91 + sin_q4*z_97) - (2.0/3001.0)*(cos_q4*z_98 + z_14*z_99);
+    const real z_115 = z_112 + (3001.0/8636.0)*z_114;
+    const real z_116 = 4000.0*z_113 + 8636.0*z_115;
+    const real c_2 = c[4];
+    const real z_117 = 222132.0*z_112 + z_116*c_2 + 75025.0*z_114 + 1152.0*z_113;
+    const real z_118 = (z_24*z_91 - sin_q4*z_109) - 5.0*(z_30*z_99 + cos_q4*z_117);
+    const real z_33 = shared[18];
+    const real z_38 = shared[19];
+    const real z_11 = shared[20];
+    const real z_119 = (z_30*z_91 - sin_q4*z_117) + (1.0/5.0)*(z_24*z_99 + cos_q4*z_109);
+    const real z_35 = shared[21];
+    const real c_3 = c[5];
+    const real z_120 = z_116*c_3 + 33885.0*z_113 + 77724.0*z_115;
+    const real z_36 = shared[22];
+    const real z_121 = (cos_q5*z_97 - z_13*z_101) - (sin_q5*z_110 + sin_q5*z_111 - z_25*z_102);
+    const real z_122 = (z_35*z_102 - sin_q5*z_120) + 21250.0*(z_36*z_101 - cos_q5*z_121);
+    const real z_123 = 5725482720.0*z_97 + 406.0*z_118 - 15005.0*z_119 - 640.0*z_122;
+    const real z_44 = shared[23];
+    const real z_3 = shared[24];
+    const real z_40 = shared[25];
+    const real c_4 = c[6];
+    const real z_124 = 497229916.0*z_112 + 32.0*(z_35*z_101 + cos_q5*z_120) + z_116*c_4 + 166654533.0*z_114 +
+        2487168.0*z_113 - 680000.0*(z_36*z_102 + sin_q5*z_121);
+    const real z_42 = shared[26];
+    const real c_5 = c[7];
+    const real z_125 = 1690830848.0*z_92 + z_105*c_5 + 4321440.0*z_104 + 369656.0*z_100 + 2159.0*z_108;
+    const real z_126 = (z_20*z_102 - sin_q5*z_106) + c_1*(z_22*z_101 - cos_q5*z_107);
+    const real z_127 = 5803392000.0*z_82 + 4.0*(z_42*z_91 - sin_q4*z_125) + 3001.0*z_126 - 9492774802.0*z_90 -
+        20.0*(z_40*z_99 + cos_q4*z_124);
+    const real z_5 = shared[27];
+    const real z_12 = shared[28];
+    Mdot1[0][0] = ((-1.0/40000000000.0))*(31520000000.0*cos_q2*z_82 + (z_44*z_87 - z_44*z_89 - z_5*z_127) -
+        4.0*(z_32*z_82 - cos_q2*(70992000.0*z_83 + 18759823020.0*z_82 + 2159.0*z_118 - 1450848000.0*z_90)) -
+        174000.0*(z_33*z_83 + sin_q2*(207169.0*z_83 + 1632.0*z_82)) - (z_38*z_93 + z_38*z_94 + z_11*z_123) -
+        (z_44*z_84 + z_3*z_127 - z_44*z_86) - (z_38*z_95 + z_38*z_96 - z_12*z_123));
+    const real z_46 = shared[29];
+    const real z_47 = shared[30];
+    const real z_128 = ((z_40*z_91 - sin_q4*z_124) + (1.0/5.0)*(z_42*z_99 + cos_q4*z_125)) + (203.0/10.0)*(z_126 -
+        246082.0*(z_90 + (78792000.0/3568189.0)*z_97));
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/20000000000.0))*(5383560000.0*z_83 + 4318.0*(z_47*z_85 +
+        sin_q3*(1575840.0*z_97 - 5.0*z_119)) + 10.0*z_128 - 475020000.0*z_82 - 4318.0*(z_46*z_88 +
+        cos_q3*(1821922.0*z_90 - z_126)));
+    const real z_63 = shared[31];
+    const real z_57 = shared[32];
+    const real z_129 = cos_q4*z_85 - sin_q3*z_99;
+    const real z_54 = shared[33];
+    const real z_50 = shared[34];
+    const real z_51 = shared[35];
+    const real z_130 = z_99 + z_129;
+    const real z_131 = (z_50*z_102 - 4318.0*sin_q5*z_88) + 4318.0*(z_51*z_101 + cos_q5*z_130);
+    const real z_132 = 2000.0*z_99 + z_131;
+    const real z_133 = 2880.0*z_99 + c_0*z_132 + 43.0*z_131;
+    const real z_56 = shared[36];
+    const real z_134 = (z_50*z_101 + 4318.0*cos_q5*z_88) - 4318.0*(z_51*z_102 - sin_q5*z_130);
+    const real z_135 = (z_54*z_101 + cos_q5*z_133) - c_1*(z_56*z_102 - sin_q5*z_134);
+    const real z_62 = shared[37];
+    const real z_136 = sin_q4*z_85 + sin_q3*z_91;
+    const real z_137 = cos_q5*z_91 - sin_q4*z_101;
+    const real z_138 = z_91 - z_136;
+    const real z_139 = 1000.0*z_137 + 2159.0*z_138;
+    const real z_65 = shared[38];
+    const real z_140 = (z_54*z_102 - sin_q5*z_133) + c_1*(z_56*z_101 + cos_q5*z_134);
+    const real z_70 = shared[39];
+    const real z_67 = shared[40];
+    const real c_8 = c[10];
+    const real z_141 = 33885.0*z_137 + z_139*c_8 + 77724.0*z_138;
+    const real z_59 = shared[41];
+    const real z_68 = shared[42];
+    const real z_142 = (2.0*z_59*z_101 + z_91*z_68) + (124307479.0/170000.0)*(z_91 +
+        (621792.0/124307479.0)*z_137);
+    const real z_66 = shared[43];
+    const real z_143 = ((z_70*z_91 + sin_q4*(z_139*c_4 + 170000.0*z_142 - 119895747.0*z_136 - 8.0*(z_67*z_101 -
+        cos_q5*z_141))) - (1.0/10.0)*(z_66*z_99 + cos_q4*(845415424.0*z_99 + 798087304.0*z_129 + z_132*c_5 +
+        1440.0*z_131 + 2159.0*z_135))) - (203.0/20.0)*(z_140 + (207264000.0/29.0)*(z_85 + (1189.0/24000.0)*z_88));
+    Mdot1[1][1] = ((-1.0/10000000000.0))*(4318.0*(z_63*z_85 - sin_q3*(2072640.0*z_85 + (z_57*z_99 +
+        cos_q4*(369656.0*z_99 + 354076.0*z_129 + z_135)) - 10.0*(z_62*z_91 + sin_q4*(55533.0*z_91 + 288.0*z_137 +
+        z_139*c_2 - 53975.0*z_136)))) + 4318.0*(z_65*z_88 + cos_q3*(2426716.0*z_88 + z_140)) - 20.0*z_143);
+    Mdot1[0][2] = Mdot1[2][0] = (1.0/20000000000.0)*(-10.0*z_128);
+    Mdot1[1][2] = Mdot1[2][1] = ((-1.0/10000000000.0))*(-20.0*z_143);
+    const real z_74 = shared[44];
+    const real z_73 = shared[45];
+    const real z_144 = 2159.0*z_91 + 1000.0*z_137;
+    const real z_145 = 77724.0*z_91 + 33885.0*z_137 + z_144*c_8;
+    const real z_79 = shared[46];
+    const real z_77 = shared[47];
+    const real z_146 = z_102 + (4318.0/203.0)*(cos_q5*z_99 + cos_q4*z_101);
+    const real z_147 = 2000.0*z_99 + 203.0*z_146;
+    const real z_148 = 2880.0*z_99 + c_0*z_147 + 8729.0*z_146;
+    const real z_78 = shared[48];
+    const real z_149 = 203.0*z_101 - 4318.0*(cos_q4*z_102 - sin_q5*z_99);
+    Mdot1[2][2] = (1.0/10000000000.0)*(20.0*(z_74*z_91 + sin_q4*(z_144*c_4 + 170000.0*z_142 - 8.0*(z_73*z_101 -
+        cos_q5*z_145))) + 2.0*(z_79*z_99 - cos_q4*(845415424.0*z_99 + z_147*c_5 + 292320.0*z_146 -
+        2159.0*(z_77*z_101 - cos_q5*z_148) - 2159.0*c_1*(z_78*z_102 - sin_q5*z_149))) + 203.0*(z_77*z_102 +
+        sin_q5*z_148) - 203.0*c_1*(z_78*z_101 + cos_q5*z_149));
+    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/62500000.0))*(81250.0*z_97 - z_122);
+    const real z_81 = shared[49];
+    const real z_150 = q5_dot*sin_q4;
+    const real z_151 = sin_q5*z_91;
+    const real z_152 = z_81*z_150 + cos_q5*z_151 - z_68*z_150;
+    Mdot1[1][3] = Mdot1[3][1] = ((-1.0/62500000.0))*((z_67*z_102 + sin_q5*z_141) - 21250.0*z_152);
+    Mdot1[2][3] = Mdot1[3][2] = (1.0/62500000.0)*(21250.0*z_152 - (z_73*z_102 + sin_q5*z_145));
+    const real c_9 = c[11];
+    Mdot1[3][3] = -c_9*(cos_q5*z_101);
+    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/62500000.0))*(40135.0*z_92 + z_105*c_3 + 27009.0*z_104);
+    const real c_10 = c[12];
+    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_99 + z_132*c_10 + 18.0*z_131);
+    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_99 + z_147*c_10 + 3654.0*z_146);
+    Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
+    Mdot1[4][4] = em_real(0.0);
+    Mdot1[0][5] = Mdot1[5][0] = ((-1.0/25000.0))*z_121;
+    Mdot1[1][5] = Mdot1[5][1] = (1.0/25000.0)*(sin_q4*z_102 + z_151);
+    Mdot1[2][5] = Mdot1[5][2] = (1.0/25000.0)*(sin_q4*z_102 + z_151);
+    Mdot1[3][5] = Mdot1[5][3] = ((-1.0/25000.0))*z_101;
+    Mdot1[4][5] = Mdot1[5][4] = em_real(0.0);
+    Mdot1[5][5] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -972,8 +1334,74 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 6 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], shared[50];
+    settled_masses(y, c, M1, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[3], e[4], e[5] };
+    if (mode) em_backward(N1, memory + 0, memory + 36, v1);
+    else em_velocity_of_eta(N1, y + 12, y + 48, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+    v[4] = v1[4];
+    v[5] = v1[5];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], shared[50];
+    settled_masses(y, c, M1, shared);
+    real eta1[N1] = { y[6], y[7], y[8], y[9], y[10], y[11] };
+    *done &= em_refresh(N1, M1[0], y + 12, y + 48, mode ? NULL : eta1);
+    y[6] = eta1[0];
+    y[7] = eta1[1];
+    y[8] = eta1[2];
+    y[9] = eta1[3];
+    y[10] = eta1[4];
+    y[11] = eta1[5];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 36, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 48));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 12, y + 48, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes puma_lanes;
-em_lanes puma_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes puma_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -3253,7 +3681,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes puma_lanes;
-EM_WEAK em_lanes puma_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes puma_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES puma_lanes
 
 #include "em_blocks.h"
@@ -3485,368 +3913,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[50])
-{
-    const double q2 = x[1];
-    const double sin_q2 = em_sin(q2);
-    const double cos_q2 = em_cos(q2);
-    const double q3 = x[2];
-    const double sin_q3 = em_sin(q3);
-    const double z_3 = cos_q2*sin_q3;
-    const double cos_q3 = em_cos(q3);
-    const double z_5 = sin_q2*cos_q3;
-    const double z_6 = z_3 + z_5;
-    const double q4 = x[3];
-    const double sin_q4 = em_sin(q4);
-    const double z_8 = z_6*sin_q4;
-    const double q5 = x[4];
-    const double cos_q5 = em_cos(q5);
-    const double sin_q5 = em_sin(q5);
-    const double z_11 = sin_q2*sin_q3;
-    const double z_12 = cos_q2*cos_q3;
-    const double z_13 = z_11 - z_12;
-    const double z_14 = 4318.0*cos_q2 - 203.0*z_13;
-    const double cos_q4 = em_cos(q4);
-    const double z_16 = sin_q4*z_14 - 1500.5*z_13*cos_q4;
-    const double z_17 = 8636.0*z_8 - 2.0*z_16;
-    const double z_18 = z_6*sin_q5 + (1.0/3001.0)*z_17*cos_q5;
-    const double z_19 = 4000.0*z_8 + 3001.0*z_18;
-    const double c_0 = c[2];
-    const double z_20 = 5760.0*z_8 + z_19*c_0 + 129043.0*z_18;
-    const double z_21 = cos_q5*z_20;
-    const double z_22 = sin_q5*z_17 - 3001.0*z_6*cos_q5;
-    const double c_1 = c[3];
-    const double z_23 = sin_q5*c_1;
-    const double z_24 = 739312.0*z_8 + z_21 + z_22*z_23 - 164.0*z_16;
-    const double z_25 = z_6*cos_q4;
-    const double z_26 = sin_q5*z_13 - cos_q5*z_25;
-    const double z_27 = sin_q4*z_13 + (2.0/3001.0)*z_14*cos_q4;
-    const double z_28 = z_25 - (3001.0/8636.0)*z_27;
-    const double z_29 = 8636.0*z_28 - 4000.0*z_26;
-    const double c_2 = c[4];
-    const double z_30 = 222132.0*z_25 + z_29*c_2 - 75025.0*z_27 - 1152.0*z_26;
-    const double z_31 = sin_q4*z_24 + 5.0*cos_q4*z_30;
-    const double z_32 = 70992000.0*sin_q2 + 1450848000.0*z_6 + 2159.0*z_31 - 18759823020.0*cos_q2;
-    const double z_33 = 207169.0*sin_q2 - 1632.0*cos_q2;
-    const double z_34 = sin_q4*z_30 - (1.0/5.0)*cos_q4*z_24;
-    const double c_3 = c[5];
-    const double z_35 = z_29*c_3 + 77724.0*z_28 - 33885.0*z_26;
-    const double z_36 = z_13*cos_q5 + sin_q5*z_25;
-    const double z_37 = sin_q5*z_35 - 21250.0*cos_q5*z_36;
-    const double z_38 = 5725482720.0*z_13 + 406.0*z_31 - 15005.0*z_34 - 640.0*z_37;
-    const double z_39 = sin_q5*z_20;
-    const double c_4 = c[6];
-    const double z_40 = 497229916.0*z_25 + 32.0*cos_q5*z_35 + 680000.0*sin_q5*z_36 + z_29*c_4 - 166654533.0*z_27 -
-        2487168.0*z_26;
-    const double c_5 = c[7];
-    const double c_6 = c[8];
-    const double z_41 = sin_q5*c_6;
-    const double z_42 = 1690830848.0*z_8 + 2159.0*z_21 + z_19*c_5 + z_22*z_41 + 4321440.0*z_18 - 369656.0*z_16;
-    const double c_7 = c[9];
-    const double z_43 = cos_q5*z_22;
-    const double z_44 = 5803392000.0*cos_q2 + c_7*z_43 - 9492774802.0*z_6 - 3001.0*z_39 - 20.0*cos_q4*z_40 -
-        4.0*sin_q4*z_42;
-    M1[0][0] = (1.0/1000000000000.0)*(130000000000.0*sin_q2*sin_q2 + 524000000000.0*cos_q2*cos_q2 +
-        4350000.0*sin_q2*z_33 + 25.0*z_11*z_38 + 1134029968642.0 - 100.0*cos_q2*z_32 - 25.0*z_3*z_44 -
-        25.0*z_5*z_44 - 25.0*z_12*z_38);
-    const double z_45 = cos_q5*c_1;
-    const double z_46 = 1821922.0*z_6 + z_39 - z_22*z_45;
-    const double z_47 = 1575840.0*z_13 - 5.0*z_34;
-    const double c_18 = c[20];
-    const double z_48 = (cos_q4*z_42 + 0.5*c_18*z_43) - 24977323.0*((z_6 - (78792000.0/3568189.0)*z_13) +
-        (1.0/246082.0)*(z_39 + (10.0/203.0)*sin_q4*z_40));
-    M1[0][1] = M1[1][0] = ((-1.0/20000000000.0))*(5383560000.0*sin_q2 + 475020000.0*cos_q2 + 4318.0*cos_q3*z_46 +
-        4318.0*sin_q3*z_47 - 2.0*z_48);
-    const double z_49 = sin_q3*cos_q4;
-    const double z_50 = 4318.0*cos_q3 + 203.0;
-    const double z_51 = cos_q4 - z_49;
-    const double z_52 = sin_q5*z_50 - 4318.0*cos_q5*z_51;
-    const double z_53 = 2000.0*cos_q4 - z_52;
-    const double z_54 = 2880.0*cos_q4 + c_0*z_53 - 43.0*z_52;
-    const double z_55 = cos_q5*z_54;
-    const double z_56 = cos_q5*z_50 + 4318.0*sin_q5*z_51;
-    const double z_57 = 369656.0*cos_q4 + z_55 + z_56*z_23 - 354076.0*z_49;
-    const double z_58 = sin_q3*sin_q4;
-    const double z_59 = sin_q4*cos_q5;
-    const double z_60 = sin_q4 - z_58;
-    const double z_61 = 1000.0*z_59 + 2159.0*z_60;
-    const double z_62 = 55533.0*sin_q4 + 288.0*z_59 + z_61*c_2 - 53975.0*z_58;
-    const double z_63 = 336000.0 + cos_q4*z_57 + 10.0*sin_q4*z_62 - 2072640.0*sin_q3;
-    const double z_64 = sin_q5*z_54;
-    const double z_65 = 2426716.0*cos_q3 + 16646.0 + z_56*z_45 - z_64;
-    const double z_66 = 845415424.0*cos_q4 + 2159.0*z_55 + z_53*c_5 + z_56*z_41 - 798087304.0*z_49 - 1440.0*z_52;
-    const double c_8 = c[10];
-    const double z_67 = 33885.0*z_59 + z_61*c_8 + 77724.0*z_60;
-    const double z_68 = sin_q5*sin_q5;
-    const double z_69 = sin_q4*z_68 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_59);
-    const double z_70 = 8.0*cos_q5*z_67 + z_61*c_4 + 170000.0*z_69 - 119895747.0*z_58;
-    const double z_71 = (cos_q4*z_66 + 0.5*cos_q5*z_56*c_18) - 725424000.0*((sin_q3 - (1189.0/24000.0)*cos_q3) +
-        (29.0/207264000.0)*(z_64 - (20.0/203.0)*sin_q4*z_70));
-    M1[1][1] = (1.0/10000000000.0)*(4318.0*cos_q3*z_65 + 30547567588.0 + 2.0*z_71 - 4318.0*sin_q3*z_63);
-    M1[0][2] = M1[2][0] = ((-1.0/20000000000.0))*(-2.0*z_48);
-    M1[1][2] = M1[2][1] = (1.0/10000000000.0)*(1098579138.0 + 2.0*z_71);
-    const double z_72 = 2159.0*sin_q4 + 1000.0*z_59;
-    const double z_73 = 77724.0*sin_q4 + 33885.0*z_59 + z_72*c_8;
-    const double z_74 = 8.0*cos_q5*z_73 + z_72*c_4 + 170000.0*z_69;
-    const double z_75 = sin_q5 - (4318.0/203.0)*cos_q4*cos_q5;
-    const double z_76 = 203.0*z_75 - 2000.0*cos_q4;
-    const double z_77 = c_0*z_76 + 8729.0*z_75 - 2880.0*cos_q4;
-    const double z_78 = 203.0*cos_q5 + 4318.0*sin_q5*cos_q4;
-    const double z_79 = 2159.0*cos_q5*z_77 + z_76*c_5 + 292320.0*z_75 - 845415424.0*cos_q4 - z_78*z_41;
-    const double c_19 = c[21];
-    M1[2][2] = (1.0/500000000000.0)*(1000.0*sin_q4*z_74 + 10150.0*sin_q5*z_77 + 343365622869.0 + cos_q5*z_78*c_19
-        - 100.0*cos_q4*z_79);
-    M1[0][3] = M1[3][0] = ((-1.0/62500000.0))*(81250.0*z_13 - z_37);
-    const double z_80 = sin_q5*z_59;
-    M1[1][3] = M1[3][1] = ((-1.0/62500000.0))*(sin_q5*z_67 - 21250.0*z_80);
-    M1[2][3] = M1[3][2] = (1.0/62500000.0)*(21250.0*z_80 - sin_q5*z_73);
-    const double z_81 = cos_q5*cos_q5;
-    const double c_20 = c[22];
-    M1[3][3] = (1.0/6250000000000.0)*(2125000000.0*z_81 + 1200566413273.0 + c_20*z_68);
-    M1[0][4] = M1[4][0] = (1.0/62500000.0)*(40135.0*z_8 + z_19*c_3 + 27009.0*z_18);
-    const double c_10 = c[12];
-    M1[1][4] = M1[4][1] = (1.0/62500000.0)*(40135.0*cos_q4 + z_53*c_10 - 18.0*z_52);
-    M1[2][4] = M1[4][2] = ((-1.0/62500000.0))*(z_76*c_10 + 3654.0*z_75 - 40135.0*cos_q4);
-    M1[3][4] = M1[4][3] = 0.0;
-    const double c_21 = c[23];
-    M1[4][4] = c_21;
-    M1[0][5] = M1[5][0] = ((-1.0/25000.0))*z_36;
-    M1[1][5] = M1[5][1] = (1.0/25000.0)*(sin_q5*sin_q4);
-    M1[2][5] = M1[5][2] = (1.0/25000.0)*(sin_q5*sin_q4);
-    M1[3][5] = M1[5][3] = (1.0/25000.0)*cos_q5;
-    M1[4][5] = M1[5][4] = 0.0;
-    M1[5][5] = 48526126417.0/250000000000.0;
-    shared[0] = cos_q2;
-    shared[1] = sin_q2;
-    shared[2] = z_32;
-    shared[3] = sin_q3;
-    shared[4] = cos_q3;
-    shared[5] = z_24;
-    shared[6] = cos_q4;
-    shared[7] = sin_q4;
-    shared[8] = z_6;
-    shared[9] = z_14;
-    shared[10] = z_13;
-    shared[11] = z_20;
-    shared[12] = sin_q5;
-    shared[13] = cos_q5;
-    shared[14] = z_17;
-    shared[15] = z_22;
-    shared[16] = z_30;
-    shared[17] = z_25;
-    shared[18] = z_33;
-    shared[19] = z_38;
-    shared[20] = z_11;
-    shared[21] = z_35;
-    shared[22] = z_36;
-    shared[23] = z_44;
-    shared[24] = z_3;
-    shared[25] = z_40;
-    shared[26] = z_42;
-    shared[27] = z_5;
-    shared[28] = z_12;
-    shared[29] = z_46;
-    shared[30] = z_47;
-    shared[31] = z_63;
-    shared[32] = z_57;
-    shared[33] = z_54;
-    shared[34] = z_50;
-    shared[35] = z_51;
-    shared[36] = z_56;
-    shared[37] = z_62;
-    shared[38] = z_65;
-    shared[39] = z_70;
-    shared[40] = z_67;
-    shared[41] = z_59;
-    shared[42] = z_68;
-    shared[43] = z_66;
-    shared[44] = z_74;
-    shared[45] = z_73;
-    shared[46] = z_79;
-    shared[47] = z_77;
-    shared[48] = z_78;
-    shared[49] = z_81;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[50],
-                             double Mdot1[N1][N1])
-{
-    const double cos_q2 = shared[0];
-    const double q2_dot = v[1];
-    const double sin_q2 = shared[1];
-    const double z_82 = q2_dot*sin_q2;
-    const double z_32 = shared[2];
-    const double z_83 = q2_dot*cos_q2;
-    const double sin_q3 = shared[3];
-    const double z_84 = sin_q3*z_82;
-    const double q3_dot = v[2];
-    const double cos_q3 = shared[4];
-    const double z_85 = q3_dot*cos_q3;
-    const double z_86 = cos_q2*z_85;
-    const double z_87 = cos_q3*z_83;
-    const double z_88 = q3_dot*sin_q3;
-    const double z_89 = sin_q2*z_88;
-    const double z_90 = (z_84 - z_86) - (z_87 - z_89);
-    const double z_24 = shared[5];
-    const double q4_dot = v[3];
-    const double cos_q4 = shared[6];
-    const double z_91 = q4_dot*cos_q4;
-    const double sin_q4 = shared[7];
-    const double z_6 = shared[8];
-    const double z_92 = sin_q4*z_90 - z_6*z_91;
-    const double z_14 = shared[9];
-    const double z_93 = sin_q3*z_83;
-    const double z_94 = sin_q2*z_85;
-    const double z_95 = cos_q3*z_82;
-    const double z_96 = cos_q2*z_88;
-    const double z_97 = (z_93 + z_94) + (z_95 + z_96);
-    const double z_98 = 4318.0*z_82 + 203.0*z_97;
-    const double z_13 = shared[10];
-    const double z_99 = q4_dot*sin_q4;
-    const double z_100 = (z_14*z_91 - sin_q4*z_98) - 1500.5*(cos_q4*z_97 - z_13*z_99);
-    const double z_20 = shared[11];
-    const double q5_dot = v[4];
-    const double sin_q5 = shared[12];
-    const double z_101 = q5_dot*sin_q5;
-    const double cos_q5 = shared[13];
-    const double c_0 = c[2];
-    const double z_102 = q5_dot*cos_q5;
-    const double z_103 = 8636.0*z_92 + 2.0*z_100;
-    const double z_17 = shared[14];
-    const double z_104 = (sin_q5*z_90 - z_6*z_102) + (1.0/3001.0)*(cos_q5*z_103 + z_17*z_101);
-    const double z_105 = 4000.0*z_92 + 3001.0*z_104;
-    const double z_106 = 5760.0*z_92 + c_0*z_105 + 129043.0*z_104;
-    const double c_1 = c[3];
-    const double z_22 = shared[15];
-    const double z_107 = (z_17*z_102 - sin_q5*z_103) + 3001.0*(cos_q5*z_90 + z_6*z_101);
-    const double z_108 = (z_20*z_101 + cos_q5*z_106) - c_1*(z_22*z_102 + sin_q5*z_107);
-    const double z_109 = 739312.0*z_92 + 164.0*z_100 + z_108;
-    const double z_30 = shared[16];
-    const double z_110 = cos_q4*z_90;
-    const double z_111 = z_6*z_99;
-    const double z_112 = z_110 + z_111;
-    const double z_25 = shared[17];
-    const double z_113 = (z_13*z_102 + sin_q5*z_97) + (cos_q5*z_110 + cos_q5*z_111 + z_25*z_101);
-    const double z_114 = (z_13*z_91 + sin_q4*z_97) - (2.0/3001.0)*(cos_q4*z_98 + z_14*z_99);
-    const double z_115 = z_112 + (3001.0/8636.0)*z_114;
-    const double z_116 = 4000.0*z_113 + 8636.0*z_115;
-    const double c_2 = c[4];
-    const double z_117 = 222132.0*z_112 + z_116*c_2 + 75025.0*z_114 + 1152.0*z_113;
-    const double z_118 = (z_24*z_91 - sin_q4*z_109) - 5.0*(z_30*z_99 + cos_q4*z_117);
-    const double z_33 = shared[18];
-    const double z_38 = shared[19];
-    const double z_11 = shared[20];
-    const double z_119 = (z_30*z_91 - sin_q4*z_117) + (1.0/5.0)*(z_24*z_99 + cos_q4*z_109);
-    const double z_35 = shared[21];
-    const double c_3 = c[5];
-    const double z_120 = z_116*c_3 + 33885.0*z_113 + 77724.0*z_115;
-    const double z_36 = shared[22];
-    const double z_121 = (cos_q5*z_97 - z_13*z_101) - (sin_q5*z_110 + sin_q5*z_111 - z_25*z_102);
-    const double z_122 = (z_35*z_102 - sin_q5*z_120) + 21250.0*(z_36*z_101 - cos_q5*z_121);
-    const double z_123 = 5725482720.0*z_97 + 406.0*z_118 - 15005.0*z_119 - 640.0*z_122;
-    const double z_44 = shared[23];
-    const double z_3 = shared[24];
-    const double z_40 = shared[25];
-    const double c_4 = c[6];
-    const double z_124 = 497229916.0*z_112 + 32.0*(z_35*z_101 + cos_q5*z_120) + z_116*c_4 + 166654533.0*z_114 +
-        2487168.0*z_113 - 680000.0*(z_36*z_102 + sin_q5*z_121);
-    const double z_42 = shared[26];
-    const double c_5 = c[7];
-    const double z_125 = 1690830848.0*z_92 + z_105*c_5 + 4321440.0*z_104 + 369656.0*z_100 + 2159.0*z_108;
-    const double z_126 = (z_20*z_102 - sin_q5*z_106) + c_1*(z_22*z_101 - cos_q5*z_107);
-    const double z_127 = 5803392000.0*z_82 + 4.0*(z_42*z_91 - sin_q4*z_125) + 3001.0*z_126 - 9492774802.0*z_90 -
-        20.0*(z_40*z_99 + cos_q4*z_124);
-    const double z_5 = shared[27];
-    const double z_12 = shared[28];
-    Mdot1[0][0] = ((-1.0/40000000000.0))*(31520000000.0*cos_q2*z_82 + (z_44*z_87 - z_44*z_89 - z_5*z_127) -
-        4.0*(z_32*z_82 - cos_q2*(70992000.0*z_83 + 18759823020.0*z_82 + 2159.0*z_118 - 1450848000.0*z_90)) -
-        174000.0*(z_33*z_83 + sin_q2*(207169.0*z_83 + 1632.0*z_82)) - (z_38*z_93 + z_38*z_94 + z_11*z_123) -
-        (z_44*z_84 + z_3*z_127 - z_44*z_86) - (z_38*z_95 + z_38*z_96 - z_12*z_123));
-    const double z_46 = shared[29];
-    const double z_47 = shared[30];
-    const double z_128 = ((z_40*z_91 - sin_q4*z_124) + (1.0/5.0)*(z_42*z_99 + cos_q4*z_125)) + (203.0/10.0)*(z_126
-        - 246082.0*(z_90 + (78792000.0/3568189.0)*z_97));
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/20000000000.0))*(5383560000.0*z_83 + 4318.0*(z_47*z_85 +
-        sin_q3*(1575840.0*z_97 - 5.0*z_119)) + 10.0*z_128 - 475020000.0*z_82 - 4318.0*(z_46*z_88 +
-        cos_q3*(1821922.0*z_90 - z_126)));
-    const double z_63 = shared[31];
-    const double z_57 = shared[32];
-    const double z_129 = cos_q4*z_85 - sin_q3*z_99;
-    const double z_54 = shared[33];
-    const double z_50 = shared[34];
-    const double z_51 = shared[35];
-    const double z_130 = z_99 + z_129;
-    const double z_131 = (z_50*z_102 - 4318.0*sin_q5*z_88) + 4318.0*(z_51*z_101 + cos_q5*z_130);
-    const double z_132 = 2000.0*z_99 + z_131;
-    const double z_133 = 2880.0*z_99 + c_0*z_132 + 43.0*z_131;
-    const double z_56 = shared[36];
-    const double z_134 = (z_50*z_101 + 4318.0*cos_q5*z_88) - 4318.0*(z_51*z_102 - sin_q5*z_130);
-    const double z_135 = (z_54*z_101 + cos_q5*z_133) - c_1*(z_56*z_102 - sin_q5*z_134);
-    const double z_62 = shared[37];
-    const double z_136 = sin_q4*z_85 + sin_q3*z_91;
-    const double z_137 = cos_q5*z_91 - sin_q4*z_101;
-    const double z_138 = z_91 - z_136;
-    const double z_139 = 1000.0*z_137 + 2159.0*z_138;
-    const double z_65 = shared[38];
-    const double z_140 = (z_54*z_102 - sin_q5*z_133) + c_1*(z_56*z_101 + cos_q5*z_134);
-    const double z_70 = shared[39];
-    const double z_67 = shared[40];
-    const double c_8 = c[10];
-    const double z_141 = 33885.0*z_137 + z_139*c_8 + 77724.0*z_138;
-    const double z_59 = shared[41];
-    const double z_68 = shared[42];
-    const double z_142 = (2.0*z_59*z_101 + z_91*z_68) + (124307479.0/170000.0)*(z_91 +
-        (621792.0/124307479.0)*z_137);
-    const double z_66 = shared[43];
-    const double z_143 = ((z_70*z_91 + sin_q4*(z_139*c_4 + 170000.0*z_142 - 119895747.0*z_136 - 8.0*(z_67*z_101 -
-        cos_q5*z_141))) - (1.0/10.0)*(z_66*z_99 + cos_q4*(845415424.0*z_99 + 798087304.0*z_129 + z_132*c_5 +
-        1440.0*z_131 + 2159.0*z_135))) - (203.0/20.0)*(z_140 + (207264000.0/29.0)*(z_85 + (1189.0/24000.0)*z_88));
-    Mdot1[1][1] = ((-1.0/10000000000.0))*(4318.0*(z_63*z_85 - sin_q3*(2072640.0*z_85 + (z_57*z_99 +
-        cos_q4*(369656.0*z_99 + 354076.0*z_129 + z_135)) - 10.0*(z_62*z_91 + sin_q4*(55533.0*z_91 + 288.0*z_137 +
-        z_139*c_2 - 53975.0*z_136)))) + 4318.0*(z_65*z_88 + cos_q3*(2426716.0*z_88 + z_140)) - 20.0*z_143);
-    Mdot1[0][2] = Mdot1[2][0] = (1.0/20000000000.0)*(-10.0*z_128);
-    Mdot1[1][2] = Mdot1[2][1] = ((-1.0/10000000000.0))*(-20.0*z_143);
-    const double z_74 = shared[44];
-    const double z_73 = shared[45];
-    const double z_144 = 2159.0*z_91 + 1000.0*z_137;
-    const double z_145 = 77724.0*z_91 + 33885.0*z_137 + z_144*c_8;
-    const double z_79 = shared[46];
-    const double z_77 = shared[47];
-    const double z_146 = z_102 + (4318.0/203.0)*(cos_q5*z_99 + cos_q4*z_101);
-    const double z_147 = 2000.0*z_99 + 203.0*z_146;
-    const double z_148 = 2880.0*z_99 + c_0*z_147 + 8729.0*z_146;
-    const double z_78 = shared[48];
-    const double z_149 = 203.0*z_101 - 4318.0*(cos_q4*z_102 - sin_q5*z_99);
-    Mdot1[2][2] = (1.0/10000000000.0)*(20.0*(z_74*z_91 + sin_q4*(z_144*c_4 + 170000.0*z_142 - 8.0*(z_73*z_101 -
-        cos_q5*z_145))) + 2.0*(z_79*z_99 - cos_q4*(845415424.0*z_99 + z_147*c_5 + 292320.0*z_146 -
-        2159.0*(z_77*z_101 - cos_q5*z_148) - 2159.0*c_1*(z_78*z_102 - sin_q5*z_149))) + 203.0*(z_77*z_102 +
-        sin_q5*z_148) - 203.0*c_1*(z_78*z_101 + cos_q5*z_149));
-    Mdot1[0][3] = Mdot1[3][0] = ((-1.0/62500000.0))*(81250.0*z_97 - z_122);
-    const double z_81 = shared[49];
-    const double z_150 = q5_dot*sin_q4;
-    const double z_151 = sin_q5*z_91;
-    const double z_152 = z_81*z_150 + cos_q5*z_151 - z_68*z_150;
-    Mdot1[1][3] = Mdot1[3][1] = ((-1.0/62500000.0))*((z_67*z_102 + sin_q5*z_141) - 21250.0*z_152);
-    Mdot1[2][3] = Mdot1[3][2] = (1.0/62500000.0)*(21250.0*z_152 - (z_73*z_102 + sin_q5*z_145));
-    const double c_9 = c[11];
-    Mdot1[3][3] = -c_9*(cos_q5*z_101);
-    Mdot1[0][4] = Mdot1[4][0] = ((-1.0/62500000.0))*(40135.0*z_92 + z_105*c_3 + 27009.0*z_104);
-    const double c_10 = c[12];
-    Mdot1[1][4] = Mdot1[4][1] = ((-1.0/62500000.0))*(40135.0*z_99 + z_132*c_10 + 18.0*z_131);
-    Mdot1[2][4] = Mdot1[4][2] = ((-1.0/62500000.0))*(40135.0*z_99 + z_147*c_10 + 3654.0*z_146);
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
-    Mdot1[0][5] = Mdot1[5][0] = ((-1.0/25000.0))*z_121;
-    Mdot1[1][5] = Mdot1[5][1] = (1.0/25000.0)*(sin_q4*z_102 + z_151);
-    Mdot1[2][5] = Mdot1[5][2] = (1.0/25000.0)*(sin_q4*z_102 + z_151);
-    Mdot1[3][5] = Mdot1[5][3] = ((-1.0/25000.0))*z_101;
-    Mdot1[4][5] = Mdot1[5][4] = 0.0;
-    Mdot1[5][5] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -3855,7 +3921,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[50];
+    real M1[N1][N1], shared[50];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -3865,7 +3931,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -3956,6 +4022,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", "q4", "q5", "q6", NULL };
 static const char *const parameter_names[] = { "g", "load", NULL };
@@ -4063,6 +4130,9 @@ const em_model puma_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &puma_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 11,
     .dimension = 3,
     .shapes = shapes,

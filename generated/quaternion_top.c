@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:db7784fe257aee91a8d63fe4a03bdbd3e8705e397cb3cab4639d39d4b5947457 */
+/* body sha256:4688952689d29045f8f63839e1d0d058e6aaa3ff1d648ae75d2994dab82b1167 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -387,7 +387,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes quaternion_top_lanes;
-em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -922,7 +922,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes quaternion_top_lanes;
-EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes quaternion_top_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES quaternion_top_lanes
 
 #include "em_blocks.h"

@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
-/* body sha256:fee449fd371cec399d13066e7a5d3a363038d88261a293fd7e92a795aa015cc4 */
+/* body sha256:85dc9ed3ec03e353f666fe88613f906e0ee5fb0d72b8eb3cd005b5acca67c9fe */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -270,11 +270,72 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[6])
+{
+    const real J3 = c[2];
+    const real theta = x[1];
+    const real cos_theta = em_cos(theta);
+    const real sin_theta = em_sin(theta);
+    const real z_2 = sin_theta*sin_theta;
+    const real J1 = c[0];
+    const real phi = x[2];
+    const real sin_phi = em_sin(phi);
+    const real z_4 = sin_phi*sin_phi;
+    const real J2 = c[1];
+    const real cos_phi = em_cos(phi);
+    const real z_6 = cos_phi*cos_phi;
+    M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
+    const real c_0 = c[3];
+    const real z_7 = sin_phi*cos_phi;
+    M1[0][1] = M1[1][0] = sin_theta*(c_0*z_7);
+    M1[1][1] = J1*z_6 + J2*z_4;
+    M1[0][2] = M1[2][0] = J3*cos_theta;
+    M1[1][2] = M1[2][1] = em_real(0.0);
+    M1[2][2] = J3;
+    shared[0] = sin_theta;
+    shared[1] = cos_theta;
+    shared[2] = z_2;
+    shared[3] = z_7;
+    shared[4] = z_4;
+    shared[5] = z_6;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[6],
+                             real Mdot1[N1][N1])
+{
+    const real J3 = c[2];
+    const real sin_theta = shared[0];
+    const real theta_dot = v[1];
+    const real cos_theta = shared[1];
+    const real z_8 = theta_dot*cos_theta;
+    const real z_9 = sin_theta*z_8;
+    const real J1 = c[0];
+    const real z_2 = shared[2];
+    const real phi_dot = v[2];
+    const real z_7 = shared[3];
+    const real z_10 = phi_dot*z_7;
+    const real z_11 = z_2*z_10;
+    const real z_4 = shared[4];
+    const real J2 = c[1];
+    const real z_6 = shared[5];
+    Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
+    const real c_0 = c[3];
+    const real z_12 = phi_dot*sin_theta;
+    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
+    const real c_1 = c[4];
+    Mdot1[1][1] = -c_1*z_10;
+    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
+    Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
+    Mdot1[2][2] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -288,8 +349,68 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], shared[6];
+    settled_masses(y, c, M1, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2] };
+    if (mode) em_backward(N1, memory + 0, memory + 9, v1);
+    else em_velocity_of_eta(N1, y + 6, y + 15, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], shared[6];
+    settled_masses(y, c, M1, shared);
+    real eta1[N1] = { y[3], y[4], y[5] };
+    *done &= em_refresh(N1, M1[0], y + 6, y + 15, mode ? NULL : eta1);
+    y[3] = eta1[0];
+    y[4] = eta1[1];
+    y[5] = eta1[2];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 9, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 15));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 6, y + 15, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes rigid_body_lanes;
-em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes rigid_body_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -729,7 +850,7 @@ EM_ASIDE void quasi_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rigid_body_lanes;
-EM_WEAK em_lanes rigid_body_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes rigid_body_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES rigid_body_lanes
 
 #include "em_blocks.h"
@@ -820,68 +941,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[6])
-{
-    const double J3 = c[2];
-    const double theta = x[1];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_2 = sin_theta*sin_theta;
-    const double J1 = c[0];
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*sin_phi;
-    const double J2 = c[1];
-    const double cos_phi = em_cos(phi);
-    const double z_6 = cos_phi*cos_phi;
-    M1[0][0] = J3*(cos_theta*cos_theta) + z_2*(J1*z_4) + z_2*(J2*z_6);
-    const double c_0 = c[3];
-    const double z_7 = sin_phi*cos_phi;
-    M1[0][1] = M1[1][0] = sin_theta*(c_0*z_7);
-    M1[1][1] = J1*z_6 + J2*z_4;
-    M1[0][2] = M1[2][0] = J3*cos_theta;
-    M1[1][2] = M1[2][1] = 0.0;
-    M1[2][2] = J3;
-    shared[0] = sin_theta;
-    shared[1] = cos_theta;
-    shared[2] = z_2;
-    shared[3] = z_7;
-    shared[4] = z_4;
-    shared[5] = z_6;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[6],
-                             double Mdot1[N1][N1])
-{
-    const double J3 = c[2];
-    const double sin_theta = shared[0];
-    const double theta_dot = v[1];
-    const double cos_theta = shared[1];
-    const double z_8 = theta_dot*cos_theta;
-    const double z_9 = sin_theta*z_8;
-    const double J1 = c[0];
-    const double z_2 = shared[2];
-    const double phi_dot = v[2];
-    const double z_7 = shared[3];
-    const double z_10 = phi_dot*z_7;
-    const double z_11 = z_2*z_10;
-    const double z_4 = shared[4];
-    const double J2 = c[1];
-    const double z_6 = shared[5];
-    Mdot1[0][0] = (-2.0)*(J3*z_9 - J1*(z_11 + z_4*z_9) - J2*(-(z_11 - z_6*z_9)));
-    const double c_0 = c[3];
-    const double z_12 = phi_dot*sin_theta;
-    Mdot1[0][1] = Mdot1[1][0] = c_0*(z_6*z_12 + z_7*z_8 - z_4*z_12);
-    const double c_1 = c[4];
-    Mdot1[1][1] = -c_1*z_10;
-    Mdot1[0][2] = Mdot1[2][0] = -theta_dot*J3*sin_theta;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -890,7 +949,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[6];
+    real M1[N1][N1], shared[6];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -900,7 +959,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -991,6 +1050,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "psi", "theta", "phi", NULL };
 static const char *const parameter_names[] = { "J1", "J2", "J3", NULL };
@@ -1098,6 +1158,9 @@ const em_model rigid_body_model = {
     .initial_y = initial_y,
     .event = model_events,
     .lanes = &rigid_body_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 2,
     .dimension = 3,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:07b9e4de8bc4fb6db44967cf171dab575dc3f1d2551eba342fee324e6be9c07f */
+/* body sha256:bac48792e30f28a1bb71b4ec91e99e7391af546c4274be1db98bb4c3998511e6 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -131,7 +131,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rimless_wheel_lanes;
-em_lanes rimless_wheel_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes rimless_wheel_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
 
 #else
 
@@ -408,7 +408,7 @@ EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rimless_wheel_lanes;
-EM_WEAK em_lanes rimless_wheel_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes rimless_wheel_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES rimless_wheel_lanes
 
 #include "em_blocks.h"

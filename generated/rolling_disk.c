@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:a61519914a809445e403588c2798d710b990e00b459b74c43cab949547b3c4e6 */
+/* body sha256:fbab09d2d83f9e6204d9784fd6566a78132fbb03832e25328cd0cdc6df9eda99 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -371,11 +371,96 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                              real A1[N_ROWS][N1], real b[N_ROWS], real shared[4])
+{
+    const real m = c[0];
+    M1[0][0] = m;
+    M1[0][1] = M1[1][0] = em_real(0.0);
+    M1[1][1] = m;
+    const real theta = x[3];
+    const real sin_theta = em_sin(theta);
+    const real phi = x[2];
+    const real cos_phi = em_cos(phi);
+    const real c_0 = c[3];
+    const real z_2 = cos_phi*c_0;
+    M1[0][2] = M1[2][0] = -sin_theta*z_2;
+    const real sin_phi = em_sin(phi);
+    const real z_4 = sin_phi*c_0;
+    M1[1][2] = M1[2][1] = -sin_theta*z_4;
+    const real c_3 = c[6];
+    const real cos_theta = em_cos(theta);
+    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
+    M1[0][3] = M1[3][0] = -cos_theta*z_4;
+    M1[1][3] = M1[3][1] = cos_theta*z_2;
+    M1[2][3] = M1[3][2] = em_real(0.0);
+    const real c_8 = c[11];
+    M1[3][3] = c_8;
+    M1[0][4] = M1[4][0] = em_real(0.0);
+    M1[1][4] = M1[4][1] = em_real(0.0);
+    const real c_2 = c[5];
+    M1[2][4] = M1[4][2] = -sin_theta*c_2;
+    M1[3][4] = M1[4][3] = em_real(0.0);
+    M1[4][4] = c_2;
+    A1[0][0] = em_real(1.0);
+    A1[0][1] = em_real(0.0);
+    A1[0][2] = em_real(0.0);
+    A1[0][3] = em_real(0.0);
+    const real r = c[1];
+    A1[0][4] = -r*cos_phi;
+    A1[1][0] = em_real(0.0);
+    A1[1][1] = em_real(1.0);
+    A1[1][2] = em_real(0.0);
+    A1[1][3] = em_real(0.0);
+    A1[1][4] = -r*sin_phi;
+    b[0] = em_real(0.0);
+    b[1] = em_real(0.0);
+    shared[0] = cos_phi;
+    shared[1] = cos_theta;
+    shared[2] = sin_phi;
+    shared[3] = sin_theta;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[4],
+                             real Mdot1[N1][N1])
+{
+    Mdot1[0][0] = em_real(0.0);
+    Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
+    Mdot1[1][1] = em_real(0.0);
+    const real c_0 = c[3];
+    const real cos_phi = shared[0];
+    const real theta_dot = v[3];
+    const real cos_theta = shared[1];
+    const real z_6 = theta_dot*cos_theta;
+    const real sin_phi = shared[2];
+    const real phi_dot = v[2];
+    const real sin_theta = shared[3];
+    const real z_7 = phi_dot*sin_theta;
+    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
+    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
+    const real c_1 = c[4];
+    Mdot1[2][2] = sin_theta*c_1*z_6;
+    const real z_8 = theta_dot*sin_theta;
+    const real z_9 = phi_dot*cos_theta;
+    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
+    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
+    Mdot1[2][3] = Mdot1[3][2] = em_real(0.0);
+    Mdot1[3][3] = em_real(0.0);
+    Mdot1[0][4] = Mdot1[4][0] = em_real(0.0);
+    Mdot1[1][4] = Mdot1[4][1] = em_real(0.0);
+    const real c_2 = c[5];
+    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
+    Mdot1[3][4] = Mdot1[4][3] = em_real(0.0);
+    Mdot1[4][4] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -389,8 +474,94 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 5 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, b, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[3], e[4] };
+    if (mode) em_backward(N1, memory + 0, memory + 25, v1);
+    else em_velocity_of_eta(N1, y + 10, y + 35, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+    v[4] = v1[4];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s, constraints on velocities. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    settled_masses(y, c, M1, A1, b, shared);
+    real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    *done &= em_refresh(N1, M1[0], y + 10, y + 35, mode ? NULL : eta1);
+    y[5] = eta1[0];
+    y[6] = eta1[1];
+    y[7] = eta1[2];
+    y[8] = eta1[3];
+    y[9] = eta1[4];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 25, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 35));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 10, y + 35, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+
+    real B1[N_ROWS][N1];
+    if (mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 25, A1[0], B1[0]);
+    else em_rows_of_factors(N_ROWS, N1, y + 10, y + 35, A1[0], B1[0]);
+    real a1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+    /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        lambda[row] = b[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        for (int column = 0; column <= row; ++column) {
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    y[5] = a1[0];
+    y[6] = a1[1];
+    y[7] = a1[2];
+    y[8] = a1[3];
+    y[9] = a1[4];
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes rolling_disk_lanes;
-em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes rolling_disk_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -773,7 +944,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rolling_disk_lanes;
-EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes rolling_disk_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES rolling_disk_lanes
 
 #include "em_blocks.h"
@@ -899,91 +1070,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_tangent.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[4])
-{
-    const double m = c[0];
-    M1[0][0] = m;
-    M1[0][1] = M1[1][0] = 0.0;
-    M1[1][1] = m;
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double phi = x[2];
-    const double cos_phi = em_cos(phi);
-    const double c_0 = c[3];
-    const double z_2 = cos_phi*c_0;
-    M1[0][2] = M1[2][0] = -sin_theta*z_2;
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*c_0;
-    M1[1][2] = M1[2][1] = -sin_theta*z_4;
-    const double c_3 = c[6];
-    const double cos_theta = em_cos(theta);
-    M1[2][2] = 0.25*(c_3*(cos_theta*cos_theta + 6.0*sin_theta*sin_theta));
-    M1[0][3] = M1[3][0] = -cos_theta*z_4;
-    M1[1][3] = M1[3][1] = cos_theta*z_2;
-    M1[2][3] = M1[3][2] = 0.0;
-    const double c_8 = c[11];
-    M1[3][3] = c_8;
-    M1[0][4] = M1[4][0] = 0.0;
-    M1[1][4] = M1[4][1] = 0.0;
-    const double c_2 = c[5];
-    M1[2][4] = M1[4][2] = -sin_theta*c_2;
-    M1[3][4] = M1[4][3] = 0.0;
-    M1[4][4] = c_2;
-    A1[0][0] = 1.0;
-    A1[0][1] = 0.0;
-    A1[0][2] = 0.0;
-    A1[0][3] = 0.0;
-    const double r = c[1];
-    A1[0][4] = -r*cos_phi;
-    A1[1][0] = 0.0;
-    A1[1][1] = 1.0;
-    A1[1][2] = 0.0;
-    A1[1][3] = 0.0;
-    A1[1][4] = -r*sin_phi;
-    b[0] = 0.0;
-    b[1] = 0.0;
-    shared[0] = cos_phi;
-    shared[1] = cos_theta;
-    shared[2] = sin_phi;
-    shared[3] = sin_theta;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[4],
-                             double Mdot1[N1][N1])
-{
-    Mdot1[0][0] = 0.0;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = 0.0;
-    const double c_0 = c[3];
-    const double cos_phi = shared[0];
-    const double theta_dot = v[3];
-    const double cos_theta = shared[1];
-    const double z_6 = theta_dot*cos_theta;
-    const double sin_phi = shared[2];
-    const double phi_dot = v[2];
-    const double sin_theta = shared[3];
-    const double z_7 = phi_dot*sin_theta;
-    Mdot1[0][2] = Mdot1[2][0] = c_0*(-(cos_phi*z_6 - sin_phi*z_7));
-    Mdot1[1][2] = Mdot1[2][1] = -c_0*(cos_phi*z_7 + sin_phi*z_6);
-    const double c_1 = c[4];
-    Mdot1[2][2] = sin_theta*c_1*z_6;
-    const double z_8 = theta_dot*sin_theta;
-    const double z_9 = phi_dot*cos_theta;
-    Mdot1[0][3] = Mdot1[3][0] = c_0*(sin_phi*z_8 - cos_phi*z_9);
-    Mdot1[1][3] = Mdot1[3][1] = -c_0*(sin_phi*z_9 + cos_phi*z_8);
-    Mdot1[2][3] = Mdot1[3][2] = 0.0;
-    Mdot1[3][3] = 0.0;
-    Mdot1[0][4] = Mdot1[4][0] = 0.0;
-    Mdot1[1][4] = Mdot1[4][1] = 0.0;
-    const double c_2 = c[5];
-    Mdot1[2][4] = Mdot1[4][2] = -c_2*z_6;
-    Mdot1[3][4] = Mdot1[4][3] = 0.0;
-    Mdot1[4][4] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -992,7 +1078,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
+    real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -1002,7 +1088,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -1112,6 +1198,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", "phi", "theta", "psi", NULL };
 static const char *const parameter_names[] = { "m", "r", "g", NULL };
@@ -1214,6 +1301,9 @@ const em_model rolling_disk_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 3,
     .dimension = 3,
     .shapes = shapes,

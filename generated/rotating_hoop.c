@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_hoop.py */
 /* input sha256:91f6f125ac6551bd9cf88510480f1923246c6be87362fb13506e726f648eeef6 */
-/* body sha256:2b8c286b44cfbdb909ad06a1174dd935a5db01f01fa1366f28dd2b640ab2bb13 */
+/* body sha256:b3aace77e25a53c9b568148e1f09b6a553b85e3c842554ee6d5a73fd10c6e084 */
 /* rotating_hoop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -117,7 +117,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -131,8 +131,22 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 4, c + 5, v1);
+    v[0] = v1[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes rotating_hoop_lanes;
-em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes rotating_hoop_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -290,7 +304,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_hoop_lanes;
-EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes rotating_hoop_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES rotating_hoop_lanes
 
 #include "em_blocks.h"
@@ -447,6 +461,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "theta", NULL };
 static const char *const parameter_names[] = { "m", "R", "Omega", "g", NULL };
@@ -546,6 +561,9 @@ const em_model rotating_hoop_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &rotating_hoop_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 4,
     .dimension = 3,
     .shapes = shapes,

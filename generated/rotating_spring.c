@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:f4da6bb6d872107c8f761ed9c97a9e601583fa12ba0c04fd07468acc9f0ce8da */
+/* body sha256:81e22c404bfd133fc64ff1ccfa4dbf0dd8ebd891ab86c55f05a379ea050811cc */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -146,7 +146,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -160,8 +160,25 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 4, c + 5, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 8, c + 9, v2);
+    v[1] = v2[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes rotating_spring_lanes;
-em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -326,7 +343,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes rotating_spring_lanes;
-EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes rotating_spring_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES rotating_spring_lanes
 
 #include "em_blocks.h"
@@ -487,6 +504,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", NULL };
 static const char *const parameter_names[] = { "m", "k_x", "k_y", "Omega", NULL };
@@ -588,6 +606,9 @@ const em_model rotating_spring_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &rotating_spring_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 5,
     .dimension = 2,
     .shapes = shapes,

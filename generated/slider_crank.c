@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:e24a7aee0355fab37b24cefa9d3a67f269a0d71b832c96dd956b6b88eb4e43c2 */
+/* body sha256:94d85f4cc5adcdde83ec84f980508f4a01297ad884edce03d22e97da099628bd */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -358,7 +358,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes slider_crank_lanes;
-em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
 
 #else
 
@@ -700,7 +700,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes slider_crank_lanes;
-EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes slider_crank_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES slider_crank_lanes
 
 #include "em_blocks.h"

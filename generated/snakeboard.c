@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:0aaa3ac85a8b02579d1ba09c43d9dbbe7f357290924aa376d8efa9054136304b */
+/* body sha256:61b4e2847459738d1e79ab22acd33d0004e59d4c44200c2272d020ff3d16272b */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -256,11 +256,39 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real A1[N_ROWS][N1],
+                              real A2[N_ROWS][N2], real A3[N_ROWS][N3], real b[N_ROWS])
+{
+    const real phi = x[4];
+    const real sin_phi = em_sin(phi);
+    const real theta = x[2];
+    const real cos_theta = em_cos(theta);
+    const real z_2 = sin_phi*cos_theta;
+    const real cos_phi = em_cos(phi);
+    const real sin_theta = em_sin(theta);
+    const real z_5 = cos_phi*sin_theta;
+    A1[0][0] = -(z_2 + z_5);
+    A1[1][0] = z_2 - z_5;
+    const real z_6 = cos_phi*cos_theta;
+    const real z_7 = sin_phi*sin_theta;
+    A2[0][0] = z_6 - z_7;
+    A2[1][0] = z_6 + z_7;
+    const real l = c[1];
+    const real z_8 = l*cos_phi;
+    A3[0][0] = z_8;
+    A3[0][1] = em_real(0.0);
+    A3[1][0] = -z_8;
+    A3[1][1] = em_real(0.0);
+    b[0] = em_real(0.0);
+    b[1] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -274,8 +302,77 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 5, c + 6, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 9, c + 10, v2);
+    v[1] = v2[0];
+    real v3[N3] = { e[2], e[3] };
+    em_velocity_of_eta(N3, c + 13, c + 17, v3);
+    v[2] = v3[0];
+    v[3] = v3[1];
+    real v4[N4] = { e[4] };
+    em_velocity_of_eta(N4, c + 25, c + 26, v4);
+    v[4] = v4[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: constraints on velocities. *done becomes 0 in lanes that are settled number by number
+ * instead; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS];
+    settled_masses(y, c, A1, A2, A3, b);
+
+    real B1[N_ROWS][N1];
+    em_rows_of_factors(N_ROWS, N1, c + 5, c + 6, A1[0], B1[0]);
+    real a1[N1] = { y[5] };
+    real B2[N_ROWS][N2];
+    em_rows_of_factors(N_ROWS, N2, c + 9, c + 10, A2[0], B2[0]);
+    real a2[N2] = { y[6] };
+    real B3[N_ROWS][N3];
+    em_rows_of_factors(N_ROWS, N3, c + 13, c + 17, A3[0], B3[0]);
+    real a3[N3] = { y[7], y[8] };
+    /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        lambda[row] = b[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
+        em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
+        for (int column = 0; column <= row; ++column) {
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    y[5] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    y[6] = a2[0];
+    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
+    y[7] = a3[0];
+    y[8] = a3[1];
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes snakeboard_lanes;
-em_lanes snakeboard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes snakeboard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -594,7 +691,7 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes snakeboard_lanes;
-EM_WEAK em_lanes snakeboard_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes snakeboard_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES snakeboard_lanes
 
 #include "em_blocks.h"
@@ -721,34 +818,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_tangent.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double A1[N_ROWS][N1],
-                              double A2[N_ROWS][N2], double A3[N_ROWS][N3], double b[N_ROWS])
-{
-    const double phi = x[4];
-    const double sin_phi = em_sin(phi);
-    const double theta = x[2];
-    const double cos_theta = em_cos(theta);
-    const double z_2 = sin_phi*cos_theta;
-    const double cos_phi = em_cos(phi);
-    const double sin_theta = em_sin(theta);
-    const double z_5 = cos_phi*sin_theta;
-    A1[0][0] = -(z_2 + z_5);
-    A1[1][0] = z_2 - z_5;
-    const double z_6 = cos_phi*cos_theta;
-    const double z_7 = sin_phi*sin_theta;
-    A2[0][0] = z_6 - z_7;
-    A2[1][0] = z_6 + z_7;
-    const double l = c[1];
-    const double z_8 = l*cos_phi;
-    A3[0][0] = z_8;
-    A3[0][1] = 0.0;
-    A3[1][0] = -z_8;
-    A3[1][1] = 0.0;
-    b[0] = 0.0;
-    b[1] = 0.0;
-}
-
 /* After an accepted step, and at the start: constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -756,7 +825,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int changed = (flags & EM_STABILISE);
-    double A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS];
+    real A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS];
     settled_masses(y, c, A1, A2, A3, b);
 
     if (flags & EM_STABILISE) { /* eta <- eta - B^T Delta^-1 (B eta + b) */
@@ -867,6 +936,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", "theta", "psi", "phi", NULL };
 static const char *const parameter_names[] = { "m", "l", "J", "J_rotor", "J_wheels", NULL };
@@ -975,6 +1045,9 @@ const em_model snakeboard_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &snakeboard_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 6,
     .dimension = 2,
     .shapes = shapes,

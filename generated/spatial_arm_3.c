@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:591f7fd934ae3de1ce8410419db3fc3d3e0a62f0ccda6768d33e11652e1b6dc8 */
+/* body sha256:af0bbfc7993f28fa61913e573a0750cd8e0bb80be48f7aa82bb4f5473c43cbf4 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -394,11 +394,133 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                              real shared[12])
+{
+    const real q_2 = x[1];
+    const real cos_q_2 = em_cos(q_2);
+    const real c_0 = c[8];
+    const real l_3 = c[5];
+    const real l_1 = c[3];
+    const real l_2 = c[4];
+    const real z_1 = l_2*cos_q_2;
+    const real z_2 = l_1 + z_1;
+    const real q_3 = x[2];
+    const real cos_q_3 = em_cos(q_3);
+    const real z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
+    const real c_1 = c[9];
+    const real z_5 = cos_q_2*c_0 + z_4*c_1;
+    const real c_20 = c[28];
+    const real sin_q_2 = em_sin(q_2);
+    const real z_7 = sin_q_2*sin_q_2;
+    const real c_7 = c[15];
+    const real sin_q_3 = em_sin(q_3);
+    const real z_9 = sin_q_3*sin_q_3;
+    const real c_24 = c[32];
+    const real m_2 = c[1];
+    const real c_2 = c[10];
+    const real z_10 = m_2*(c_2 + z_1);
+    const real m_3 = c[2];
+    const real c_3 = c[11];
+    const real z_11 = z_2*z_9;
+    const real c_9 = c[17];
+    const real c_17 = c[25];
+    const real c_4 = c[12];
+    const real z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
+    const real c_21 = c[29];
+    const real c_18 = c[26];
+    const real z_13 = cos_q_3*cos_q_3;
+    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
+        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
+    const real z_14 = sin_q_3*sin_q_2;
+    const real c_11 = c[19];
+    const real c_15 = c[23];
+    M1[0][1] = M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
+    const real c_13 = c[21];
+    const real z_15 = c_13 + l_3*cos_q_3;
+    const real z_16 = cos_q_3*c_0 + z_15*c_1;
+    const real c_25 = c[33];
+    const real c_26 = c[34];
+    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
+    M1[0][2] = M1[2][0] = (1.0/12.0)*z_5;
+    M1[1][2] = M1[2][1] = em_real(0.0);
+    const real c_27 = c[35];
+    M1[2][2] = c_27;
+    shared[0] = z_5;
+    shared[1] = sin_q_2;
+    shared[2] = cos_q_2;
+    shared[3] = cos_q_3;
+    shared[4] = z_2;
+    shared[5] = sin_q_3;
+    shared[6] = z_12;
+    shared[7] = z_4;
+    shared[8] = z_9;
+    shared[9] = z_7;
+    shared[10] = z_13;
+    shared[11] = z_16;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, const real shared[12],
+                             real Mdot1[N1][N1])
+{
+    const real z_5 = shared[0];
+    const real q_2_dot = v[1];
+    const real sin_q_2 = shared[1];
+    const real z_17 = q_2_dot*sin_q_2;
+    const real cos_q_2 = shared[2];
+    const real c_0 = c[8];
+    const real l_3 = c[5];
+    const real cos_q_3 = shared[3];
+    const real l_2 = c[4];
+    const real z_2 = shared[4];
+    const real q_3_dot = v[2];
+    const real sin_q_3 = shared[5];
+    const real z_18 = q_3_dot*sin_q_3;
+    const real z_19 = l_3*z_17 + 2.0*(cos_q_3*(l_2*z_17) + z_2*z_18);
+    const real c_1 = c[9];
+    const real z_20 = c_0*z_17 + z_19*c_1;
+    const real z_12 = shared[6];
+    const real c_5 = c[13];
+    const real z_21 = c_5*z_17;
+    const real m_3 = c[2];
+    const real z_4 = shared[7];
+    const real c_6 = c[14];
+    const real z_9 = shared[8];
+    const real c_3 = c[11];
+    const real z_22 = cos_q_3*z_18;
+    const real z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
+    const real c_7 = c[15];
+    const real z_7 = shared[9];
+    const real z_24 = z_7*z_22;
+    const real z_25 = cos_q_2*z_17;
+    const real c_8 = c[16];
+    const real z_13 = shared[10];
+    const real c_9 = c[17];
+    const real c_10 = c[18];
+    Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
+        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
+    const real c_11 = c[19];
+    const real z_26 = q_3_dot*sin_q_2;
+    const real z_27 = sin_q_3*(q_2_dot*cos_q_2);
+    const real c_12 = c[20];
+    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_27) - 6.0*c_12*(cos_q_3*z_26
+        + z_27));
+    const real z_16 = shared[11];
+    const real c_14 = c[22];
+    const real c_15 = c[23];
+    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
+    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
+    Mdot1[1][2] = Mdot1[2][1] = em_real(0.0);
+    Mdot1[2][2] = em_real(0.0);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -412,8 +534,68 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1], shared[12];
+    settled_masses(y, c, M1, shared);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2] };
+    if (mode) em_backward(N1, memory + 0, memory + 9, v1);
+    else em_velocity_of_eta(N1, y + 6, y + 15, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1], shared[12];
+    settled_masses(y, c, M1, shared);
+    real eta1[N1] = { y[3], y[4], y[5] };
+    *done &= em_refresh(N1, M1[0], y + 6, y + 15, mode ? NULL : eta1);
+    y[3] = eta1[0];
+    y[4] = eta1[1];
+    y[5] = eta1[2];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 9, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 15));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, c, shared, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 6, y + 15, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes spatial_arm_3_lanes;
-em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes spatial_arm_3_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -1116,7 +1298,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes spatial_arm_3_lanes;
-EM_WEAK em_lanes spatial_arm_3_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes spatial_arm_3_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES spatial_arm_3_lanes
 
 #include "em_blocks.h"
@@ -1284,128 +1466,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double shared[12])
-{
-    const double q_2 = x[1];
-    const double cos_q_2 = em_cos(q_2);
-    const double c_0 = c[8];
-    const double l_3 = c[5];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double z_1 = l_2*cos_q_2;
-    const double z_2 = l_1 + z_1;
-    const double q_3 = x[2];
-    const double cos_q_3 = em_cos(q_3);
-    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
-    const double c_1 = c[9];
-    const double z_5 = cos_q_2*c_0 + z_4*c_1;
-    const double c_20 = c[28];
-    const double sin_q_2 = em_sin(q_2);
-    const double z_7 = sin_q_2*sin_q_2;
-    const double c_7 = c[15];
-    const double sin_q_3 = em_sin(q_3);
-    const double z_9 = sin_q_3*sin_q_3;
-    const double c_24 = c[32];
-    const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double z_10 = m_2*(c_2 + z_1);
-    const double m_3 = c[2];
-    const double c_3 = c[11];
-    const double z_11 = z_2*z_9;
-    const double c_9 = c[17];
-    const double c_17 = c[25];
-    const double c_4 = c[12];
-    const double z_12 = z_10 + cos_q_3*z_4*c_3 + c_4*z_11;
-    const double c_21 = c[29];
-    const double c_18 = c[26];
-    const double z_13 = cos_q_3*cos_q_3;
-    M1[0][0] = (1.0/12.0)*(cos_q_2*z_5 + c_20*(cos_q_2*cos_q_2) + z_7*(c_7*z_9) + c_24 + (z_10 + z_4*(m_3*cos_q_3)
-        + c_3*z_11)*c_9 + c_17*z_7 + cos_q_2*z_12*c_21 + c_18*z_7*z_13);
-    const double z_14 = sin_q_3*sin_q_2;
-    const double c_11 = c[19];
-    const double c_15 = c[23];
-    M1[0][1] = M1[1][0] = (1.0/12.0)*(z_14*(cos_q_3*c_11) + c_15*z_14);
-    const double c_13 = c[21];
-    const double z_15 = c_13 + l_3*cos_q_3;
-    const double z_16 = cos_q_3*c_0 + z_15*c_1;
-    const double c_25 = c[33];
-    const double c_26 = c[34];
-    M1[1][1] = (1.0/12.0)*(cos_q_3*z_16 + c_25 + z_15*c_26 + c_18*z_9);
-    M1[0][2] = M1[2][0] = (1.0/12.0)*z_5;
-    M1[1][2] = M1[2][1] = 0.0;
-    const double c_27 = c[35];
-    M1[2][2] = c_27;
-    shared[0] = z_5;
-    shared[1] = sin_q_2;
-    shared[2] = cos_q_2;
-    shared[3] = cos_q_3;
-    shared[4] = z_2;
-    shared[5] = sin_q_3;
-    shared[6] = z_12;
-    shared[7] = z_4;
-    shared[8] = z_9;
-    shared[9] = z_7;
-    shared[10] = z_13;
-    shared[11] = z_16;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[12],
-                             double Mdot1[N1][N1])
-{
-    const double z_5 = shared[0];
-    const double q_2_dot = v[1];
-    const double sin_q_2 = shared[1];
-    const double z_17 = q_2_dot*sin_q_2;
-    const double cos_q_2 = shared[2];
-    const double c_0 = c[8];
-    const double l_3 = c[5];
-    const double cos_q_3 = shared[3];
-    const double l_2 = c[4];
-    const double z_2 = shared[4];
-    const double q_3_dot = v[2];
-    const double sin_q_3 = shared[5];
-    const double z_18 = q_3_dot*sin_q_3;
-    const double z_19 = l_3*z_17 + 2.0*(cos_q_3*(l_2*z_17) + z_2*z_18);
-    const double c_1 = c[9];
-    const double z_20 = c_0*z_17 + z_19*c_1;
-    const double z_12 = shared[6];
-    const double c_5 = c[13];
-    const double z_21 = c_5*z_17;
-    const double m_3 = c[2];
-    const double z_4 = shared[7];
-    const double c_6 = c[14];
-    const double z_9 = shared[8];
-    const double c_3 = c[11];
-    const double z_22 = cos_q_3*z_18;
-    const double z_23 = m_3*(z_4*z_18 + cos_q_3*z_19) + 2.0*(c_6*z_9*z_17 - c_3*(z_2*z_22));
-    const double c_7 = c[15];
-    const double z_7 = shared[9];
-    const double z_24 = z_7*z_22;
-    const double z_25 = cos_q_2*z_17;
-    const double c_8 = c[16];
-    const double z_13 = shared[10];
-    const double c_9 = c[17];
-    const double c_10 = c[18];
-    Mdot1[0][0] = ((-1.0/12.0))*((z_5*z_17 + cos_q_2*z_20) + 3.0*l_2*(z_12*z_17 + cos_q_2*(z_21 + 2.0*z_23)) +
-        12.0*c_8*(z_24 - z_13*z_25) + (z_21 + z_23)*c_9 - 2.0*c_7*(z_24 + z_9*z_25) - c_10*z_25);
-    const double c_11 = c[19];
-    const double z_26 = q_3_dot*sin_q_2;
-    const double z_27 = sin_q_3*(q_2_dot*cos_q_2);
-    const double c_12 = c[20];
-    Mdot1[0][1] = Mdot1[1][0] = ((-1.0/12.0))*(c_11*(z_9*z_26 - z_13*z_26 - cos_q_3*z_27) - 6.0*c_12*(cos_q_3*z_26
-        + z_27));
-    const double z_16 = shared[11];
-    const double c_14 = c[22];
-    const double c_15 = c[23];
-    Mdot1[1][1] = (1.0/12.0)*(c_14*z_22 - (c_7*z_22 + z_16*z_18) - c_15*z_18);
-    Mdot1[0][2] = Mdot1[2][0] = ((-1.0/12.0))*z_20;
-    Mdot1[1][2] = Mdot1[2][1] = 0.0;
-    Mdot1[2][2] = 0.0;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -1414,7 +1474,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1], shared[12];
+    real M1[N1][N1], shared[12];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -1424,7 +1484,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -1515,6 +1575,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "q_1", "q_2", "q_3", NULL };
 static const char *const parameter_names[] = { "m_1", "m_2", "m_3", "l_1", "l_2", "l_3", "rho", "g", NULL };
@@ -1620,6 +1681,9 @@ const em_model spatial_arm_3_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &spatial_arm_3_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 8,
     .dimension = 3,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:e13f390e0c4d91c8b0589484b2d044c7b3660f81d5ca0bb2ba6be06ee108eb4d */
+/* body sha256:ba45c06e5b075e11067237241b46b39deeec77d7da348d83ca92a6a11bb27170 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -467,11 +467,99 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary, A, b: A xdot + b = 0 */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M3[N3][N3],
+                              real A1[N_ROWS][N1], real A2[N_ROWS][N2], real A3[N_ROWS][N3], real b[N_ROWS],
+                              real shared[8])
+{
+    const real c_0 = c[12];
+    const real p_3 = x[4];
+    const real z_0 = p_3*p_3;
+    const real p_1 = x[2];
+    const real z_1 = p_1*p_1;
+    const real p_2 = x[3];
+    const real z_2 = p_2*p_2;
+    const real z_3 = 1.0 + z_1 + z_2 + z_0;
+    const real z_4 = z_3*z_3;
+    const real z_5 = 1.0/z_4;
+    const real z_6 = z_0*z_5;
+    const real z_7 = z_5;
+    const real z_8 = z_7 + z_2*z_5;
+    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
+    const real c_4 = c[16];
+    const real z_9 = p_1*z_5;
+    const real z_10 = c_4*z_9;
+    M3[0][1] = M3[1][0] = -p_2*z_10;
+    const real z_11 = z_1*z_5;
+    M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
+    M3[0][2] = M3[2][0] = -p_3*z_10;
+    const real z_12 = p_2*p_3;
+    M3[1][2] = M3[2][1] = -c_4*z_5*z_12;
+    M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
+    A1[0][0] = em_real(1.0);
+    A1[1][0] = em_real(0.0);
+    A2[0][0] = em_real(0.0);
+    A2[1][0] = em_real(1.0);
+    const real c_3 = c[15];
+    const real z_13 = c_3/z_3;
+    A3[0][0] = -p_3*z_13;
+    A3[0][1] = -z_13;
+    A3[0][2] = p_1*z_13;
+    A3[1][0] = z_13;
+    A3[1][1] = -p_3*z_13;
+    A3[1][2] = p_2*z_13;
+    b[0] = em_real(0.0);
+    b[1] = em_real(0.0);
+    shared[0] = z_5;
+    shared[1] = z_0;
+    shared[2] = z_3;
+    shared[3] = z_4;
+    shared[4] = z_2;
+    shared[5] = z_9;
+    shared[6] = z_1;
+    shared[7] = z_12;
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict x, const real *restrict v, const real *restrict c,
+                             const real shared[8], real Mdot3[N3][N3])
+{
+    const real c_0 = c[12];
+    const real p_3_dot = v[4];
+    const real p_3 = x[4];
+    const real z_14 = p_3_dot*p_3;
+    const real z_5 = shared[0];
+    const real z_0 = shared[1];
+    const real p_1_dot = v[2];
+    const real p_1 = x[2];
+    const real p_2_dot = v[3];
+    const real p_2 = x[3];
+    const real z_15 = p_2_dot*p_2;
+    const real z_3 = shared[2];
+    const real z_4 = shared[3];
+    const real z_16 = (p_1_dot*p_1 + z_15 + z_14)/(z_3*z_4);
+    const real z_17 = c_0*(z_14*z_5 - 2.0*z_0*z_16);
+    const real z_2 = shared[4];
+    const real c_1 = c[13];
+    const real z_18 = c_1*z_16;
+    const real z_19 = c_0*(z_15*z_5 - 2.0*z_2*z_16) - z_18;
+    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_19);
+    const real z_9 = shared[5];
+    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_2) + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
+    const real z_1 = shared[6];
+    const real z_20 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
+    Mdot3[1][1] = ((-16.0/5.0))*(z_18 - z_17 - z_20);
+    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_3) + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
+    const real z_12 = shared[7];
+    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(z_5*(p_2_dot*p_3) + z_5*(p_3_dot*p_2) - 4.0*z_16*z_12));
+    Mdot3[2][2] = ((-16.0/5.0))*(-z_20 - z_19);
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -485,8 +573,108 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 3 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
+    settled_masses(y, c, M3, A1, A2, A3, b, shared);
+    em_pivots(N3, M3[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 4, c + 5, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 8, c + 9, v2);
+    v[1] = v2[0];
+    real v3[N3] = { e[2], e[3], e[4] };
+    if (mode) em_backward(N3, memory + 0, memory + 9, v3);
+    else em_velocity_of_eta(N3, y + 10, y + 19, v3);
+    v[2] = v3[0];
+    v[3] = v3[1];
+    v[4] = v3[2];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s, constraints on velocities. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
+    settled_masses(y, c, M3, A1, A2, A3, b, shared);
+    real eta3[N3] = { y[7], y[8], y[9] };
+    *done &= em_refresh(N3, M3[0], y + 10, y + 19, mode ? NULL : eta3);
+    y[7] = eta3[0];
+    y[8] = eta3[1];
+    y[9] = eta3[2];
+    if (mode) em_cholesky(N3, M3[0], memory + 0, memory + 9, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N3, y + 19));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot3[N3][N3];
+        settled_rates(y, v, c, shared, Mdot3);
+        time = em_lane_min(time, em_time_on_lanes(N3, y + 10, y + 19, Mdot3[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+
+    real B1[N_ROWS][N1];
+    em_rows_of_factors(N_ROWS, N1, c + 4, c + 5, A1[0], B1[0]);
+    real a1[N1] = { y[5] };
+    real B2[N_ROWS][N2];
+    em_rows_of_factors(N_ROWS, N2, c + 8, c + 9, A2[0], B2[0]);
+    real a2[N2] = { y[6] };
+    real B3[N_ROWS][N3];
+    if (mode) em_rows_of_root(N_ROWS, N3, memory + 0, memory + 9, A3[0], B3[0]);
+    else em_rows_of_factors(N_ROWS, N3, y + 10, y + 19, A3[0], B3[0]);
+    real a3[N3] = { y[7], y[8], y[9] };
+    /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
+    real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
+    for (int row = 0; row < N_ROWS; ++row) {
+        lambda[row] = b[row];
+        em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
+        em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
+        em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
+        for (int column = 0; column <= row; ++column) {
+            Delta[row*N_ROWS + column] = em_real(0.0);
+            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
+            em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
+        }
+    }
+    if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
+    em_subtract_reactions(N_ROWS, N1, B1[0], lambda, a1);
+    y[5] = a1[0];
+    em_subtract_reactions(N_ROWS, N2, B2[0], lambda, a2);
+    y[6] = a2[0];
+    em_subtract_reactions(N_ROWS, N3, B3[0], lambda, a3);
+    y[7] = a3[0];
+    y[8] = a3[1];
+    y[9] = a3[2];
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes sphere_lanes;
-em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -1147,7 +1335,7 @@ EM_ASIDE void quasi_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes sphere_lanes;
-EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes sphere_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES sphere_lanes
 
 #include "em_blocks.h"
@@ -1292,94 +1480,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_tangent.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M3[N3][N3],
-                              double A1[N_ROWS][N1], double A2[N_ROWS][N2], double A3[N_ROWS][N3],
-                              double b[N_ROWS], double shared[8])
-{
-    const double c_0 = c[12];
-    const double p_3 = x[4];
-    const double z_0 = p_3*p_3;
-    const double p_1 = x[2];
-    const double z_1 = p_1*p_1;
-    const double p_2 = x[3];
-    const double z_2 = p_2*p_2;
-    const double z_3 = 1.0 + z_1 + z_2 + z_0;
-    const double z_4 = z_3*z_3;
-    const double z_5 = 1.0/z_4;
-    const double z_6 = z_0*z_5;
-    const double z_7 = z_5;
-    const double z_8 = z_7 + z_2*z_5;
-    M3[0][0] = (8.0/5.0)*(c_0*(z_6 + z_8));
-    const double c_4 = c[16];
-    const double z_9 = p_1*z_5;
-    const double z_10 = c_4*z_9;
-    M3[0][1] = M3[1][0] = -p_2*z_10;
-    const double z_11 = z_1*z_5;
-    M3[1][1] = (8.0/5.0)*(c_0*(z_7 + z_6 + z_11));
-    M3[0][2] = M3[2][0] = -p_3*z_10;
-    const double z_12 = p_2*p_3;
-    M3[1][2] = M3[2][1] = -c_4*z_5*z_12;
-    M3[2][2] = (8.0/5.0)*(c_0*(z_11 + z_8));
-    A1[0][0] = 1.0;
-    A1[1][0] = 0.0;
-    A2[0][0] = 0.0;
-    A2[1][0] = 1.0;
-    const double c_3 = c[15];
-    const double z_13 = c_3/z_3;
-    A3[0][0] = -p_3*z_13;
-    A3[0][1] = -z_13;
-    A3[0][2] = p_1*z_13;
-    A3[1][0] = z_13;
-    A3[1][1] = -p_3*z_13;
-    A3[1][2] = p_2*z_13;
-    b[0] = 0.0;
-    b[1] = 0.0;
-    shared[0] = z_5;
-    shared[1] = z_0;
-    shared[2] = z_3;
-    shared[3] = z_4;
-    shared[4] = z_2;
-    shared[5] = z_9;
-    shared[6] = z_1;
-    shared[7] = z_12;
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict x, const double *restrict v, const double *restrict c,
-                             const double shared[8], double Mdot3[N3][N3])
-{
-    const double c_0 = c[12];
-    const double p_3_dot = v[4];
-    const double p_3 = x[4];
-    const double z_14 = p_3_dot*p_3;
-    const double z_5 = shared[0];
-    const double z_0 = shared[1];
-    const double p_1_dot = v[2];
-    const double p_1 = x[2];
-    const double p_2_dot = v[3];
-    const double p_2 = x[3];
-    const double z_15 = p_2_dot*p_2;
-    const double z_3 = shared[2];
-    const double z_4 = shared[3];
-    const double z_16 = (p_1_dot*p_1 + z_15 + z_14)/(z_3*z_4);
-    const double z_17 = c_0*(z_14*z_5 - 2.0*z_0*z_16);
-    const double z_2 = shared[4];
-    const double c_1 = c[13];
-    const double z_18 = c_1*z_16;
-    const double z_19 = c_0*(z_15*z_5 - 2.0*z_2*z_16) - z_18;
-    Mdot3[0][0] = ((-16.0/5.0))*(-z_17 - z_19);
-    const double z_9 = shared[5];
-    Mdot3[0][1] = Mdot3[1][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_2) + p_2_dot*z_9 - 4.0*z_16*(p_1*p_2)));
-    const double z_1 = shared[6];
-    const double z_20 = c_0*(p_1_dot*z_9 - 2.0*z_1*z_16);
-    Mdot3[1][1] = ((-16.0/5.0))*(z_18 - z_17 - z_20);
-    Mdot3[0][2] = Mdot3[2][0] = ((-8.0/5.0))*(c_0*(z_5*(p_1_dot*p_3) + p_3_dot*z_9 - 4.0*z_16*(p_1*p_3)));
-    const double z_12 = shared[7];
-    Mdot3[1][2] = Mdot3[2][1] = ((-8.0/5.0))*(c_0*(z_5*(p_2_dot*p_3) + z_5*(p_3_dot*p_2) - 4.0*z_16*z_12));
-    Mdot3[2][2] = ((-16.0/5.0))*(-z_20 - z_19);
-}
-
 /* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -1388,7 +1488,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
+    real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
     if (changed && em_settle_factors(&block3, *mode, 0, M3[0], y, memory, fault)) return -1;
 
@@ -1400,7 +1500,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
         em_velocity_kept(&block3, *mode, y + N, y, c, memory, v);
-        double Mdot3[N3][N3];
+        real Mdot3[N3][N3];
         settled_rates(y, v, c, shared, Mdot3);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block3, Mdot3[0], y));
@@ -1528,6 +1628,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", "p_1", "p_2", "p_3", NULL };
 static const char *const parameter_names[] = { "m", "R", "g", "alpha", NULL };
@@ -1643,6 +1744,9 @@ const em_model sphere_model = {
     .initial_y = initial_y,
     .event = model_events,
     .lanes = &sphere_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 6,
     .dimension = 3,
     .shapes = shapes,

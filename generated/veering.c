@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:9ae4ec9c546b3c728e0fde02add612a1052e9f0a153cff6f3ae97694f6fd268a */
+/* body sha256:28f61bb1acfa97eab0949e2d77bae25d1ccc0e1715b2c9a92805e672ad0e484a */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -195,11 +195,30 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+/* M of the blocks that vary */
+EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
+{
+    const real x_ = x[0];
+    M1[0][0] = 0.5*(x_ + 4.0);
+    const real gap = c[0];
+    M1[0][1] = M1[1][0] = gap;
+    M1[1][1] = 0.5*(4.0 - x_);
+}
+
+/* Mdot */
+EM_INLINE void settled_rates(const real *restrict v, real Mdot1[N1][N1])
+{
+    const real x_dot = v[0];
+    Mdot1[0][0] = 0.5*x_dot;
+    Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
+    Mdot1[1][1] = (-0.5)*x_dot;
+}
+
 #endif
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -213,8 +232,66 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+enum { N_PIVOTS = 2 };
+
+/* The pivots of M of the blocks that vary, and its diagonal */
+static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
+{
+    (void)t, (void)y, (void)c;
+    real M1[N1][N1];
+    settled_masses(y, c, M1);
+    em_pivots(N1, M1[0], pivots, diagonal);
+}
+
+#define EM_PIVOTS pivots_on_lanes
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1] };
+    if (mode) em_backward(N1, memory + 0, memory + 4, v1);
+    else em_velocity_of_eta(N1, y + 4, y + 8, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+}
+
+#define EM_VELOCITY velocity_by_roots
+/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
+ * instead, as where the mode changes; what is singular leaves NaN. */
+static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
+{
+    em_fault whole, *const fault = &whole;
+    const int flags = 0;
+    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    real M1[N1][N1];
+    settled_masses(y, c, M1);
+    real eta1[N1] = { y[2], y[3] };
+    *done &= em_refresh(N1, M1[0], y + 4, y + 8, mode ? NULL : eta1);
+    y[2] = eta1[0];
+    y[3] = eta1[1];
+    if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 4, EM_SINGULAR_PIVOT);
+
+    real gap = em_real(INFINITY);
+    gap = em_lane_min(gap, em_gap(N1, y + 8));
+    if (em_any(~(gap > EM_APART))) {
+        real v[N], time = em_real(INFINITY);
+        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real Mdot1[N1][N1];
+        settled_rates(v, Mdot1);
+        time = em_lane_min(time, em_time_on_lanes(N1, y + 4, y + 8, Mdot1[0]));
+        *done &= em_keeps_mode(mode, gap, time, pace);
+    } else if (mode) *done = (em_truth){0};
+    return 0;
+}
+
+#define EM_SETTLE settle_on_lanes
+#include "em_flock.h"
+
 extern em_lanes veering_lanes;
-em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL};
+em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -344,7 +421,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x,
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes veering_lanes;
-EM_WEAK em_lanes veering_lanes = {0, NULL, NULL, NULL};
+EM_WEAK em_lanes veering_lanes = {0, NULL, NULL, NULL, 0, 0};
 #define EM_MODEL_LANES veering_lanes
 
 #include "em_blocks.h"
@@ -416,25 +493,6 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 #include "em_derivatives.h"
 #include "em_differentiate.h"
 
-/* M of the blocks that vary */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1])
-{
-    const double x_ = x[0];
-    M1[0][0] = 0.5*(x_ + 4.0);
-    const double gap = c[0];
-    M1[0][1] = M1[1][0] = gap;
-    M1[1][1] = 0.5*(4.0 - x_);
-}
-
-/* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, double Mdot1[N1][N1])
-{
-    const double x_dot = v[0];
-    Mdot1[0][0] = 0.5*x_dot;
-    Mdot1[0][1] = Mdot1[1][0] = 0.0;
-    Mdot1[1][1] = (-0.5)*x_dot;
-}
-
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
@@ -443,7 +501,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
-    double M1[N1][N1];
+    real M1[N1][N1];
     settled_masses(y, c, M1);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
@@ -453,7 +511,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        double Mdot1[N1][N1];
+        real Mdot1[N1][N1];
         settled_rates(v, Mdot1);
         double time = INFINITY;
         time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
@@ -544,6 +602,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "z", NULL };
 static const char *const parameter_names[] = { "gap", "k_x", "k_z", NULL };
@@ -639,6 +698,9 @@ const em_model veering_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &veering_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
 };
 
 #endif

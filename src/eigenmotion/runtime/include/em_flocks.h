@@ -145,8 +145,8 @@ static void em_ensemble_give_up(em_flocks *w) {
     while (w->next < w->e->count) em_ensemble_member(w->e, w->next++, w->seats->c, w->seats->y);
 }
 
-/* A piece of a block of memory. */
-static double *em_piece(double **place, size_t size) {
+/* The next numbers of a block of memory. */
+static double *em_cut_off(double **place, size_t size) {
     double *const piece = *place;
     *place += size;
     return piece;
@@ -171,8 +171,8 @@ static void em_flock_tables(em_flock *f, const em_model *model, double *place) {
     double **const numbers[EM_FLOCK_NUMBERS] = {
         &f->t, &f->t_new, &f->h, &f->h_next, &f->error, &f->last_error, &f->longest, &f->n_steps, &f->n_rejected,
         &f->retries, &f->n_rhs, &f->stiff, &f->n_stiff, &f->next_judge, &f->next_look, &f->t_look};
-    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = em_piece(&place, sizes[k] * width);
-    for (int k = 0; k < EM_FLOCK_NUMBERS; ++k) *numbers[k] = em_piece(&place, width);
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; ++k) *tables[k] = em_cut_off(&place, sizes[k] * width);
+    for (int k = 0; k < EM_FLOCK_NUMBERS; ++k) *numbers[k] = em_cut_off(&place, width);
 }
 
 static void em_flock_begin(em_flocks *w, int mode, double *place) {
@@ -194,10 +194,10 @@ static double *em_flocks_open(em_flocks *w) {
     double *const block = calloc((size_t)w->modes * flock + LINE + EM_SEATS * (c + n), sizeof *block);
     if (block == NULL) return NULL;
     double *place = (double *)(((uintptr_t)block + LINE * sizeof *block - 1) / (LINE * sizeof *block) * (LINE * sizeof *block));
-    for (int mode = 0; mode < w->modes; ++mode) em_flock_begin(w, mode, em_piece(&place, flock));
+    for (int mode = 0; mode < w->modes; ++mode) em_flock_begin(w, mode, em_cut_off(&place, flock));
     for (int k = 0; k < EM_SEATS; ++k) {
-        w->seats[k].c = em_piece(&place, c);
-        w->seats[k].y = em_piece(&place, n);
+        w->seats[k].c = em_cut_off(&place, c);
+        w->seats[k].y = em_cut_off(&place, n);
     }
     return block;
 }
