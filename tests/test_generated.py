@@ -11,10 +11,12 @@ import pytest
 import sympy
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.c import program as codegen_program
+from eigenmotion.codegen.c import roles
 from eigenmotion.codegen.c.emit import TEMPLATES, environment
 from eigenmotion.codegen.c.kernel import Kernel
 from eigenmotion.codegen.c.names import c_identifier, c_identifiers
-from eigenmotion.codegen.c.program import BlockView, EventView, Kernels, Place, Program, Slice, Stages
+from eigenmotion.codegen.c.program import BlockView, EventView, Place, Program, Slice
+from eigenmotion.codegen.c.roles import Kernels, Stages
 from eigenmotion.codegen.choices import Choices
 from jinja2 import meta, nodes
 from sympy import Rational, cos, sin
@@ -78,7 +80,7 @@ def test_every_function_says_what_it_is(systems):
 
 RECORDS = {"program": Program, "b": BlockView, "kernels": Kernels, "p": Place, "kernel": Kernel,
            "part": Slice, "event": EventView, "triangular": Stages}  # fmt: skip
-OTHERS = tuple(kind for kind in vars(codegen_program).values() if is_dataclass(kind))
+OTHERS = tuple(kind for kind in {**vars(codegen_program), **vars(roles)}.values() if is_dataclass(kind))
 
 
 def attributes():

@@ -18,7 +18,8 @@ from ..physics.terms import Rows, Terms
 from .kernel import Array, Draft, Entry, Kernel, Symbols, written
 from .layout import Layout
 from .partial_kernels import partial_kernels
-from .program import BlockView, Factored, Kernels, Stages
+from .program import BlockView
+from .roles import Factored, Kernels, Stages
 
 OF_STATE = {"x": "y", "v": "dy"}
 """Where a right-hand side has coordinates and velocities."""

@@ -12,7 +12,8 @@ from ..model.event import Event
 from ..physics.specialise import Kind, Scene
 from .kernels import kernels_of
 from .layout import Layout, laid_out
-from .program import BlockView, EventView, Kernels, Named, Program, ShapeView, Stages, SwitchView
+from .program import BlockView, EventView, Named, Program, ShapeView, SwitchView
+from .roles import Kernels, Stages
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from ..graph.store import Node
 from ..physics.partials import Partials
 from ..physics.terms import Terms
 from .kernel import Array, Draft, Entry, Kernel, Symbols, written
-from .program import PartialKernels
+from .roles import PartialKernels
 
 MOTION = ("t", "x", "v", "a", "lambda", "c", "u")
 

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..graph.operations import Cost
-from .kernel import Kernel
 from .printer import IN_VECTORS
+from .roles import Kernels
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,87 +126,6 @@ class ShapeView:
     kind: str
     first: int
     count: int
-
-
-@dataclass(frozen=True, slots=True)
-class Stages:
-    """Kernels of one function: the second needs velocities that follow from the first. None: there is nothing to do."""
-
-    masses: Kernel | None
-    motion: Kernel | None
-
-    @property
-    def cost(self) -> Cost:
-        """Operations of both."""
-        return sum((kernel.cost for kernel in (self.masses, self.motion) if kernel), Cost())
-
-    @property
-    def called(self) -> frozenset[str]:
-        """Names of the functions that they call."""
-        return frozenset().union(*(kernel.called for kernel in (self.masses, self.motion) if kernel))
-
-
-@dataclass(frozen=True, slots=True)
-class Factored:
-    """M + A^T W A, and its gradient."""
-
-    matrix: Kernel
-    gradient: Kernel
-
-
-@dataclass(frozen=True, slots=True)
-class PartialKernels:
-    """Partial derivatives, row-major; None: there are no such rows.
-
-    state, forcing : of the residuals of motion at fixed a, lambda: by x, v; by inputs, parameters, time
-    constraints, events, quasi : of phi and A v + b, of events, of quasi-velocities: by x, v, inputs, parameters, time
-    outputs : by a, lambda and these
-    impacts, resets, levels : of what events do, as Kernels has them
-    blow : of M a + A^T lambda and A a at fixed a, lambda
-    """
-
-    state: Kernel
-    forcing: Kernel
-    constraints: Kernel | None
-    outputs: Kernel | None
-    events: Kernel | None
-    quasi: Kernel | None
-    impacts: Kernel | None
-    resets: Kernel | None
-    levels: Kernel | None
-    blow: Kernel | None
-
-
-@dataclass(frozen=True, slots=True)
-class Kernels:
-    """The model-specific straight-line part of each function.
-
-    impacts : N, dphi/dt and the restitution of each; resets : x and v after each
-    levels : what switches are held against; pushes : the rows P by which multipliers push
-    published, triangular : of the right-hand sides; settled : of what follows an accepted step
-    factored : None where it is M
-    """
-
-    prepared: Kernel
-    mass_matrix: Kernel
-    mass_matrix_gradient: Kernel
-    factored: Factored | None
-    pfaffian: Kernel
-    position: Kernel
-    bias: Kernel
-    energy: Kernel
-    outputs: Kernel
-    events: Kernel
-    quasi: Kernel
-    drawing: Kernel
-    partials: PartialKernels
-    impacts: Kernel
-    resets: Kernel
-    levels: Kernel
-    pushes: Kernel
-    published: Stages
-    triangular: Stages
-    settled: Stages
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from ..pages.notebook import table
 from ..runtime import COUNTS, StopReason, explain, modes_of, record, stiffness
 from ..runtime.ensemble import energies, reactions, velocities
 from .dataset import dataset
-from .found import REASONS, Found
+from .found import REASONS, Found, nothing
 from .sensitivity import Sensitivity
 from .solution import Solution
 from .trajectory import Trajectory
@@ -245,25 +245,10 @@ class Ensemble:
         if asked.differentiated is not None:
             fields["sensitivity"] = self._sensitivity(k, there)
         if stop is StopReason.START_REFUSED:
-            return Solution(None, fields | self._nothing)
+            return Solution(None, fields | nothing(self._model))
         prepared = self._model.prepare(members.row("parameters", k))
         task = asked.task(prepared, members.inputs_of(k), members.row("x", k))
         return Solution(Trajectory(task, t, rows, legs), fields)
-
-    @property
-    def _nothing(self) -> dict[str, Any]:
-        """What follows from the rows of a run that has none."""
-        n, m, h = self._model.n, self._model.m, self._model.h
-        shapes = {
-            "x": (n,), "v": (n,), "eta": (n,), "C": (n, n), "s": (n,), "multipliers": (m,), "energy": (),
-            "jacobi_integral": (), "constraint_residual": (m,), "position_residual": (h,), "factor_residual": (),
-        }  # fmt: skip
-        empty = np.empty(0)
-        return {name: np.empty((*shape, 0)) for name, shape in shapes.items()} | {
-            "drawing": None,
-            "outputs": dict.fromkeys(self._model.outputs, empty),
-            "quasi_velocities": dict.fromkeys(self._model.quasi_velocities, empty),
-        }
 
     def _sensitivity(self, k: int, there: NDArray[np.bool_]) -> dict[str, Sensitivity]:
         n, S, pieces = self._model.n, self._found.S[k][there].T, self._event_pieces(k)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..arguments.members import Asked, Members
 from ..arguments.names import Vector
-from ..runtime import COUNTS, StopReason
+from ..runtime import COUNTS, CompiledModel, StopReason
 from .trajectory import Leg
 
 REASONS = tuple(StopReason)
@@ -98,3 +98,17 @@ class Collection:
             of_all = map(np.concatenate, zip(*parts, strict=True))
             self._whole.event_times, self._whole.events, self._whole.dt_events = of_all
         return self._whole
+
+
+def nothing(model: CompiledModel) -> dict[str, Any]:
+    """Return what follows from the rows of a run that has none."""
+    n, m, h, empty = model.n, model.m, model.h, np.empty(0)
+    shapes = {
+        "x": (n,), "v": (n,), "eta": (n,), "C": (n, n), "s": (n,), "multipliers": (m,), "energy": (),
+        "jacobi_integral": (), "constraint_residual": (m,), "position_residual": (h,), "factor_residual": (),
+    }  # fmt: skip
+    return {name: np.empty((*shape, 0)) for name, shape in shapes.items()} | {
+        "drawing": None,
+        "outputs": dict.fromkeys(model.outputs, empty),
+        "quasi_velocities": dict.fromkeys(model.quasi_velocities, empty),
+    }

@@ -5,7 +5,7 @@ from contextlib import suppress
 from ..arguments.options import Task
 from ..results.solution import DenseOutput, Solution
 from ..results.trajectory import Trajectory
-from ..runtime import Run, StopReason
+from ..runtime import Run, RunInParts, StopReason
 from .methods import Method
 from .sampled import as_held, drive, opened
 
@@ -21,7 +21,7 @@ def run_compiled(task: Task, method: Method, number: int) -> Solution:
     if not task.inputs.sampled:
         return solution_of(task, method, Run(task, number))
     task, held = opened(task)
-    run = Run(task, number, False)
+    run = RunInParts(task, number)
     try:
         drive(run, task, held)
     except BaseException as error:

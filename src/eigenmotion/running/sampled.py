@@ -7,7 +7,7 @@ from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..arguments.signals import Inputs, Sampled, Signal
 from ..codegen.model.normalise import number
-from ..runtime import Run
+from ..runtime import RunInParts
 
 _VALUE, _QUESTION = 0, 1  # what may be due at one time, in this order
 
@@ -64,7 +64,7 @@ def as_held(task: Task, held: list[Held]) -> Task:
     return task._replace(inputs=Inputs(tuple(signals)))
 
 
-def drive(run: Run, task: Task, held: list[Held]) -> None:
+def drive(run: RunInParts, task: Task, held: list[Held]) -> None:
     """Advance an open run to its end, and ask on the way.
 
     What is due is ordered by time; at one time a delayed value takes hold before the next is asked for.

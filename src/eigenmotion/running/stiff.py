@@ -17,7 +17,7 @@ from scipy.integrate import Radau
 from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..results.solution import Solution
-from ..runtime import TOLD, EvaluationError, Run, StopReason, explain
+from ..runtime import TOLD, EvaluationError, RunInParts, StopReason, explain
 from .compiled import solution_of
 from .methods import Method
 
@@ -39,7 +39,7 @@ class _Tally:
 
 def simulate_stiff(task: Task, method: Method) -> Solution:
     """Run a method whose steps are made in Python. They are not projected; every row that is given out is."""
-    run, tally = Run(task._replace(first_step=np.inf, max_step=np.inf), TOLD, False), _Tally()
+    run, tally = RunInParts(task._replace(first_step=np.inf, max_step=np.inf), TOLD), _Tally()
     try:
         _follow(task, method, run, tally)
         run.close()
@@ -51,7 +51,7 @@ def simulate_stiff(task: Task, method: Method) -> Solution:
     return solution_of(task, method, run, (tally.nfev, run.nsteps, unknown, 0, 0, tally.njev, tally.nlu))
 
 
-def _follow(task: Task, method: Method, run: Run, tally: _Tally) -> None:
+def _follow(task: Task, method: Method, run: RunInParts, tally: _Tally) -> None:
     """Go from one kink of the inputs to the next, over which no polynomial reaches, and from event to event that acts.
 
     Raises
@@ -72,7 +72,7 @@ def _follow(task: Task, method: Method, run: Run, tally: _Tally) -> None:
                 tally.add(solver)
 
 
-def _tell(run: Run, solver: Any, tally: _Tally) -> bool:
+def _tell(run: RunInParts, solver: Any, tally: _Tally) -> bool:
     """Tell the steps of a solver up to its end, or an event that acts; return whether the run goes on."""
 
     def inside(t: Vector) -> Vector:
@@ -91,7 +91,7 @@ def _tell(run: Run, solver: Any, tally: _Tally) -> bool:
     return True
 
 
-def _in_its_mode(task: Task, run: Run) -> Task:
+def _in_its_mode(task: Task, run: RunInParts) -> Task:
     parameters = run.parameters
     return task if parameters is None else task._replace(prepared=task.model.prepare(np.array(parameters)))
 

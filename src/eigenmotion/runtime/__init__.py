@@ -7,12 +7,13 @@ from .faults import StopReason as StopReason
 from .faults import explain as explain
 from .faults import stiffness as stiffness
 from .model import CompiledModel as CompiledModel
+from .parts import TOLD as TOLD
+from .parts import RunInParts as RunInParts
 from .point import Prepared as Prepared
 from .point import forgiven as forgiven
 from .record import COUNTS as COUNTS
 from .record import modes_of as modes_of
 from .record import record as record
-from .run import TOLD as TOLD
 from .run import Run as Run
 from .stepper import Steps as Steps
 from .steppers import ManySteps as ManySteps

@@ -5,8 +5,8 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
-from .abi cimport EM_DENSE_COEFFICIENTS, EM_NON_FINITE_STATE, EM_RA15, EM_TOLD
-from .abi cimport em_dense_step, em_fault, em_method, em_piece, em_rows, em_run, em_signal, em_signal_kind, em_status
+from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15
+from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 from .record cimport modes_of, record
@@ -15,10 +15,6 @@ import numpy as np
 
 from .faults import StopReason, explain, stiffness
 
-TOLD = <int> EM_TOLD
-"""The number of the method that makes no steps, but is told them."""
-TOLD_NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(EM_DENSE_COEFFICIENTS) / (EM_DENSE_COEFFICIENTS - 1))
-"""(10,) parts of a step that is told: those of em_told.h."""
 _REASONS = tuple(StopReason)
 _FINISHED = explain(StopReason.FINISHED, ())
 
@@ -52,25 +48,17 @@ cdef class Run:
         A StopReason.
     """
 
-    cdef em_run run
-    cdef em_signal *signals
-    cdef em_piece piece
-    cdef readonly PointModel model
-    cdef readonly object stop
-    cdef str said
-    cdef list held
-    cdef object pending
-    cdef void *walk
-    cdef bint jumped
-    cdef long most_steps
-
-    def __cinit__(self, task, int method, bint whole=True):
+    def __cinit__(self, task, int method):
         if task is not None:
             self.begin(task, method)
-            if whole:
-                self.go()
-            else:
-                self.open()
+
+    def __init__(self, task, int method):
+        cdef int status
+        with nogil:
+            status = self.run.model.simulate(&self.run)
+        if self.pending is not None:
+            raise self.pending
+        self.stop = _REASONS[status]
 
     cdef begin(self, task, int method):
         cdef em_run *run = &self.run
@@ -90,7 +78,6 @@ cdef class Run:
             self.hold_inputs(inputs.compiled)
 
     def __dealloc__(self):
-        self.shut()
         if self.run.model != NULL:
             self.run.model.release(&self.run)
         free(self.signals)
@@ -112,104 +99,6 @@ cdef class Run:
             self.signals[k].times = self.hold(times, len(times), "times")
             self.signals[k].values = self.hold(values, len(values), "values")
         self.run.inputs = self.signals
-
-    cdef go(self):
-        cdef int status
-        with nogil:
-            status = self.run.model.simulate(&self.run)
-        if self.pending is not None:
-            raise self.pending
-        self.stop = _REASONS[status]
-
-    # --- in parts, with inputs that change in between ---
-
-    cdef open(self):
-        if self.run.model.open == NULL:
-            raise TypeError(f"{self.model.name}: its table has no open: where it is written by hand, it gives what "
-                            "em_handle.h has")
-        self.most_steps = self.run.max_steps
-        self.walk = self.run.model.open(&self.run)
-        if self.walk == NULL:
-            self.stop = _REASONS[<int> self.run.fault.status]
-
-    cdef shut(self):
-        if self.walk != NULL:
-            self.run.model.close(self.walk)
-        self.walk = NULL
-
-    def advance(self, double t):
-        """Go on to t. Whether the run has come there, and goes on."""
-        cdef int ended
-        if self.walk == NULL:
-            return False
-        self.run.max_steps = self.most_steps - self.run.n_steps
-        with nogil:
-            ended = self.run.model.advance(self.walk, t, self.jumped)
-        self.jumped = False
-        if self.pending is not None:
-            raise self.pending
-        return not ended
-
-    def tell(self, double t, z, double t_new, z_new, inside):
-        """Go on along a step that the caller has made (em_told.h).
-
-        Parameters
-        ----------
-        z, z_new
-            (2 n,) x and v at its ends.
-        inside
-            Called as inside(times (k,)) -> (2 n, k), unless nobody asks for a state within.
-
-        Returns
-        -------
-        bool or None
-            Whether the run goes on; None: from where it stands now, as an event has acted.
-        """
-        cdef Numbers y = zeros((EM_DENSE_COEFFICIENTS, self.model.n_state))
-        cdef bint goes_on, blank = not self.looks_inside()
-        table = y.array[:, :2 * self.model.n]
-        table[:] = np.nan if blank else inside(t + TOLD_NODES * (t_new - t)).T
-        table[0], table[-1] = z, z_new
-        self.piece = em_piece(t=t, h=t_new - t, y=y.data, left=False)
-        self.run.piece = &self.piece
-        goes_on = self.advance(t_new)
-        if blank and self.run.fault.status == EM_NON_FINITE_STATE and self.run.t_reached == t:
-            table[1:-1] = inside(t + TOLD_NODES[1:-1] * (t_new - t)).T  # its end is none: how far the motion gets
-            goes_on = self.advance(t_new)
-        return None if goes_on and self.piece.left else goes_on
-
-    cdef bint looks_inside(self):
-        """Whether somebody asks for states within steps."""
-        cdef Py_ssize_t k
-        for k in range(self.model.n_inputs):
-            if self.signals[k].count > 0:
-                return True
-        return self.run.dense or self.run.t_eval != NULL or self.model.n_events > 0
-
-    def set(self, Py_ssize_t place, double value):
-        """An input, which is constant, from here on."""
-        cdef double *held = <double *> self.signals[place].values
-        self.jumped = self.jumped or held[0] != value
-        held[0] = value
-
-    def now(self):
-        """x, v (n,) where the run stands."""
-        cdef Numbers x = zeros((self.model.n,)), v = zeros((self.model.n,))
-        self.run.model.now(self.walk, x.data, v.data)
-        return x.array, v.array
-
-    @property
-    def t(self):
-        """[s] where the run stands."""
-        return self.run.t_reached
-
-    def close(self, stop=None, str said=""):
-        """The end of a run in parts: where it got by itself, or, for a StopReason of the caller's, with what that says."""
-        self.shut()
-        if stop is not None:
-            self.run.fault = em_fault(status=<em_status> (<int> _REASONS.index(stop)), first=-1, second=-1, size=0.0)
-            self.said = said
-        self.stop = _REASONS[<int> self.run.fault.status]
 
     cdef table(self, em_rows *rows):
         """t (k,), y (k, n_state): copies, so that they outlive the run."""
@@ -241,14 +130,6 @@ cdef class Run:
             found.append((int(c[legs.width - 1]), legs.t[k], parameters))
         return tuple(found)
 
-    @property
-    def parameters(self):
-        """Of the mode it is in; None for a model without modes."""
-        cdef em_rows *legs = &self.run.legs
-        if legs.count == 0:
-            return None
-        return [legs.y[(legs.count - 1) * legs.width + i] for i in range(self.model.model.n_parameters)]
-
     def fields(self, str method, tuple counts=None):
         """What came of it, as `record` has it, but `sol`; counts as in COUNTS, where the caller knows better."""
         t, y = self.table(&self.run.rows)
@@ -262,11 +143,6 @@ cdef class Run:
                       self.run.n_jacobians, self.run.n_factors)
         return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after,
                       modes_of(self.model, self.legs))
-
-    @property
-    def nsteps(self):
-        """Accepted steps so far."""
-        return self.run.n_steps
 
     @property
     def n_dense(self):

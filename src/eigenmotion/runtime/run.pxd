@@ -1,0 +1,22 @@
+# A run, for the one that is made in parts.
+
+from .abi cimport em_rows, em_run, em_signal
+from .point cimport PointModel
+
+
+cdef class Run:
+    cdef em_run run
+    cdef em_signal *signals
+    cdef readonly PointModel model
+    cdef readonly object stop
+    cdef str said      # why it ended, where the caller says so
+    cdef list held     # arrays that live as long
+    cdef object pending  # what a signal's handler raised
+
+    cdef begin(self, task, int method)
+    cdef const double *hold(self, array, Py_ssize_t count, str name) except NULL
+    cdef hold_inputs(self, tuple inputs)
+    cdef table(self, em_rows *rows)
+    cdef events(self, em_rows *tables)
+    cdef message(self)
+    cdef size_t step_at(self, double t) noexcept nogil
