@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:94dbb1926ed6252699c855fc83a169b29a663d50869d486ce5a896b747037671 */
+/* body sha256:d4497aac6e6e9f8a4e01ca7e5c90f1b8c07a6e71d4f4b607041536c70a6e8c18 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -438,7 +438,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[6];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[4], y[5], y[6], y[7] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:bf3829924c4c4275eb21673628320253e94def4d890011e28ad4b0fd52d24194 */
+/* body sha256:8438a8b95ee733d4c9616795257d4806eb566246f331e7720dee00598ac04c14 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -584,7 +584,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[10];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:622c8fb8815309c3f9c718197e5a8f5d3f87db557750c1b102b2de5fb2a73082 */
+/* body sha256:8abeff28c8bbc829c05fcc3a7ea14f92284f850aae006308610b6a9ac1438f98 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -359,7 +359,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
     settled_masses(y, c, M1, A1, b, shared);
     real eta1[N1] = { y[3], y[4], y[5] };

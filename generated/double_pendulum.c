@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:a6d4b11b10c3251fcf2af3a229238f4b1b7c7e7c40b9cd88b0ce8b0c66a9c0f4 */
+/* body sha256:4080b3612b8933006e8642bb0a98da7a1bce0fec5a71730be1e426093d5a7a91 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -310,7 +310,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[4];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[2], y[3] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:744c68ed0de2c1458c3e6ffbe10e6ff081318a15e4c89515e8a0833c68a367ca */
+/* body sha256:abfe6a6adfdf027e84943706643b5668d66ad0acb999d6994a53652b9d860f49 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -672,7 +672,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], M2[N2][N2], shared[10];
     settled_masses(y, c, M1, M2, shared);
     real eta1[N1] = { y[8], y[9], y[10], y[14], y[15] };

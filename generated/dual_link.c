@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:a019b405fde02c1d17e8022d78cb7d19cf97e18fe2e73381613dfcbe0dd60532 */
+/* body sha256:43d798dbd1befc95866a40a6babfea906f34fbc92f806b09aed967842c508fee */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -487,7 +487,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     real eta1[N1] = { y[4], y[5], y[6] };

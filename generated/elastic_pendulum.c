@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:2734e0d6ca6f5fd4f768c8fc01434741b47725b428220c44d391d3cda9747782 */
+/* body sha256:9b17d2bdc99a523ed0f2cb85cb84cd22fb503037f1d3e5752d910ba6c7d16dff */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -222,7 +222,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1];
     settled_masses(y, c, M1);
     em_cholesky(N1, M1[0], memory + 0, memory + 1, 0.0);

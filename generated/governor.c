@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:82af48e252e1c6d9ee7e11f712ed8f5681bcf746b44f667bf2625e98ae926a6a */
+/* body sha256:17a72f45ff3589126d0c549b41dd69d5a7c16f69d40e10f754a80e7f99afa806 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -328,7 +328,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1];
     settled_masses(y, c, M1);
     em_cholesky(N1, M1[0], memory + 0, memory + 1, 0.0);

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:cb9ac1c47961d2b7a91ea48055ba34404d76c725b9db60bdf54fa2814d0fdfc0 */
+/* body sha256:f17b9e5dc2336b7a1c3219a2819e272d8423ccb23787be095f7d800545685938 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -332,7 +332,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[2];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[3], y[5] };

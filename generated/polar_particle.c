@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:996f4312ffb1c3e92507879429d0631eee5e56493051ee37e5ae808a608e36de */
+/* body sha256:29a6c62ae8e7e57edd0604653e8da3a85b4e392752b661148063ccf1225988d8 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -221,7 +221,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M2[N2][N2];
     settled_masses(y, c, M2);
     em_cholesky(N2, M2[0], memory + 0, memory + 1, 0.0);

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:a592e0faadd5ecefe76b9dbfc84d3f2f63754e4bbbc1eefe90d5801bad72a463 */
+/* body sha256:2e1667f6b8f9db1494d9b9de9343ea6b4b2464e15681e9d5dc7e3eeb79af0298 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -1371,7 +1371,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[50];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[6], y[7], y[8], y[9], y[10], y[11] };

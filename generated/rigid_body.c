@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
-/* body sha256:85dc9ed3ec03e353f666fe88613f906e0ee5fb0d72b8eb3cd005b5acca67c9fe */
+/* body sha256:ca7a2c78341e95891af33e7fdbbb7c79623e354b24fddfb2d9172c571a8b8d46 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -383,7 +383,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[6];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[3], y[4], y[5] };

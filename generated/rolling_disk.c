@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:fbab09d2d83f9e6204d9784fd6566a78132fbb03832e25328cd0cdc6df9eda99 */
+/* body sha256:4eea569bd2bd262030369f8ea1269e021364676df0201300a021d066a4fc697f */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -510,7 +510,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:61b4e2847459738d1e79ab22acd33d0004e59d4c44200c2272d020ff3d16272b */
+/* body sha256:270f55d0fc9253309759180da520c4a61a75610f507a8f7b0379c6d522d738b0 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -330,7 +330,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS];
     settled_masses(y, c, A1, A2, A3, b);
 

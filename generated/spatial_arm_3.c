@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:af0bbfc7993f28fa61913e573a0750cd8e0bb80be48f7aa82bb4f5473c43cbf4 */
+/* body sha256:e0c2a07ef00cca81f5f0a31a4017fdd3ff361096b17c30415104c2f353db40fe */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -568,7 +568,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[12];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[3], y[4], y[5] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:ba45c06e5b075e11067237241b46b39deeec77d7da348d83ca92a6a11bb27170 */
+/* body sha256:c83a78dc0a95fbb6fc648e74d1c50991729ac87af9c48c6e172e8403e8bc1e9d */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -613,7 +613,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
     real eta3[N3] = { y[7], y[8], y[9] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:28f61bb1acfa97eab0949e2d77bae25d1ccc0e1715b2c9a92805e672ad0e484a */
+/* body sha256:850a4a9ce321afad44badc3e01cd3194976098e2bfb23a87385100ffc668aed9 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -265,7 +265,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
+    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1];
     settled_masses(y, c, M1);
     real eta1[N1] = { y[2], y[3] };

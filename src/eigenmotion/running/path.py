@@ -10,6 +10,7 @@ from ..arguments.names import Vector
 from ..arguments.options import Task
 from ..results.solution import Solution
 from ..runtime import Prepared
+from ..runtime.variations import act_along
 
 Place = tuple[int, int]
 """An event, and which time it is that it happens."""
@@ -65,8 +66,9 @@ def _start(task: Task) -> tuple[Vector, Prepared]:
     if not c.switches:
         return task.y, task.prepared
     v = c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
-    x, v, prepared, _ = c.act(task.t_start, task.y[:n], v, task.prepared, task.inputs.at(task.t_start), task.least_norm,
-                              np.zeros(c.n_events), np.zeros((c.n_events, 2)))  # fmt: skip
+    u, none, nowhere = task.inputs.at(task.t_start), np.zeros(c.n_events), np.zeros((c.n_arguments, 1))
+    x, v, prepared, _ = act_along(c, task.t_start, task.y[:n], v, task.prepared, u, task.least_norm, none,
+                                  nowhere[: 2 * n], nowhere[2 * n :])  # fmt: skip
     return c.state(task.t_start, x, v, prepared), prepared
 
 

@@ -35,7 +35,7 @@ def act_along(
     fired: ArrayLike,
     S: Vector,
     P: Vector,
-) -> Vector: ...
+) -> tuple[Vector, Vector, Prepared, Vector]: ...
 def vary(
     model: PointModel,
     c: Prepared,

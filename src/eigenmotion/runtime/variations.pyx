@@ -144,21 +144,23 @@ def tangent(PointModel model not None, double t, x, v, Prepared c not None, bint
 
 
 def act_along(PointModel model not None, double t, x, v, Prepared c not None, u, bint least_norm, fired, S, P):
-    """S (2 n, columns) after the events `fired` (n_events) at t, of directions S, P as they happen."""
+    """x, v, Prepared after the events `fired` (n_events) at t, and S (2 n, columns), of directions S, P as they happen."""
     cdef em_fault fault
+    cdef Prepared after
     cdef int columns = S.shape[1]
     cdef Numbers q = given(np.array(x, dtype=np.float64), (model.n,), "x")
     cdef Numbers w = given(np.array(v, dtype=np.float64), (model.n,), "v")
     cdef Numbers s = given(u, (model.n_inputs,), "inputs"), pile = zeros((model.n_events, 2))
     cdef Numbers made = given(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
     cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
-    cdef Numbers constants = zeros((model.model.n_prepared + 1,))
     cdef int[::1] jumps = np.array(fired, dtype=np.intc)
-    memcpy(constants.data, c.c, model.model.n_prepared * sizeof(double))
-    if model.model.act_along(t, q.data, w.data, constants.data, s.data, least_norm, &jumps[0], <em_pile *> pile.data,
+    after = model.prepare(np.array(c.parameters, dtype=np.float64))
+    memcpy(after.c, c.c, model.model.n_prepared * sizeof(double))
+    if model.model.act_along(t, q.data, w.data, after.c, s.data, least_norm, &jumps[0], <em_pile *> pile.data,
                              columns, made.data, rest.data, &fault) != 0:
         raise model.failure(&fault)
-    return made.array
+    after.parameters = tuple([after.c[j] for j in range(model.model.n_parameters)])
+    return q.array, w.array, after, made.array
 
 
 def vary(PointModel model not None, Prepared c not None, tuple inputs, double direction, stops, steps, marks, nodes, S, P,
