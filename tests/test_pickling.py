@@ -68,6 +68,13 @@ def test_pickles_of_earlier_versions_are_read(system, module):
     assert (sol(t) == found.sol(t)).all()
 
 
+def test_what_a_request_was_called_is_read(system):
+    text = pickle.dumps(system, protocol=2)
+    earlier = text.replace(b"building.request\nRequest\n", b"building.request\nOrder\n")
+    assert earlier != text
+    assert pickle.loads(earlier).compiled is system.compiled
+
+
 def test_a_system_without_a_way_to_it_says_so():
     with pytest.raises(TypeError, match=r"bead was made from a capsule.*eigenmotion\.build"):
         pickle.dumps(bead())

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arguments.differentiated import Differentiated, names_of, rates_of
+from ..arguments.differentiated import Differentiated, rates_of
 from ..arguments.names import Vector
 from ..arguments.options import OptionError, Task
 from ..codegen.model.normalise import ModelError
@@ -29,13 +29,11 @@ class Directions(NamedTuple):
     """What a motion is differentiated by, in the order of `names`.
 
     S : (2 n, columns), of x and v at the start; P : (n_arguments - 2 n, columns), of inputs, parameters, time
-    sizes : (columns,) how large they are themselves, 1 where they are 0
     """
 
     names: tuple[str, ...]
     S: Vector
     P: Vector
-    sizes: Vector
 
 
 def check_method(method: Method) -> None:
@@ -73,12 +71,7 @@ def directions(asked: Differentiated, task: Task) -> Directions:
             _check_constant(task, name)
     if asked.from_quasi:
         _quasi(task, names, S, P)
-    v = c.velocity_rows(np.array([task.t_start]), task.y[None, :], task.prepared)[0]
-    z = np.concatenate([task.y[: c.n], v, np.ones(len(c.quasi_velocities)), task.inputs.at(task.t_start),
-                        task.prepared.parameters])  # fmt: skip
-    known = names_of(c)
-    sizes = np.abs(z[[known.index(name) for name in names]])
-    return Directions(names, S, P, np.where(sizes > 0.0, sizes, 1.0))
+    return Directions(names, S, P)
 
 
 def _check_constant(task: Task, name: str) -> None:

@@ -109,15 +109,6 @@ def output_partials(PointModel model not None, double t, x, v, a, multipliers, P
     return D.array
 
 
-def event_partials(PointModel model not None, double t, x, v, Prepared c not None, u):
-    """(n_events, n_arguments)."""
-    cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
-    cdef Numbers D = zeros((model.n_events, model.n_arguments))
-    if model.model.event_partials != NULL:
-        model.model.event_partials(t, q.data, w.data, c.c, s.data, D.data)
-    return D.array
-
-
 def quasi_partials(PointModel model not None, double t, x, v, Prepared c not None):
     """(n_quasi, n_arguments), of P(x, t) v."""
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")

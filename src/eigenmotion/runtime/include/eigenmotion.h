@@ -309,8 +309,8 @@ typedef struct em_model {
                         em_fault *fault);
     int (*tangent)(double t, const double *x, const double *v, const double *c, int least_norm, int columns, double *S,
                    const double *P, em_fault *fault); /* NULL where m is 0 */
-    /* act, and the same of `columns` directions S (2 n, columns), at P (n_arguments - 2 n, columns), of the state before:
-     * S <- what becomes of them. NULL where nothing acts. */
+    /* What events do (em_act), and what becomes of `columns` directions S (2 n, columns), at P (n_arguments - 2 n, columns),
+     * of the state before. NULL where nothing acts. */
     int (*act_along)(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                      int columns, double *S, const double *P, em_fault *fault);
 } em_model;

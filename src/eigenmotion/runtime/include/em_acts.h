@@ -252,7 +252,7 @@ EM_COLD int em_act(double t, double *x, double *v, double *c, const double *u, i
     return em_act_on_all(&a, pile);
 }
 
-/* em_model.act_along: the same, with directions. */
+/* em_model.act_along: the same, and what becomes of directions. */
 EM_COLD int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
                          em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
     const em_directions along = {columns, S, P};
