@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:cfd96a6a0842ffe71ea592741c7054c28347d02667fc77dbc6df7124f7013346 */
+/* body sha256:2c5324d16bd212190e34341d1490bd3beabee3b1a06b508d1f6b3ce8ffb3a715 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -30,11 +30,10 @@
  *   triangular root: 78 additions, 146 multiplications, 1 divisions, 1 roots, 14 function calls
  *   projection: 36 additions, 64 multiplications, 14 function calls
  */
-#include "andrews.h"
-
 #include "em_functions.h"
 #include "em_multipliers.h"
 
+/* The shape: all that the stepper knows of this model. */
 enum {
     N = 7,                /* coordinates */
     N_ROWS = 6,           /* constraint rows */
@@ -45,15 +44,23 @@ enum {
     N_CD = 0,             /* C of Delta, */
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
-    N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 18,        /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
+};
+#define EM_MODEL_LANES (*lanes_here())
+#ifdef EM_UNIT
+#include "em_units.h"
+#endif
+#if !EM_ALONE(EM_STEPPER)
+
+enum {
     N_PARAMETERS = 42,
+    N_PREPARED = 88,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_OUTPUTS = 0,
     N_GIVEN = 43,         /* inputs, parameters and the time */
     N_ARGUMENTS = 57,     /* x, v and these: what motion depends on */
-    N_PREPARED = 88,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N1 = 2,               /* beta, theta */
     N2 = 1,               /* gamma */
     N3 = 2,               /* phi, delta */
@@ -65,8 +72,9 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_UNUSED static const int coordinate2[N2] = { 2 };
 EM_UNUSED static const int coordinate3[N3] = { 3, 4 };
 EM_UNUSED static const int coordinate4[N4] = { 5, 6 };
+#endif
 
-#ifndef EM_ASIDE_ALONE
+#if EM_HOLDS(EM_MODEL)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -772,7 +780,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
     (void)mode, (void)memory;
@@ -799,32 +807,17 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes andrews_lanes;
-em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
+em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2, N_PREPARED};
 
 #else
+#if EM_HOLDS(EM_ASIDE)
 
-/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
- * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
-#ifdef EM_ASIDE_ELSEWHERE
-
-extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM);
-extern void motion_bias(double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, const double *restrict u, double *restrict bias,
-                        double *restrict gamma);
-extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                   double *restrict e);
-extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out);
-extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
-
-#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
+/* --- what no step calls --- */
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
     const double theta = x[1];
@@ -869,9 +862,9 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x,
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma)
+EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, EM_UNUSED const double *restrict u,
+                           double *restrict bias, double *restrict gamma)
 {
     const double mom = c[41];
     const double beta_dot = v[0];
@@ -994,8 +987,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const do
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                      const double *restrict c, double *restrict e)
 {
     const double beta_dot = v[0];
     const double rr = c[24];
@@ -1070,15 +1063,16 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                    double *restrict p)
 {
     p[0] = p[1] = p[16] = p[17] = 0.0;
     const double xa = c[14];
@@ -1134,25 +1128,16 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
-/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
-#if defined(EM_ASIDE_ELSEWHERE)
+#if EM_HOLDS(EM_DERIVATIVES)
 
-extern void state_partials(double t, const double *restrict x, const double *restrict v,
-                           const double *restrict a, const double *restrict lambda, const double *restrict c,
-                           const double *restrict u, double *restrict D);
-extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, const double *restrict u, double *restrict D);
-extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
-                                const double *restrict c, double *restrict D);
-
-#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+/* --- partial derivatives --- */
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, EM_UNUSED const double *restrict u,
+                              double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double rr = c[24];
@@ -1441,10 +1426,10 @@ EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, EM_UNUSED const double *restrict u,
+                                double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double beta_ddot = a[0];
@@ -1728,8 +1713,8 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D)
+EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
     const double rr = c[24];
@@ -1911,25 +1896,25 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 }
 
 #endif
-#ifndef EM_ASIDE_ALONE
+#if EM_HOLDS(EM_MODEL)
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes andrews_lanes;
-EM_WEAK em_lanes andrews_lanes = {0, NULL, NULL, NULL, 0, 0};
-#define EM_MODEL_LANES andrews_lanes
+EM_WEAK em_lanes andrews_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
+EM_ACROSS const em_lanes *lanes_here(void) { return &andrews_lanes; }
 
 #include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 1, 2, 2, 3, 3 };
-static const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
+EM_ACROSS const double scales[N] = { 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 14, 26, 0, 4 };
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 42, 43, 44, 45 };
 static const em_block block3 = { N, N3, coordinate3, scales, EM_IN_STATE, 18, 28, 6, 10 };
 static const em_block block4 = { N, N4, coordinate4, scales, EM_IN_STATE, 22, 30, 12, 16 };
-static const em_block *const blocks[] = { &block1, &block2, &block3, &block4, NULL };
+EM_ACROSS const em_block *const blocks[] = { &block1, &block2, &block3, &block4, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
@@ -2032,7 +2017,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
-static int prepare(const double *parameters, double *c, em_fault *fault)
+EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
@@ -2043,8 +2028,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict M)
+EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                           double *restrict M)
 {
     const double rr = c[24];
     const double da = c[21];
@@ -2115,12 +2100,14 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
-static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
-    mass_matrix;
+EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
+{
+    mass_matrix(t, x, c, M);
+}
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict A, double *restrict b)
 {
     const double rr = c[24];
     const double beta = x[0];
@@ -2207,8 +2194,8 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict phi, double *restrict terms)
+EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict phi, double *restrict terms)
 {
     const double ss = c[26];
     const double gamma = x[2];
@@ -2291,13 +2278,20 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
 }
 
+#endif
+#if !EM_ALONE(EM_ASIDE)
+#include "em_mechanics.h"
+#endif
+#if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
+#endif
+#if EM_HOLDS(EM_MODEL)
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -2483,7 +2477,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
@@ -2567,7 +2561,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
-static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
@@ -2580,7 +2574,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
@@ -2591,7 +2585,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 }
 
 /* row (n_state): a state in the published meaning. */
-static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)memory, (void)fault;
@@ -2606,7 +2600,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 }
 
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
-static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
@@ -2658,7 +2652,13 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
+#endif
+#if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#endif
+#if EM_HOLDS(EM_MODEL)
+
+#include "andrews.h"
 
 static const char *const coordinate_names[] = { "beta", "theta", "gamma", "phi", "delta", "omega", "epsilon", NULL };
 static const char *const parameter_names[] = { "m1", "m2", "m3", "m4", "m5", "m6", "m7", "I1", "I2", "I3", "I4", "I5", "I6", "I7", "xa", "ya", "xb", "yb", "xc", "yc", "d", "da", "e", "ea", "rr", "ra", "ss", "sa", "sb", "sc", "sd", "ta", "tb", "u", "ua", "ub", "zf", "zt", "fa", "c0", "l0", "mom", NULL };
@@ -2766,7 +2766,7 @@ const em_model andrews_model = {
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .saved = em_handle_saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,

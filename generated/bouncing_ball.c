@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:0a81e8226ddc41b5d295c8a34b3f33073ef6d0a4957d04ef6b5ca30adb25095c */
+/* body sha256:09b5c40fb525cecb6cb3459e19438eaf37833cdcd1562fea15a782d679e2b62b */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -27,12 +27,12 @@
  *   eigenfactor: none
  *   projection: none
  */
-#include "bouncing_ball.h"
-
 #define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
+#define EM_ACTS
 #include "em_functions.h"
 #include "em_multipliers.h"
 
+/* The shape: all that the stepper knows of this model. */
 enum {
     N = 2,                /* coordinates */
     N_ROWS = 1,           /* constraint rows */
@@ -43,15 +43,26 @@ enum {
     N_CD = 0,             /* C of Delta, */
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
-    N_OUTPUTS = 0,
     N_EVENTS = 1,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
+    N_SWITCHES = 1,       /* constraint rows that hold at times */
     N_PARAMETERS = 5,
+    N_PREPARED = 15,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+};
+#define EM_MODEL_LANES (*lanes_here())
+#ifdef EM_UNIT
+#include "em_units.h"
+#endif
+#if !EM_ALONE(EM_STEPPER)
+
+enum {
+    N_IMPACTS = 1,
+    N_RESETS = 0,
+    N_OUTPUTS = 0,
     N_GIVEN = 6,          /* inputs, parameters and the time */
     N_ARGUMENTS = 10,     /* x, v and these: what motion depends on */
-    N_PREPARED = 15,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N1 = 1,               /* x */
     N2 = 1,               /* z */
 };
@@ -59,8 +70,9 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
+#endif
 
-#ifndef EM_ASIDE_ALONE
+#if EM_HOLDS(EM_MODEL)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real f2[N2], real A2[N_ROWS][N2],
@@ -152,7 +164,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* dy <- f(t, y). */
-static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
     (void)mode, (void)memory;
@@ -178,46 +190,25 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes bouncing_ball_lanes;
-em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
+em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED};
 
 #else
+#if EM_HOLDS(EM_ASIDE)
 
-/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
- * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
-#ifdef EM_ASIDE_ELSEWHERE
-
-extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM);
-extern void motion_bias(double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, const double *restrict u, double *restrict bias,
-                        double *restrict gamma);
-extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                   double *restrict e);
-extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out);
-extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
-extern void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                    const double *restrict u, double *restrict struck);
-extern void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                   const double *restrict u, double *restrict after);
-extern void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                   const double *restrict u, double *restrict level);
-
-#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
+/* --- what no step calls --- */
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                    EM_UNUSED const double *restrict c, double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                          EM_UNUSED const double *restrict v, const double *restrict c,
-                          EM_UNUSED const double *restrict u, double *restrict bias, double *restrict gamma)
+EM_ACROSS void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                           EM_UNUSED const double *restrict v, const double *restrict c,
+                           EM_UNUSED const double *restrict u, double *restrict bias, double *restrict gamma)
 {
     bias[0] = 0.0;
     const double c_0 = c[13];
@@ -226,8 +217,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                      const double *restrict c, double *restrict e)
 {
     const double m = c[0];
     const double x_dot = v[0];
@@ -241,15 +232,16 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                    double *restrict p)
 {
     const double x_ = x[0];
     p[0] = p[6] = x_;
@@ -263,9 +255,9 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 /* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
-EM_ASIDE void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, const double *restrict c,
-                      EM_UNUSED const double *restrict u, double *restrict struck)
+EM_ACROSS void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                       EM_UNUSED const double *restrict v, const double *restrict c,
+                       EM_UNUSED const double *restrict u, double *restrict struck)
 {
     struck[0] = 0.0;
     struck[1] = 1.0;
@@ -275,16 +267,16 @@ EM_ASIDE void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
-EM_ASIDE void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after)
+EM_ACROSS void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after)
 {
 }
 
 /* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
-EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                     EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                     double *restrict level)
+EM_ACROSS void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                      EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
+                      double *restrict level)
 {
     level[0] = 1.0/1000.0;
     const double z = x[1];
@@ -292,46 +284,26 @@ EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 }
 
 #endif
-/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
-#if defined(EM_ASIDE_ELSEWHERE)
+#if EM_HOLDS(EM_DERIVATIVES)
 
-extern void state_partials(double t, const double *restrict x, const double *restrict v,
-                           const double *restrict a, const double *restrict lambda, const double *restrict c,
-                           const double *restrict u, double *restrict D);
-extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, const double *restrict u, double *restrict D);
-extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
-                                const double *restrict c, double *restrict D);
-extern void event_partials(double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, const double *restrict u, double *restrict D);
-extern void blow_partials(double t, const double *restrict x, const double *restrict a,
-                          const double *restrict lambda, const double *restrict c, double *restrict D);
-extern void impact_partials(double t, const double *restrict x, const double *restrict v,
-                            const double *restrict c, const double *restrict u, double *restrict D);
-extern void reset_partials(double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, const double *restrict u, double *restrict D);
-extern void level_partials(double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, const double *restrict u, double *restrict D);
-
-#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+/* --- partial derivatives --- */
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                             EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                              EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                                EM_UNUSED const double *restrict v, const double *restrict a,
+                                const double *restrict lambda, const double *restrict c,
+                                EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double x_ddot = a[0];
@@ -348,8 +320,8 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restr
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D)
+EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
     const double floor_held = c[4];
@@ -363,9 +335,9 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* D (n_events, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     D[1] = 1.0;
@@ -373,9 +345,9 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
-                            const double *restrict lambda, EM_UNUSED const double *restrict c,
-                            double *restrict D)
+EM_ACROSS void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
+                             const double *restrict lambda, EM_UNUSED const double *restrict c,
+                             double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
     const double x_ddot = a[0];
@@ -389,9 +361,9 @@ EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                               EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                               EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * 1 * (N + 2) * N_ARGUMENTS);
     D[36] = 1.0;
@@ -399,41 +371,41 @@ EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restri
 
 /* D (n_resets 2 n, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * 0 * 2 * N * N_ARGUMENTS);
 }
 
 /* D (n_switches 2, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                              EM_UNUSED const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
     D[11] = 1.0;
 }
 
 #endif
-#ifndef EM_ASIDE_ALONE
+#if EM_HOLDS(EM_MODEL)
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes bouncing_ball_lanes;
-EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0};
-#define EM_MODEL_LANES bouncing_ball_lanes
+EM_WEAK em_lanes bouncing_ball_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
+EM_ACROSS const em_lanes *lanes_here(void) { return &bouncing_ball_lanes; }
 
 #include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 1 };
-static const double scales[N] = { 1.0, 1.0 };
+EM_ACROSS const double scales[N] = { 1.0, 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_PREPARED_FACTORS, 5, 6, 7, 8 };
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 9, 10, 11, 12 };
-static const em_block *const blocks[] = { &block1, &block2, NULL };
+EM_ACROSS const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N1][N1], double M2[N2][N2],
@@ -449,7 +421,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
-static int prepare(const double *parameters, double *c, em_fault *fault)
+EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
@@ -461,8 +433,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                        double *restrict M)
+EM_ACROSS void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                           double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -471,12 +443,14 @@ static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
-static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
-    mass_matrix;
+EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
+{
+    mass_matrix(t, x, c, M);
+}
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
+                        double *restrict A, double *restrict b)
 {
     A[0] = 0.0;
     const double floor_held = c[4];
@@ -485,8 +459,8 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, con
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict phi, double *restrict terms)
+EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict phi, double *restrict terms)
 {
     const double floor_held = c[4];
     const double z = x[1];
@@ -496,15 +470,29 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                         EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                         double *restrict crossing)
+EM_ACROSS void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
+                            EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
+                            double *restrict crossing)
 {
     const double z = x[1];
     crossing[0] = z;
 }
 
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
+EM_ACROSS const int resets_quasi[] = { 0 };
+/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
+EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0}, {-1, -1, -1, -1, -1} };
+
+#endif
+#if !EM_ALONE(EM_ASIDE)
+#include "em_mechanics.h"
+#endif
+#if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
+#include "em_acts.h"
+#endif
+#if EM_HOLDS(EM_MODEL)
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -517,7 +505,7 @@ EM_INLINE void settled_masses(const double *restrict c, double A2[N_ROWS][N2], d
 
 /* After an accepted step, and at the start: constraints on positions, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
@@ -548,7 +536,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 }
 
 /* v (n): xdot from a state. */
-static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
@@ -557,7 +545,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
@@ -566,7 +554,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 }
 
 /* row (n_state): a state, as a row of the solution. */
-static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)memory, (void)fault;
@@ -575,7 +563,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 }
 
 /* y (n_state) from x, v (n) */
-static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
@@ -615,34 +603,13 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-enum { N_IMPACTS = 1, N_RESETS = 0, N_SWITCHES = 1 };
-
-/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
-static const em_deed deeds[N_EVENTS] = { {0, -1, 0, 1, 1} };
-EM_UNUSED static const int resets_quasi[] = { 0 };
-/* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
-EM_UNUSED static const em_switch switches[] = { {0, 4, -1, -1, 0}, {-1, -1, -1, -1, -1} };
-#define EM_ACTS
-#include "em_acts.h"
-
-/* g (n_events) in the mode of c */
-static void events_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *g)
-{
-    em_fault fault;
-    model_events(t, x, v, c, u, g);
-    if (em_watch_modes(t, x, v, c, u, EM_LEAST_NORM, g, &fault))
-        for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
-}
-
-/* D (n_events, n_arguments), likewise */
-static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
-{
-    event_partials(t, x, v, c, u, D);
-    if (em_watch_partials(t, x, v, c, u, D))
-        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
-}
-
+#endif
+#if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#endif
+#if EM_HOLDS(EM_MODEL)
+
+#include "bouncing_ball.h"
 
 static const char *const coordinate_names[] = { "x", "z", NULL };
 static const char *const parameter_names[] = { "m", "g", "e", "r", "floor_held", NULL };
@@ -733,7 +700,7 @@ const em_model bouncing_ball_model = {
     .motion_along = em_motion_along,
     .tangent = em_tangent,
     .constraint_partials = constraint_partials,
-    .event_partials = event_partials_in_mode,
+    .event_partials = em_watched_partials,
     .simulate = em_simulate,
     .interpolate = em_interpolate,
     .release = em_release,
@@ -741,12 +708,12 @@ const em_model bouncing_ball_model = {
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .saved = em_handle_saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,
     .again = em_handle_again,
-    .event = events_in_mode,
+    .event = em_watched,
     .deeds = deeds,
     .n_switches = N_SWITCHES,
     .switches = switches,

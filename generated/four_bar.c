@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:f7522057fdec9ef4400f0c2120e9cb8253bbab98b1d36657ca2e920e4901ebcc */
+/* body sha256:993171e988093e9c07bd8f2b9c96caffc43b688b63ec46e7b91b9052282387d8 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -28,11 +28,10 @@
  *   triangular root: 11 additions, 36 multiplications, 6 function calls
  *   projection: 4 additions, 19 multiplications, 6 function calls
  */
-#include "four_bar.h"
-
 #include "em_functions.h"
 #include "em_multipliers.h"
 
+/* The shape: all that the stepper knows of this model. */
 enum {
     N = 3,                /* coordinates */
     N_ROWS = 2,           /* constraint rows */
@@ -43,15 +42,23 @@ enum {
     N_CD = 0,             /* C of Delta, */
     N_SD = 0,             /* s of Delta */
     N_INPUTS = 0,
-    N_OUTPUTS = 0,
     N_EVENTS = 0,
     N_MEMORY = 6,         /* what a run remembers from one accepted step to the next */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
+};
+#define EM_MODEL_LANES (*lanes_here())
+#ifdef EM_UNIT
+#include "em_units.h"
+#endif
+#if !EM_ALONE(EM_STEPPER)
+
+enum {
     N_PARAMETERS = 6,
+    N_PREPARED = 29,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_OUTPUTS = 0,
     N_GIVEN = 7,          /* inputs, parameters and the time */
     N_ARGUMENTS = 13,     /* x, v and these: what motion depends on */
-    N_PREPARED = 29,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N1 = 2,               /* q1, q2 */
     N2 = 1,               /* q3 */
 };
@@ -59,8 +66,9 @@ enum {
 /* Coordinates of the blocks. */
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 EM_UNUSED static const int coordinate2[N2] = { 2 };
+#endif
 
-#ifndef EM_ASIDE_ALONE
+#if EM_HOLDS(EM_MODEL)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -349,7 +357,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
     (void)mode, (void)memory;
@@ -376,32 +384,17 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes four_bar_lanes;
-em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
+em_lanes four_bar_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2, N_PREPARED};
 
 #else
+#if EM_HOLDS(EM_ASIDE)
 
-/* What no step calls. As it stands this file holds all; compilers may work side by side on this part alone, with
- * -DEM_ASIDE_ALONE, and on the others, with -DEM_ASIDE_ELSEWHERE. */
-#ifdef EM_ASIDE_ELSEWHERE
-
-extern void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM);
-extern void motion_bias(double t, const double *restrict x, const double *restrict v,
-                        const double *restrict c, const double *restrict u, double *restrict bias,
-                        double *restrict gamma);
-extern void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
-                   double *restrict e);
-extern void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
-                    const double *restrict lambda, const double *restrict c, const double *restrict u,
-                    double *restrict out);
-extern void draw(double t, const double *restrict x, const double *restrict c, double *restrict p);
-
-#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 1
+/* --- what no step calls --- */
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                                   double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
     const double c_0 = c[10];
@@ -417,9 +410,9 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x,
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
-                          double *restrict gamma)
+EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, EM_UNUSED const double *restrict u,
+                           double *restrict bias, double *restrict gamma)
 {
     const double q1_dot = v[0];
     const double q2_dot = v[1];
@@ -455,8 +448,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const do
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                      const double *restrict c, double *restrict e)
 {
     const double q1_dot = v[0];
     const double q2_dot = v[1];
@@ -487,15 +480,16 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
+                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
+                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                    double *restrict p)
 {
     const double b = c[1];
     const double q2 = x[1];
@@ -530,25 +524,16 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 #endif
-/* Partial derivatives: compiled alone with -DEM_ASIDE_ALONE=2. */
-#if defined(EM_ASIDE_ELSEWHERE)
+#if EM_HOLDS(EM_DERIVATIVES)
 
-extern void state_partials(double t, const double *restrict x, const double *restrict v,
-                           const double *restrict a, const double *restrict lambda, const double *restrict c,
-                           const double *restrict u, double *restrict D);
-extern void forcing_partials(double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, const double *restrict u, double *restrict D);
-extern void constraint_partials(double t, const double *restrict x, const double *restrict v,
-                                const double *restrict c, double *restrict D);
-
-#elif !defined(EM_ASIDE_ALONE) || EM_ASIDE_ALONE == 2
+/* --- partial derivatives --- */
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, EM_UNUSED const double *restrict u,
+                              double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double q1_dot = v[0];
@@ -625,10 +610,10 @@ EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, EM_UNUSED const double *restrict u,
+                                double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double q1 = x[0];
@@ -711,8 +696,8 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  const double *restrict c, double *restrict D)
+EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
     const double a_ = c[0];
@@ -767,23 +752,23 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 }
 
 #endif
-#ifndef EM_ASIDE_ALONE
+#if EM_HOLDS(EM_MODEL)
 
 /* Where the other is linked it takes the place of this. */
 extern em_lanes four_bar_lanes;
-EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL, 0, 0};
-#define EM_MODEL_LANES four_bar_lanes
+EM_WEAK em_lanes four_bar_lanes = {0, NULL, NULL, NULL, 0, 0, 0};
+EM_ACROSS const em_lanes *lanes_here(void) { return &four_bar_lanes; }
 
 #include "em_blocks.h"
 
 /* The block of M each coordinate belongs to, and its unit in the eigenproblem. */
 static const int block[N] = { 0, 0, 1 };
-static const double scales[N] = { 1.0, 1.0, 1.0 };
+EM_ACROSS const double scales[N] = { 1.0, 1.0, 1.0 };
 
 /* Where the roots of the blocks are, and the places there: C, s, L, 1 / diag L. */
 static const em_block block1 = { N, N1, coordinate1, scales, EM_IN_STATE, 6, 10, 0, 4 };
 static const em_block block2 = { N, N2, coordinate2, scales, EM_PREPARED_FACTORS, 6, 7, 8, 9 };
-static const em_block *const blocks[] = { &block1, &block2, NULL };
+EM_ACROSS const em_block *const blocks[] = { &block1, &block2, NULL };
 
 /* M of the constant blocks, and what other functions share that is made of parameters only */
 EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N2][N2],
@@ -827,7 +812,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
-static int prepare(const double *parameters, double *c, em_fault *fault)
+EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
     (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
@@ -838,8 +823,8 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict M)
+EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                           double *restrict M)
 {
     const double c_4 = c[14];
     M[0] = c_4;
@@ -860,12 +845,14 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
-static void (*const factored)(double t, const double *restrict x, const double *restrict c, double *restrict M) =
-    mass_matrix;
+EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
+{
+    mass_matrix(t, x, c, M);
+}
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict A, double *restrict b)
 {
     const double a_ = c[0];
     const double q1 = x[0];
@@ -890,8 +877,8 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict phi, double *restrict terms)
+EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+                        double *restrict phi, double *restrict terms)
 {
     const double a_ = c[0];
     const double q1 = x[0];
@@ -919,13 +906,20 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
+                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
+                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
 {
 }
 
+#endif
+#if !EM_ALONE(EM_ASIDE)
+#include "em_mechanics.h"
+#endif
+#if EM_HOLDS(EM_DERIVATIVES)
 #include "em_tangent.h"
+#endif
+#if EM_HOLDS(EM_MODEL)
 #include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
@@ -985,7 +979,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
-static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
+EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
     (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
@@ -1044,7 +1038,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 }
 
 /* v (n): xdot from a state, in the meaning of its mode. */
-static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
+EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
@@ -1055,7 +1049,7 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
     (void)mode, (void)y, (void)c, (void)memory;
@@ -1064,7 +1058,7 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 }
 
 /* row (n_state): a state in the published meaning. */
-static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
+EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
     (void)mode, (void)t, (void)c, (void)memory, (void)fault;
@@ -1077,7 +1071,7 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 }
 
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
-static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
+EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
     (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
@@ -1121,7 +1115,13 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
+#endif
+#if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#endif
+#if EM_HOLDS(EM_MODEL)
+
+#include "four_bar.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", NULL };
 static const char *const parameter_names[] = { "a", "b", "c", "d", "density", "g", NULL };
@@ -1223,7 +1223,7 @@ const em_model four_bar_model = {
     .advance = em_handle_advance,
     .now = em_handle_now,
     .publish = em_handle_publish,
-    .saved = EM_SAVED_WALK + sizeof(em_tally),
+    .saved = em_handle_saved,
     .save = em_handle_save,
     .restore = em_handle_restore,
     .close = em_handle_close,

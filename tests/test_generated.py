@@ -69,7 +69,7 @@ def test_every_function_says_what_it_is(systems):
     heads = [
         k
         for k, line in enumerate(lines)
-        if re.match(r"(static int|static void|EM_ASIDE void|EM_INLINE void) \w+\(", line)
+        if re.match(r"(static int|static void|EM_ACROSS int|EM_ACROSS void|EM_INLINE void) \w+\(", line)
     ]
     assert len(heads) > 15
     bare = [lines[k] for k in heads if not lines[k - 1].rstrip().endswith("*/")]
@@ -217,7 +217,7 @@ def test_any_word_of_the_file_is_a_name_to_have(formulation, tmp_path):
 
 def test_a_kernel_declares_each_name_once_and_hides_no_function_it_calls():
     text = c_text(named(("eta", "gap", "lambda", "u"), HARD), "eigenfactor")
-    kernels = re.findall(r"^(?:static|EM_INLINE) void \w+\(([^)]*)\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL)
+    kernels = re.findall(r"^(?:static|EM_ACROSS|EM_INLINE) void \w+\(([^)]*)\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL)
     assert len(kernels) > 10
     for head, inside in kernels:
         declared = re.findall(r"(\w+)(?:\[\w+\])*(?:,|$)", head) + re.findall(r"const double (\w+) =", inside)
@@ -226,7 +226,7 @@ def test_a_kernel_declares_each_name_once_and_hides_no_function_it_calls():
 
 
 def test_no_symbol_gets_the_name_of_a_macro_or_function_of_the_runtime():
-    declared = re.compile(r"#define\s+(\w+)|^(?:EM_INLINE|EM_COLD|static)[\w\s*]*?(\w+)\(", re.MULTILINE)
+    declared = re.compile(r"#define\s+(\w+)|^(?:EM_INLINE|EM_COLD|EM_ACROSS|static)[\w\s*]*?(\w+)\(", re.MULTILINE)
     found = {a or b for path in INCLUDE.glob("*.h") for a, b in declared.findall(path.read_text())}
     assert len(found) > 50
     assert sorted(word for word in found if c_identifier(word) in found) == []

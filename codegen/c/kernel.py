@@ -45,7 +45,6 @@ class Draft:
     arguments : their names, where others rely on them; else they are what the kernel reads and assigns
     actual : what the caller calls them, where that differs
     on_lanes : whether it computes with `real` (em_real.h) in place of double
-    aside : whether no step calls it, so that it may be compiled beside what steps call
     cleared : the array that is all zeros before it is assigned
     """
 
@@ -54,7 +53,6 @@ class Draft:
     arguments: tuple[str, ...] = ()
     actual: Mapping[str, str] | None = None
     on_lanes: bool = False
-    aside: bool = False
     cleared: str = ""
 
     @property
@@ -67,14 +65,13 @@ class Draft:
 class Kernel:
     """A straight-line function as C text.
 
-    head : its first line; declaration : what stands for it in units that do not hold it
+    head : its first line
     declared, call : how its caller declares what it assigns (if it must), and calls it
     statements : in the order in which they are needed, so that a compiler keeps few values at a time
     called : names of functions that it and those written with it call
     """
 
     head: str
-    declaration: str
     declared: str
     call: str
     statements: tuple[str, ...]
@@ -230,7 +227,6 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
     actual = draft.actual or {}
     return Kernel(
         head=_head(draft, [*names, draft.cleared]) if draft.arguments else _inner_head(draft, read, results, handed),
-        declaration=_folded(f"extern void {draft.name}(", _given(draft), ");"),
         declared=_folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=(*scope.statements, *scope.shares), cost=cost,
@@ -246,7 +242,7 @@ def _head(draft: Draft, used: Sequence[str]) -> str:
     """Of a function that others call: its arguments are given, and marked where it does not use them."""
     named = zip(draft.arguments, _given(draft), strict=True)
     marked = [("" if name in used else "EM_UNUSED ") + text for name, text in named]
-    return _folded(f"{'EM_ASIDE' if draft.aside else 'static'} void {draft.name}(", marked, ")")
+    return _folded(f"EM_ACROSS void {draft.name}(", marked, ")")
 
 
 def _given(draft: Draft) -> list[str]:

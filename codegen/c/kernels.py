@@ -78,9 +78,9 @@ class _Writing:
     def expanded(self, entry: Entry) -> Entry:
         return replace(entry, node=self.terms.expanded(entry.node))
 
-    def one(self, name: str, entries: Sequence[Entry], *arguments: str, aside: bool = False) -> Kernel:
+    def one(self, name: str, entries: Sequence[Entry], *arguments: str) -> Kernel:
         """Write a function that others call by these arguments."""
-        return self.write(Draft(name, entries, arguments, aside=aside))[0]
+        return self.write(Draft(name, entries, arguments))[0]
 
     # -- assignments ---------------------------------------------------------------------------------------------
 
@@ -203,7 +203,7 @@ class _Writing:
         """What is not zero, since the rest is cleared before."""
         zero, square = self.terms.graph.zero, self.scene.n**2
         entries = [entry for k, M in enumerate(dM) for entry in self.whole("dM", k * square, M) if entry.node != zero]
-        return self.write(Draft(name, entries, ("t", "x", "c", "dM"), aside=True, cleared="dM"))[0]
+        return self.write(Draft(name, entries, ("t", "x", "c", "dM"), cleared="dM"))[0]
 
     def whole(self, name: str, first: int, M: Rows) -> list[Entry]:
         """A symmetric matrix (n, n), both triangles, from the place `first` on."""
@@ -229,15 +229,15 @@ class _Writing:
 
     def bias(self) -> Kernel:
         entries = [*self.column("bias", self.terms.bias), *self.column("gamma", self.terms.gamma)]
-        return self.one("motion_bias", entries, "t", "x", "v", "c", "u", "bias", "gamma", aside=True)
+        return self.one("motion_bias", entries, "t", "x", "v", "c", "u", "bias", "gamma")
 
     def energy(self) -> Kernel:
         entries = self.column("e", (self.terms.T2, self.terms.T1, self.terms.T0, self.terms.V))
-        return self.one("energy", entries, "t", "x", "v", "c", "e", aside=True)
+        return self.one("energy", entries, "t", "x", "v", "c", "e")
 
     def outputs(self) -> Kernel:
         entries = self.column("out", (self.terms.node(expression) for _, expression in self.mechanics.outputs))
-        return self.one("observe", entries, "t", "x", "v", "a", "lambda", "c", "u", "out", aside=True)
+        return self.one("observe", entries, "t", "x", "v", "a", "lambda", "c", "u", "out")
 
     def events(self) -> Kernel:
         entries = self.column("crossing", (self.terms.node(expression) for _, expression in self.mechanics.events))
@@ -259,11 +259,11 @@ class _Writing:
     def moving(self, name: str, array: str, rows: Sequence[Sequence[sympy.Expr]]) -> Kernel:
         """Numbers row by row, of expressions in anything but accelerations and multipliers."""
         entries = self.column(array, (self.terms.node(entry) for row in rows for entry in row))
-        return self.one(name, entries, "t", "x", "v", "c", "u", array, aside=True)
+        return self.one(name, entries, "t", "x", "v", "c", "u", array)
 
     def quasi(self) -> Kernel:
         entries = self.column("y", (self.terms.node(row) for _, row in self.mechanics.quasi_velocities))
-        return self.one("quasi", entries, "t", "x", "v", "c", "y", aside=True)
+        return self.one("quasi", entries, "t", "x", "v", "c", "y")
 
     def drawing(self) -> Kernel:
         """Each number once: shapes share their points."""
@@ -272,7 +272,7 @@ class _Writing:
         for k, number in enumerate(numbers):
             places.setdefault(number, []).append(f"[{k}]")
         entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
-        return self.one("draw", entries, "t", "x", "c", "p", aside=True)
+        return self.one("draw", entries, "t", "x", "c", "p")
 
     def prepared(self) -> Kernel:
         """M of the fixed blocks, then the constants that the other kernels asked for."""

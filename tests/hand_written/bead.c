@@ -209,7 +209,7 @@ const em_model bead_model = {
     .position = position, .acceleration = acceleration, .project = project_state, .energy = energy,
     .eigenfactors = eigenfactors, .output = output, .simulate = em_simulate, .interpolate = em_interpolate,
     .open = em_handle_open, .advance = em_handle_advance, .now = em_handle_now, .publish = em_handle_publish,
-    .saved = EM_SAVED_WALK + sizeof(em_tally), .save = em_handle_save, .restore = em_handle_restore,
+    .saved = em_handle_saved, .save = em_handle_save, .restore = em_handle_restore,
     .close = em_handle_close, .again = em_handle_again,
     .jacobian = jacobian,
     .motion_jacobian = motion_jacobian, .release = em_release, .event = model_events};

@@ -14,15 +14,16 @@ from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import Sources
 from ..codegen.model import Model
-from .cache import LOCATION
+from .cache import LOCATION, entry, key
 from .errors import BuildError
-from .toolchain import EXTENSION_SUFFIX, UNITS, Toolchain
+from .toolchain import EXTENSION_SUFFIX, SHARED_UNIT, UNITS, Toolchain
 
 if TYPE_CHECKING:
     from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
+OBJECT = "stepper.o"
 
 
 def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None) -> None:
@@ -48,9 +49,20 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
 def compile_and_link(work: Path, name: str, tools: Toolchain) -> None:
     """The units of NAME.c, and what makes a module of them, side by side; then the module."""
     with ThreadPoolExecutor(max_workers=len(UNITS) + 1) as pool:
-        units = [pool.submit(tools.compile_unit, work, name, unit) for unit in UNITS]
-        units.append(pool.submit(tools.compile_module, work, name))
-        tools.link(work, tuple(unit.result() for unit in units), name)
+        objects = [pool.submit(_shared_unit, work, name, tools)]
+        objects.extend(pool.submit(tools.compile_unit, work, name, unit) for unit in UNITS if unit != SHARED_UNIT)
+        objects.append(pool.submit(tools.compile_module, work, name))
+        tools.link(work, tuple(one.result() for one in objects), name)
+
+
+def _shared_unit(work: Path, name: str, tools: Toolchain) -> str:
+    """Return the path of the stepper's object, which a model of the same shape may have left in the cache."""
+    text = tools.preprocess_unit(work, name, SHARED_UNIT)
+
+    def fill(folder: Path) -> None:
+        shutil.move(work / tools.compile_unit(work, name, SHARED_UNIT), folder / OBJECT)
+
+    return str(entry("steppers", key(text, tools.identity), fill) / OBJECT)
 
 
 def load(binary: Path) -> "System":

@@ -25,12 +25,15 @@ SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
-    "steps": "EM_ASIDE_ELSEWHERE",
-    "aside": "EM_ASIDE_ALONE",
-    "derivatives": "EM_ASIDE_ALONE=2",
+    "stepper": "EM_UNIT=EM_STEPPER",
+    "model": "EM_UNIT=EM_MODEL",
+    "derivatives": "EM_UNIT=EM_DERIVATIVES",
+    "aside": "EM_UNIT=EM_ASIDE",
     "lanes": "EM_ON_LANES",
 }
-"""What a model's C file is compiled to, side by side, and the macro that says so."""
+"""What a model's C file is compiled to, side by side, and the macro that says so (em_real.h)."""
+SHARED_UNIT = "stepper"
+"""The one that models of one shape have in common."""
 FLAGS = "EIGENMOTION_CFLAGS"
 ZIG = (sys.executable, "-m", "ziglang", "cc", "-fno-sanitize=undefined")
 """Clang with a library, of the `ziglang` wheel; where nothing is optimised, it would stop at undefined behaviour."""
@@ -79,9 +82,15 @@ class Toolchain:
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
         """STEM.c -> STEM_UNIT.o, a part of it, of which the name is returned."""
         target = f"{stem}_{unit}.o"
-        flags = (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", f"-D{UNITS[unit]}")
-        self._run(*flags, "-c", f"{stem}.c", "-o", target, folder=folder)
+        self._run(*self._of_unit(unit), "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
+
+    def preprocess_unit(self, folder: Path, stem: str, unit: str) -> str:
+        """Return all that the compiler reads of a unit: STEM.c and its headers, without comments."""
+        return self._run(*self._of_unit(unit), "-E", "-P", f"{stem}.c", folder=folder)
+
+    def _of_unit(self, unit: str) -> tuple[str, ...]:
+        return (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", f"-D{UNITS[unit]}")
 
     def compile_module(self, folder: Path, stem: str) -> str:
         """em_module.c -> STEM_module.o, with which the model is Python's module STEM."""

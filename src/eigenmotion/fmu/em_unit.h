@@ -241,7 +241,7 @@ typedef struct em_unit_state {
 
 static size_t em_unit_size(const em_unit *unit) {
     const em_model *m = unit->model;
-    return sizeof(em_unit_state) + em_unit_given(m) * sizeof(double) + m->saved + (size_t)m->n_inputs * sizeof(double);
+    return sizeof(em_unit_state) + em_unit_given(m) * sizeof(double) + m->saved() + (size_t)m->n_inputs * sizeof(double);
 }
 
 static void em_unit_save(const em_unit *unit, void *saved) {

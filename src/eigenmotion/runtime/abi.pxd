@@ -191,7 +191,7 @@ cdef extern from "eigenmotion.h" nogil:
         int (*advance)(void *, double, int) noexcept nogil
         double (*now)(const void *, double *, double *) noexcept nogil
         int (*publish)(const void *, double *, em_fault *) noexcept nogil
-        size_t saved
+        size_t (*saved)() noexcept nogil
         void (*close)(void *) noexcept nogil
         void (*draw)(double, const double *, const double *, double *) noexcept nogil
         int n_arguments

@@ -173,7 +173,7 @@ cdef class PointModel:
         """What tells models apart whose runs are kept as bytes: names, and what is made of these parameters."""
         cdef bytes numbers = (<char *> c.c)[:self.model.n_prepared * sizeof(double)]
         return (self.name, self.formulation, self.close_eigenvalues, self.schur, self.coordinates, self.parameters,
-                self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved,
+                self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved(),
                 c.parameters, numbers)
 
     def mass_matrix(self, double t, x, Prepared c not None):

@@ -9,7 +9,7 @@
 
 #include <stddef.h>
 
-#define EM_ABI 12 /* changes whenever anything in this file changes its meaning */
+#define EM_ABI 13 /* changes whenever anything in this file changes its meaning */
 
 /* How a call or a run ended. Every value but the first two names a failure. */
 typedef enum em_status {
@@ -199,6 +199,7 @@ typedef struct em_lanes {
     void (*velocity)(const double *t, const double *y, const double *c, double *v);
     void (*run)(em_flock *f); /* until no lane has a run; dop853, stabilised, inputs constant; or NULL */
     int remembered, modes;    /* numbers that a run keeps of its last step; modes of runs, each in flocks of its own */
+    int n_prepared;
 } em_lanes;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
@@ -278,7 +279,7 @@ typedef struct em_model {
     int (*advance)(void *walk, double t, int jumped);  /* exactly there; 0, or -1 and run->fault: it stands where it came to */
     double (*now)(const void *walk, double *x, double *v); /* t; x, v (n) */
     int (*publish)(const void *walk, double *y, em_fault *fault); /* y (n_state), published meaning */
-    size_t saved;                      /* how many bytes hold all of its motion */
+    size_t (*saved)(void);             /* how many bytes hold all of its motion */
     void (*save)(const void *walk, void *saved);
     void (*restore)(void *walk, const void *saved);
     void (*close)(void *walk);

@@ -246,14 +246,14 @@ EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
 
 /* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
  * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
-EM_COLD int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
+EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                    em_fault *fault) {
     em_acting a = {t, x, v, c, u, least_norm, fired, fault, NULL, 0, {0}};
     return em_act_on_all(&a, pile);
 }
 
 /* em_model.act_along: the same, and what becomes of directions. */
-EM_COLD int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
+EM_ACROSS int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
                          em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
     const em_directions along = {columns, S, P};
     em_acting a = {t, x, v, c, u, least_norm, fired, fault, &along, 0, {0}};
@@ -263,6 +263,21 @@ EM_COLD int em_act_along(double t, double *x, double *v, double *c, const double
 #else
     return 0;
 #endif
+}
+
+/* em_model.event: g (n_events) in the mode of c; NaN where it has no value */
+EM_ACROSS void em_watched(double t, const double *x, const double *v, const double *c, const double *u, double *g) {
+    em_fault fault;
+    model_events(t, x, v, c, u, g);
+    if (em_watch_modes(t, x, v, c, u, EM_LEAST_NORM, g, &fault))
+        for (int k = 0; k < N_EVENTS; ++k) g[k] = NAN;
+}
+
+/* em_model.event_partials: D (n_events, n_arguments), likewise */
+EM_ACROSS void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D) {
+    event_partials(t, x, v, c, u, D);
+    if (em_watch_partials(t, x, v, c, u, D))
+        for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;
 }
 
 #endif

@@ -139,19 +139,19 @@ static inline int em_stepper_advance(em_stepper *s, double t, const double *u) {
 
 /* How many bytes em_stepper_save needs. */
 static inline size_t em_stepper_size(const em_stepper *s) {
-    return s->model->saved + (size_t)s->model->n_inputs * sizeof(double);
+    return s->model->saved() + (size_t)s->model->n_inputs * sizeof(double);
 }
 
 /* All of the motion, so that after em_stepper_restore every number comes out again to the last bit: in the same program,
  * by a stepper of the same task. */
 static inline void em_stepper_save(const em_stepper *s, void *saved) {
     s->model->save(s->walk, saved);
-    memcpy((char *)saved + s->model->saved, s->u, (size_t)s->model->n_inputs * sizeof(double));
+    memcpy((char *)saved + s->model->saved(), s->u, (size_t)s->model->n_inputs * sizeof(double));
 }
 
 static inline void em_stepper_restore(em_stepper *s, const void *saved) {
     s->model->restore(s->walk, saved);
-    memcpy(s->u, (const char *)saved + s->model->saved, (size_t)s->model->n_inputs * sizeof(double));
+    memcpy(s->u, (const char *)saved + s->model->saved(), (size_t)s->model->n_inputs * sizeof(double));
     s->t = s->model->now(s->walk, s->x, s->v);
 }
 

@@ -21,17 +21,18 @@ typedef struct em_tally {
 enum { EM_SAVED_WALK = offsetof(em_walk, run) };
 
 /* em_model.open */
-static void *em_handle_open(em_run *run) { return em_open(run); }
+EM_ACROSS void *em_handle_open(em_run *run) { return em_open(run); }
 
 /* em_model.close */
-static void em_handle_close(void *walk) { em_close(walk); }
+EM_ACROSS void em_handle_close(void *walk) { em_close(walk); }
 
 /* em_model.again: counts and tables, but for their memory, are those of a run that has not begun. */
-static int em_handle_again(void *walk) {
+EM_ACROSS int em_handle_again(void *walk) {
     em_walk *w = walk;
     em_run *run = w->run;
     memset(w, 0, EM_SAVED_WALK);
     w->end_rate = NULL;
+    w->c_is_known = 0;
     em_walk_prepare(w);
     run->kept = 0;
     run->n_rhs = run->n_steps = run->n_rejected = run->n_bounded = run->n_jacobians = run->n_factors = run->n_stiff = 0;
@@ -50,7 +51,7 @@ static void em_turn_back(em_walk *w) {
 
 /* em_model.advance: steps up to t, after what inputs may have jumped. Whatever ended an advance before does not count:
  * the run stands where it came to, and tries again. */
-static int em_handle_advance(void *walk, double t, int jumped) {
+EM_ACROSS int em_handle_advance(void *walk, double t, int jumped) {
     em_walk *w = walk;
     em_run *run = w->run;
     if (w->refused) return EM_END;
@@ -68,7 +69,7 @@ static int em_handle_advance(void *walk, double t, int jumped) {
 }
 
 /* em_model.now */
-static double em_handle_now(const void *walk, double *x, double *v) {
+EM_ACROSS double em_handle_now(const void *walk, double *x, double *v) {
     const em_walk *w = walk;
     em_fault fault;
     memcpy(x, w->y, N * sizeof *x);
@@ -79,13 +80,16 @@ static double em_handle_now(const void *walk, double *x, double *v) {
 }
 
 /* em_model.publish */
-static int em_handle_publish(const void *walk, double *y, em_fault *fault) {
+EM_ACROSS int em_handle_publish(const void *walk, double *y, em_fault *fault) {
     const em_walk *w = walk;
     return em_publish(w->run, w->mode, w->t, w->y, w->memory, y, fault);
 }
 
+/* em_model.saved */
+EM_ACROSS size_t em_handle_saved(void) { return EM_SAVED_WALK + sizeof(em_tally); }
+
 /* em_model.save */
-static void em_handle_save(const void *walk, void *saved) {
+EM_ACROSS void em_handle_save(const void *walk, void *saved) {
     const em_walk *w = walk;
     const em_run *run = w->run;
     em_tally tally;
@@ -98,7 +102,7 @@ static void em_handle_save(const void *walk, void *saved) {
 }
 
 /* em_model.restore */
-static void em_handle_restore(void *walk, const void *saved) {
+EM_ACROSS void em_handle_restore(void *walk, const void *saved) {
     em_walk *w = walk;
     em_run *run = w->run;
     em_tally tally;
@@ -108,6 +112,7 @@ static void em_handle_restore(void *walk, const void *saved) {
         memcpy(run->legs.y, tally.prepared, EM_SAVED_PREPARED * sizeof *tally.prepared);
         run->prepared = run->legs.y;
     }
+    w->c_is_known = 0;
     run->kept = tally.kept;
     run->n_rhs = tally.n_rhs;
     run->n_steps = tally.n_steps;

@@ -17,7 +17,7 @@ static int em_inside(em_walk *w, double t, double *y, double *memory) {
 }
 
 /* em_model.interpolate: y (n_state) at t from the kept step number `step`, settled and published. 0, or -1. */
-static int em_interpolate(const em_run *run, size_t step, double t, double *y) {
+EM_ACROSS int em_interpolate(const em_run *run, size_t step, double t, double *y) {
     const em_dense_step *at = &run->dense_steps[step];
     const double *F = run->dense_table + step * EM_DENSE_COEFFICIENTS * N_STATE;
     double inside[N_STATE], memory[EM_SOME_MEMORY] = {0.0};

@@ -45,6 +45,7 @@ static int em_first_leg(em_walk *w) {
 /* What a step knows of those before it is of another motion. */
 static void em_forget(em_walk *w) {
     memset(&w->nodes, 0, sizeof w->nodes);
+    w->c_is_known = 0;
     w->stages.known = w->stages.accepted = w->stages.sloped = w->stages.own = 0;
     memset(w->longest, 0, sizeof w->longest);
     memset(w->row_tolerance, 0, sizeof w->row_tolerance);

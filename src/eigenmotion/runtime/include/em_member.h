@@ -15,7 +15,7 @@ static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
 }
 
 /* em_model.enter */
-static void *em_member_enter(em_run *run, int *mode) {
+EM_ACROSS void *em_member_enter(em_run *run, int *mode) {
     em_walk *const w = em_open(run);
     if (w == NULL) return NULL;
     if (w->ended || w->t == run->t_end || em_begin(w)) return em_close(w), NULL;
@@ -24,7 +24,7 @@ static void *em_member_enter(em_run *run, int *mode) {
 }
 
 /* em_model.board */
-static void em_member_board(void *walk, em_flock *f, int lane) {
+EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
     const em_walk *const w = walk;
     const em_run *const run = w->run;
     const int width = EM_MODEL_LANES.width;
@@ -33,7 +33,7 @@ static void em_member_board(void *walk, em_flock *f, int lane) {
         EM_LANE(f->y, k) = w->y[k];
         EM_LANE(f->K, k) = w->K[0][k];
     }
-    for (int k = 0; k < N_PREPARED; ++k) EM_LANE(f->c, k) = run->prepared[k];
+    for (int k = 0; k < EM_MODEL_LANES.n_prepared; ++k) EM_LANE(f->c, k) = run->prepared[k];
     for (int k = 0; k < N_INPUTS; ++k) EM_LANE(f->u, k) = w->u[k];
     for (int k = 0; k < EM_MODEL_LANES.remembered; ++k) EM_LANE(f->memory, k) = w->memory[k];
     f->t[lane] = w->t;
@@ -121,7 +121,7 @@ static int em_member_lands(em_walk *w, em_flock *f, int lane) {
 }
 
 /* em_model.look: what em_land and em_advance do about an accepted step. */
-static int em_member_look(void *walk, em_flock *f, int lane, em_landing landing) {
+EM_ACROSS int em_member_look(void *walk, em_flock *f, int lane, em_landing landing) {
     em_walk *const w = walk;
     int terminal = 0;
     em_member_read(w, f, lane);

@@ -36,9 +36,9 @@ static void em_begin_nodes(em_walk *w) {
         if (N_INPUTS > 0) em_signals(w, t);
         for (int k = 0; k < N_INPUTS; ++k) ((double *)&q->u[b][k])[lane] = w->u[k];
     }
-    if (q->prepared) return;
-    for (int k = 0; k < N_PREPARED; ++k) q->c[k] = (em_bundle){0.0} + w->run->prepared[k];
-    q->prepared = 1;
+    if (w->c_is_known) return;
+    for (int k = 0; k < EM_MODEL_LANES.n_prepared; ++k) w->c[k] = (em_bundle){0.0} + w->run->prepared[k];
+    w->c_is_known = 1;
 }
 
 /* F <- f at the nodes; NaN at those that have none. 0, or -1 and w->reason. */
@@ -46,7 +46,7 @@ static int em_rates_at_nodes(em_walk *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes) return em_rates_one_by_one(w);
     for (int b = 0; b < EM_BUNDLES; ++b)
-        EM_MODEL_LANES.rhs(w->mode, (double *)&q->times[b], (double *)q->Y[b], (double *)q->c, (double *)q->u[b],
+        EM_MODEL_LANES.rhs(w->mode, (double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->u[b],
                            em_constraint_flags(w->run), (double *)q->F[b]);
     w->run->n_rhs += EM_NODE_COUNT;
     return 0;
@@ -63,7 +63,7 @@ static void em_velocities_at_nodes(em_walk *w) {
     em_nodes *q = &w->nodes;
     if (!q->on_lanes || w->mode != 0 || EM_MODEL_LANES.velocity == NULL) return;
     for (int b = 0; b < EM_BUNDLES; ++b)
-        EM_MODEL_LANES.velocity((double *)&q->times[b], (double *)q->Y[b], (double *)q->c, (double *)q->a[b]);
+        EM_MODEL_LANES.velocity((double *)&q->times[b], (double *)q->Y[b], (double *)w->c, (double *)q->a[b]);
     em_drift(w);
 }
 

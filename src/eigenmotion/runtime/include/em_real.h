@@ -17,10 +17,21 @@
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))
 #define EM_RARE __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
-#if defined(EM_ASIDE_ALONE) || defined(EM_ASIDE_ELSEWHERE)
-#define EM_ASIDE /* in an object file of its own; what is linked shows nothing of it (-fvisibility=hidden) */
+
+/* What an object file holds of NAME.c: all of it, or the unit that -DEM_UNIT=... names (docs/architecture.md). What goes
+ * across is not static then; what is linked shows nothing of it (-fvisibility=hidden). */
+#define EM_MODEL 1       /* what every step calls */
+#define EM_ASIDE 2       /* what none calls */
+#define EM_DERIVATIVES 3 /* partial derivatives, and what events do */
+#define EM_STEPPER 4     /* runs: of a model it knows the shape */
+#ifdef EM_UNIT
+#define EM_ALONE(unit) (EM_UNIT == (unit))
+#define EM_HOLDS(unit) EM_ALONE(unit)
+#define EM_ACROSS
 #else
-#define EM_ASIDE static
+#define EM_ALONE(unit) 0
+#define EM_HOLDS(unit) 1
+#define EM_ACROSS EM_UNUSED static
 #endif
 
 /* Before a loop over what is constant: unroll it wholly, so that its numbers become constants. */

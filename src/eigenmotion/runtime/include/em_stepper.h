@@ -72,10 +72,11 @@ static void em_walk_prepare(em_walk *w) {
 /* A walk on cache lines of its own, or NULL. */
 static em_walk *em_walk_create(em_run *run) {
     enum { LINE = 64 };
-    void *block = calloc(1, sizeof(em_walk) + LINE);
+    void *block = calloc(1, sizeof(em_walk) + EM_FOR_LANES * sizeof(em_bundle) + LINE);
     if (block == NULL) return NULL;
     em_walk *w = (em_walk *)(((uintptr_t)block + LINE - 1) / LINE * LINE);
     w->block = block;
+    w->c = (em_bundle *)(w + 1);
     w->run = run;
     w->scheme = em_scheme_of(run->method);
     em_walk_prepare(w);
@@ -149,7 +150,7 @@ static int em_advance(em_walk *w, double t_goal) {
 static void em_close(em_walk *w) { free(w->block); }
 
 /* em_model.simulate: run from t_start to t_end. Returns run->fault.status. */
-static int em_simulate(em_run *run) {
+EM_ACROSS int em_simulate(em_run *run) {
     em_walk *w = em_open(run);
     if (w == NULL) return (int)run->fault.status;
     em_advance(w, run->t_end);

@@ -70,19 +70,22 @@ typedef double em_bundle __attribute__((vector_size(8 * EM_LANES), may_alias));
 typedef double em_bundle; /* a loop over the state may then become vectors after all */
 #endif
 
+#ifdef EM_MODEL_LANES
+#define EM_FOR_LANES (size_t)EM_MODEL_LANES.n_prepared
+#else
+#define EM_FOR_LANES 0
+#endif
+
 /* What a step by nodes carries from one to the next. */
 typedef struct em_nodes {
     em_bundle Y[EM_BUNDLES][N_STATE], F[EM_BUNDLES][N_STATE]; /* the states there and their rates */
     em_bundle a[EM_BUNDLES][N_STATE];                         /* the rates that the states were made of */
     em_bundle series[EM_BUNDLES][N_STATE], before[EM_BUNDLES][N_STATE]; /* Legendre's, of this step and the one before */
     em_bundle times[EM_BUNDLES], u[EM_BUNDLES][EM_SOME_INPUTS];
-#ifdef EM_MODEL_LANES
-    em_bundle c[N_PREPARED > 0 ? N_PREPARED : 1];
-#endif
     double weight[N_STATE];                  /* what a rate counts */
     double t, t_new, h, before_h, before_t_new; /* of the step that `series` is of, and `before` */
     double aimed;                            /* the error after as many iterations as a step is made for */
-    int mode, before_mode, converged, known, blind, on_lanes, prepared; /* converged: there is a series; known: a step before */
+    int mode, before_mode, converged, known, blind, on_lanes; /* converged: there is a series; known: a step before */
     int slow;                                /* whether the iteration converges slowly, though it had little to do */
 } em_nodes;
 
@@ -156,6 +159,8 @@ struct em_walk {
     struct timespec polled;
     unsigned looks_every, attempts_since_look;
     void *block;                               /* what to free */
+    em_bundle *c;                              /* (n_prepared) for lanes, behind the walk; and whether they are there */
+    int c_is_known;
 };
 
 static void em_signals(em_walk *w, double t) {
