@@ -217,7 +217,9 @@ def test_any_word_of_the_file_is_a_name_to_have(formulation, tmp_path):
 
 def test_a_kernel_declares_each_name_once_and_hides_no_function_it_calls():
     text = c_text(named(("eta", "gap", "lambda", "u"), HARD), "eigenfactor")
-    kernels = re.findall(r"^(?:static|EM_ACROSS|EM_INLINE) void \w+\(([^)]*)\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL)
+    kernels = re.findall(
+        r"^(?:static|EM_ACROSS|EM_INLINE) void \w+\(([^)]*)\)\n\{\n(.*?)^\}", text, re.MULTILINE | re.DOTALL
+    )
     assert len(kernels) > 10
     for head, inside in kernels:
         declared = re.findall(r"(\w+)(?:\[\w+\])*(?:,|$)", head) + re.findall(r"const double (\w+) =", inside)
