@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:cfd96a6a0842ffe71ea592741c7054c28347d02667fc77dbc6df7124f7013346 */
+/* body sha256:c5adde2ffc9fbbb9ff48cbe4f79e7b6929c1d1f78b4cb9cb7fba338376d8df9c */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -31,6 +31,9 @@
  *   projection: 36 additions, 64 multiplications, 14 function calls
  */
 #include "andrews.h"
+
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "em_functions.h"
 #include "em_multipliers.h"
@@ -255,7 +258,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* beta, theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[7], y[8] };
@@ -295,7 +297,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* beta, theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[7], y[8] };
@@ -661,7 +662,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], M3[N3][N3], M4[N4][N4], shared[9];
     triangular_masses(y, c, M1, M3, M4, shared);
 
@@ -737,6 +737,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* omega, epsilon: B = A L^-T */
     real B4[N_ROWS][N4];
     em_rows_of_root(N_ROWS, N4, L4[0], r4, A4[0], B4[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -775,7 +776,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -788,7 +788,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -823,7 +824,7 @@ extern void draw(double t, const double *restrict x, const double *restrict c, d
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ASIDE void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -869,8 +870,8 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x,
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
                           double *restrict gamma)
 {
     const double mom = c[41];
@@ -994,8 +995,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const do
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ASIDE void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     double *restrict e)
 {
     const double beta_dot = v[0];
     const double rr = c[24];
@@ -1070,15 +1071,14 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ASIDE void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                      const double *restrict lambda, const double *restrict c, const double *restrict u,
+                      double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[16] = p[17] = 0.0;
     const double xa = c[14];
@@ -1150,9 +1150,9 @@ extern void constraint_partials(double t, const double *restrict x, const double
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void state_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double rr = c[24];
@@ -1441,10 +1441,9 @@ EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double beta_ddot = a[0];
@@ -1728,7 +1727,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -2034,7 +2033,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -2043,8 +2041,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict M)
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double rr = c[24];
     const double da = c[21];
@@ -2119,8 +2116,8 @@ static void (*const factored)(double t, const double *restrict x, const double *
     mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                     double *restrict b)
 {
     const double rr = c[24];
     const double beta = x[0];
@@ -2207,8 +2204,8 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict phi, double *restrict terms)
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                     double *restrict terms)
 {
     const double ss = c[26];
     const double gamma = x[2];
@@ -2291,9 +2288,8 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+static void model_events(double t, const double *restrict x, const double *restrict v,
+                         const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -2486,7 +2482,6 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
@@ -2497,11 +2492,10 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     if (changed && em_settle_factors(&block3, *mode, 0, M3[0], y, memory, fault)) return -1;
     if (changed && em_settle_factors(&block4, *mode, 0, M4[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 26));
+    double gap = em_gap(N1, y + 26);
     gap = fmin(gap, em_gap(N3, y + 28));
     gap = fmin(gap, em_gap(N4, y + 30));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
@@ -2510,8 +2504,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         em_velocity_kept(&block4, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1], Mdot3[N3][N3], Mdot4[N4][N4];
         settled_rates(v, c, shared, Mdot1, Mdot3, Mdot4);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         time = fmin(time, em_time_of_block(&block3, Mdot3[0], y));
         time = fmin(time, em_time_of_block(&block4, Mdot4[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
@@ -2537,6 +2530,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B4[N_ROWS][N4], a4[N4];
         em_rows_of_block(&block4, *mode, N_ROWS, y, c, memory, A4[0], B4[0]);
         em_take(&block4, y + N, a4);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -2569,7 +2563,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 /* v (n): xdot from a state, in the meaning of its mode. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -2583,7 +2576,6 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
     em_velocity_kept(&block2, mode, e, y, c, memory, ev);
     em_velocity_kept(&block3, mode, e, y, c, memory, ev);
@@ -2594,7 +2586,6 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -2608,7 +2599,6 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 14, C);
     em_spread(N, N3, coordinate3, y + 18, C);
@@ -2661,15 +2651,21 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "beta", "theta", "gamma", "phi", "delta", "omega", "epsilon", NULL };
-static const char *const parameter_names[] = { "m1", "m2", "m3", "m4", "m5", "m6", "m7", "I1", "I2", "I3", "I4", "I5", "I6", "I7", "xa", "ya", "xb", "yb", "xc", "yc", "d", "da", "e", "ea", "rr", "ra", "ss", "sa", "sb", "sc", "sd", "ta", "tb", "u", "ua", "ub", "zf", "zt", "fa", "c0", "l0", "mom", NULL };
+static const char *const parameter_names[] = { "m1", "m2", "m3", "m4", "m5", "m6", "m7", "I1", "I2", "I3", "I4", "I5",
+    "I6", "I7", "xa", "ya", "xb", "yb", "xc", "yc", "d", "da", "e", "ea", "rr", "ra", "ss", "sa", "sb", "sc", "sd",
+    "ta", "tb", "u", "ua", "ub", "zf", "zt", "fa", "c0", "l0", "mom", NULL };
 static const char *const input_names[] = { NULL };
 static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { NULL };
 static const int event_direction[] = { 0 };
 static const int event_terminal[] = { 0 };
-static const double parameter_defaults[] = { 0.04325, 0.00365, 0.02373, 0.00706, 0.0705, 0.00706, 0.05498, 2.194e-06, 4.41e-07, 5.255e-06, 5.667e-07, 1.169e-05, 5.667e-07, 1.912e-05, -0.06934, -0.00227, -0.03635, 0.03273, 0.014, 0.072, 0.028, 0.0115, 0.02, 0.01421, 0.007, 0.00092, 0.035, 0.01874, 0.01043, 0.018, 0.02, 0.02308, 0.00916, 0.04, 0.01228, 0.00449, 0.02, 0.04, 0.01421, 4530.0, 0.07785, 0.033, 0.0 };
+static const double parameter_defaults[] = { 0.04325, 0.00365, 0.02373, 0.00706, 0.0705, 0.00706, 0.05498, 2.194e-06,
+    4.41e-07, 5.255e-06, 5.667e-07, 1.169e-05, 5.667e-07, 1.912e-05, -0.06934, -0.00227, -0.03635, 0.03273, 0.014,
+    0.072, 0.028, 0.0115, 0.02, 0.01421, 0.007, 0.00092, 0.035, 0.01874, 0.01043, 0.018, 0.02, 0.02308, 0.00916, 0.04,
+    0.01228, 0.00449, 0.02, 0.04, 0.01421, 4530.0, 0.07785, 0.033, 0.0 };
 static const double input_defaults[] = { 0.0 };
-static const double initial_x[N] = { -0.06171389001427645, 0.0, 0.45527981916307037, 0.22266839016588588, 0.48736497954384256, -0.22266839016588588, 1.2305474445498212 };
+static const double initial_x[N] = { -0.06171389001427645, 0.0, 0.45527981916307037, 0.22266839016588588,
+    0.48736497954384256, -0.22266839016588588, 1.2305474445498212 };
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 0, 1, 1, 1, 1 };
 static const em_shape shapes[] = {

@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:d1a0051ce4dadc44558a366091fc093e266b9176f4bf1eb59c7c7ac0ebff3cd7 */
+/* body sha256:04f30478e992cd43de2309b6672677e965915cc46bfc15974987fb547fd23560 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -26,6 +26,9 @@
  *   projection: 809 additions, 1292 multiplications, 1 divisions, 1 roots, 8 function calls
  */
 #include "bicycle.h"
+
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "em_functions.h"
 #include "em_multipliers.h"
@@ -833,7 +836,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x, y, psi, phi, theta, delta, spin_r, spin_f: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[8], y[9], y[10], y[11], y[12], y[13], y[14], y[15] };
@@ -856,7 +858,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, y, psi, phi, theta, delta, spin_r, spin_f: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[8], y[9], y[10], y[11], y[12], y[13], y[14], y[15] };
@@ -2032,7 +2033,6 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], shared[93];
     triangular_masses(y, c, M1, shared);
 
@@ -2063,6 +2063,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* x, y, psi, phi, theta, delta, spin_r, spin_f: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -2093,7 +2094,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -2106,7 +2106,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -2141,7 +2142,7 @@ extern void draw(double t, const double *restrict x, const double *restrict c, d
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ASIDE void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -2608,8 +2609,8 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x,
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
                           double *restrict gamma)
 {
     const double m_R = c[6];
@@ -3226,8 +3227,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const do
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ASIDE void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     double *restrict e)
 {
     const double x_dot = v[0];
     const double c_99 = c[125];
@@ -3487,15 +3488,14 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ASIDE void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                      const double *restrict lambda, const double *restrict c, const double *restrict u,
+                      double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     p[0] = x_;
@@ -3616,9 +3616,9 @@ extern void constraint_partials(double t, const double *restrict x, const double
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void state_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double psi = x[2];
@@ -6650,10 +6650,9 @@ EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double tilt = c[2];
@@ -8816,7 +8815,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -9439,15 +9438,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict M)
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_99 = c[125];
     M[0] = c_99;
@@ -9703,8 +9700,8 @@ static void (*const factored)(double t, const double *restrict x, const double *
     mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                     double *restrict b)
 {
     A[0] = 0.0;
     A[1] = 0.0;
@@ -9835,8 +9832,8 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict phi, double *restrict terms)
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                     double *restrict terms)
 {
     const double r_R = c[4];
     const double phi_ = x[3];
@@ -9898,9 +9895,8 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+static void model_events(double t, const double *restrict x, const double *restrict v,
+                         const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -10733,7 +10729,6 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
@@ -10741,16 +10736,14 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 80));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 80);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -10763,6 +10756,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -10783,7 +10777,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 /* v (n): xdot from a state, in the meaning of its mode. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -10794,7 +10787,6 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
@@ -10802,7 +10794,6 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -10814,7 +10805,6 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 16, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -10859,13 +10849,16 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #include "em_handle.h"
 
 static const char *const coordinate_names[] = { "x", "y", "psi", "phi", "theta", "delta", "spin_r", "spin_f", NULL };
-static const char *const parameter_names[] = { "w", "c", "tilt", "g", "r_R", "r_F", "m_R", "m_B", "m_H", "m_F", "x_B", "z_B", "x_H", "z_H", "R_xx", "R_yy", "F_xx", "F_yy", "B_xx", "B_yy", "B_zz", "B_xz", "H_xx", "H_yy", "H_zz", "H_xz", NULL };
+static const char *const parameter_names[] = { "w", "c", "tilt", "g", "r_R", "r_F", "m_R", "m_B", "m_H", "m_F", "x_B",
+    "z_B", "x_H", "z_H", "R_xx", "R_yy", "F_xx", "F_yy", "B_xx", "B_yy", "B_zz", "B_xz", "H_xx", "H_yy", "H_zz", "H_xz",
+    NULL };
 static const char *const input_names[] = { NULL };
 static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { NULL };
 static const int event_direction[] = { 0 };
 static const int event_terminal[] = { 0 };
-static const double parameter_defaults[] = { 1.02, 0.08, 0.3141592653589793, 9.81, 0.3, 0.35, 2.0, 85.0, 4.0, 3.0, 0.3, 0.9, 0.9, 0.7, 0.0603, 0.12, 0.1405, 0.28, 9.2, 11.0, 2.8, 2.4, 0.05892, 0.06, 0.00708, -0.00756, 0.0 };
+static const double parameter_defaults[] = { 1.02, 0.08, 0.3141592653589793, 9.81, 0.3, 0.35, 2.0, 85.0, 4.0, 3.0, 0.3,
+    0.9, 0.9, 0.7, 0.0603, 0.12, 0.1405, 0.28, 9.2, 11.0, 2.8, 2.4, 0.05892, 0.06, 0.00708, -0.00756, 0.0 };
 static const double input_defaults[] = { 0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const double initial_v[N] = { 4.6, 0.0, 0.0, 0.5, 0.0, 0.0, 15.333333333333332, 13.142857142857142 };

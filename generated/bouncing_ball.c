@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:0a81e8226ddc41b5d295c8a34b3f33073ef6d0a4957d04ef6b5ca30adb25095c */
+/* body sha256:18493b554f3e5ae5d846dd321d249b57bceb43b4e506ffbbb2a624973ea59351 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -29,6 +29,9 @@
  */
 #include "bouncing_ball.h"
 
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
 #include "em_functions.h"
 #include "em_multipliers.h"
@@ -46,6 +49,9 @@ enum {
     N_OUTPUTS = 0,
     N_EVENTS = 1,
     N_MEMORY = 0,         /* what a run remembers from one accepted step to the next */
+    N_IMPACTS = 1,        /* what events do: impacts, */
+    N_RESETS = 0,         /* resets, */
+    N_SWITCHES = 1,       /* rows that hold at times, and friction at them */
     EM_SECOND_ORDER = 0,  /* whether the state is x, xdot */
     SETTLES = 1,          /* whether an accepted step leaves anything to put right */
     N_PARAMETERS = 5,
@@ -78,7 +84,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real f2[N
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
@@ -101,7 +106,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
@@ -155,7 +159,6 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
@@ -167,7 +170,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -208,16 +212,16 @@ extern void levels(double t, const double *restrict x, const double *restrict v,
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   EM_UNUSED const double *restrict c, double *restrict dM)
+EM_ASIDE void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                   double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                          EM_UNUSED const double *restrict v, const double *restrict c,
-                          EM_UNUSED const double *restrict u, double *restrict bias, double *restrict gamma)
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
+                          double *restrict gamma)
 {
     bias[0] = 0.0;
     const double c_0 = c[13];
@@ -226,8 +230,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ASIDE void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     double *restrict e)
 {
     const double m = c[0];
     const double x_dot = v[0];
@@ -241,15 +245,14 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ASIDE void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                      const double *restrict lambda, const double *restrict c, const double *restrict u,
+                      double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     p[0] = p[6] = x_;
@@ -263,9 +266,8 @@ EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *r
 }
 
 /* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
-EM_ASIDE void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, const double *restrict c,
-                      EM_UNUSED const double *restrict u, double *restrict struck)
+EM_ASIDE void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict struck)
 {
     struck[0] = 0.0;
     struck[1] = 1.0;
@@ -275,16 +277,14 @@ EM_ASIDE void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
-EM_ASIDE void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                     EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after)
+EM_ASIDE void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     const double *restrict u, double *restrict after)
 {
 }
 
 /* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
-EM_ASIDE void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                     EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                     double *restrict level)
+EM_ASIDE void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     const double *restrict u, double *restrict level)
 {
     level[0] = 1.0/1000.0;
     const double z = x[1];
@@ -318,20 +318,18 @@ extern void level_partials(double t, const double *restrict x, const double *res
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                             EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ASIDE void state_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict a, const double *restrict lambda,
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, const double *restrict a,
-                               const double *restrict lambda, const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D)
+EM_ASIDE void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double x_ddot = a[0];
@@ -348,7 +346,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restr
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -363,9 +361,8 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* D (n_events, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ASIDE void event_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     D[1] = 1.0;
@@ -373,9 +370,8 @@ EM_ASIDE void event_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
-                            const double *restrict lambda, EM_UNUSED const double *restrict c,
-                            double *restrict D)
+EM_ASIDE void blow_partials(double t, const double *restrict x, const double *restrict a,
+                            const double *restrict lambda, const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
     const double x_ddot = a[0];
@@ -389,30 +385,26 @@ EM_ASIDE void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ASIDE void impact_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * (N + 2) * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_IMPACTS * (N + 2) * N_ARGUMENTS);
     D[36] = 1.0;
 }
 
 /* D (n_resets 2 n, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ASIDE void reset_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 0 * 2 * N * N_ARGUMENTS);
 }
 
 /* D (n_switches 2, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                             EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                             EM_UNUSED const double *restrict u, double *restrict D)
+EM_ASIDE void level_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     D[11] = 1.0;
 }
 
@@ -451,7 +443,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -461,8 +452,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                        double *restrict M)
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -475,8 +465,8 @@ static void (*const factored)(double t, const double *restrict x, const double *
     mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                     double *restrict b)
 {
     A[0] = 0.0;
     const double floor_held = c[4];
@@ -485,8 +475,8 @@ static void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, con
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict phi, double *restrict terms)
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                     double *restrict terms)
 {
     const double floor_held = c[4];
     const double z = x[1];
@@ -496,9 +486,8 @@ static void position(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                         EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                         double *restrict crossing)
+static void model_events(double t, const double *restrict x, const double *restrict v,
+                         const double *restrict c, const double *restrict u, double *restrict crossing)
 {
     const double z = x[1];
     crossing[0] = z;
@@ -520,8 +509,7 @@ EM_INLINE void settled_masses(const double *restrict c, double A2[N_ROWS][N2], d
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    const int changed = (flags & EM_STABILISE);
+    const int changed = flags & EM_STABILISE;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double A2[N_ROWS][N2], b[N_ROWS];
     settled_masses(c, A2, b);
@@ -530,6 +518,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B2[N_ROWS][N2], a2[N2];
         em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
         em_take(&block2, y + N, a2);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -550,7 +539,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 /* v (n): xdot from a state. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
     return 0;
@@ -560,7 +548,6 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
     em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
@@ -569,7 +556,6 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;
 }
@@ -577,7 +563,6 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 /* y (n_state) from x, v (n) */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];
@@ -615,9 +600,8 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
     return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
-enum { N_IMPACTS = 1, N_RESETS = 0, N_SWITCHES = 1 };
-
-/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
+ * acts. */
 static const em_deed deeds[N_EVENTS] = { {0, -1, 0, 1, 1} };
 EM_UNUSED static const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
@@ -635,7 +619,8 @@ static void events_in_mode(double t, const double *x, const double *v, const dou
 }
 
 /* D (n_events, n_arguments), likewise */
-static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u, double *D)
+static void event_partials_in_mode(double t, const double *x, const double *v, const double *c, const double *u,
+                                   double *D)
 {
     event_partials(t, x, v, c, u, D);
     if (em_watch_partials(t, x, v, c, u, D))

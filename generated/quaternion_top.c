@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:4688952689d29045f8f63839e1d0d058e6aaa3ff1d648ae75d2994dab82b1167 */
+/* body sha256:133b2f849e106496e10407acd97cec2494bc3a926a38770b0ccb28207b626440 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -27,6 +27,9 @@
  *   projection: 34 additions, 92 multiplications
  */
 #include "quaternion_top.h"
+
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "em_functions.h"
 #include "em_multipliers.h"
@@ -131,7 +134,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4], y[5], y[6], y[7] };
@@ -150,7 +152,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4], y[5], y[6], y[7] };
@@ -310,7 +311,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1];
     triangular_masses(y, c, M1);
 
@@ -337,6 +337,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* q_0, q_1, q_2, q_3: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -363,7 +364,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -376,7 +376,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -413,7 +414,7 @@ extern void draw(double t, const double *restrict x, const double *restrict c, d
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ASIDE void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -466,7 +467,7 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x,
 
 /* dM (n, n, n), of what is factored */
 EM_RARE /* no step calls it */
-EM_ASIDE void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ASIDE void factored_gradient(double t, const double *restrict x, const double *restrict c,
                                 double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -523,8 +524,8 @@ EM_ASIDE void factored_gradient(EM_UNUSED double t, const double *restrict x, co
 }
 
 /* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
                           double *restrict gamma)
 {
     const double q_0 = x[0];
@@ -564,8 +565,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const do
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ASIDE void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     double *restrict e)
 {
     const double q_0_dot = v[0];
     const double J3 = c[4];
@@ -605,15 +606,14 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ASIDE void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                      const double *restrict lambda, const double *restrict c, const double *restrict u,
+                      double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
     const double q_2 = x[2];
@@ -664,9 +664,9 @@ extern void constraint_partials(double t, const double *restrict x, const double
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void state_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double q_3_ddot = a[3];
@@ -792,10 +792,9 @@ EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+EM_ASIDE void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double q_0 = x[0];
@@ -891,8 +890,8 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                  EM_UNUSED const double *restrict c, double *restrict D)
+EM_ASIDE void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                  const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
     const double q_0 = x[0];
@@ -975,15 +974,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict M)
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double J3 = c[4];
     const double q_3 = x[3];
@@ -1016,8 +1013,7 @@ static void mass_matrix(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
-static void factored_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                            double *restrict M)
+static void factored_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double J3 = c[4];
     const double q_3 = x[3];
@@ -1056,8 +1052,8 @@ static void (*const factored)(double t, const double *restrict x, const double *
     factored_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                     double *restrict A, double *restrict b)
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                     double *restrict b)
 {
     const double q_0 = x[0];
     A[0] = 2.0*q_0;
@@ -1071,8 +1067,8 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                     double *restrict phi, double *restrict terms)
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                     double *restrict terms)
 {
     const double q_1 = x[1];
     const double q_2 = x[2];
@@ -1084,9 +1080,8 @@ static void position(EM_UNUSED double t, const double *restrict x, EM_UNUSED con
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+static void model_events(double t, const double *restrict x, const double *restrict v,
+                         const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -1179,7 +1174,6 @@ EM_INLINE void settled_rates(const double *restrict x, const double *restrict v,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
@@ -1187,16 +1181,14 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
     settled_masses(y, c, M1, A1, b);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 24));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 24);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(y, v, c, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -1209,6 +1201,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -1229,7 +1222,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 /* v (n): xdot from a state, in the meaning of its mode. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -1240,7 +1232,6 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
@@ -1248,7 +1239,6 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -1260,7 +1250,6 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 8, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;

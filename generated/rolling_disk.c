@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:4eea569bd2bd262030369f8ea1269e021364676df0201300a021d066a4fc697f */
+/* body sha256:d89f21a9d568a9e27fc15999bb5973985a0f5c5e906fd5c261b9c202805b68b7 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -26,6 +26,9 @@
  *   projection: 5 additions, 33 multiplications, 4 function calls
  */
 #include "rolling_disk.h"
+
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "em_functions.h"
 #include "em_multipliers.h"
@@ -129,7 +132,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -149,7 +151,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, y, phi, theta, psi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -311,7 +312,6 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], shared[4];
     triangular_masses(y, c, M1, shared);
 
@@ -339,6 +339,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* x, y, phi, theta, psi: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -366,7 +367,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -460,11 +460,13 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+__attribute__((noinline)) /* once, though stages call it from several places */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -481,7 +483,6 @@ enum { N_PIVOTS = 5 };
 /* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
-    (void)t, (void)y, (void)c;
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     em_pivots(N1, M1[0], pivots, diagonal);
@@ -492,7 +493,6 @@ static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     real v1[N1] = { e[0], e[1], e[2], e[3], e[4] };
     if (mode) em_backward(N1, memory + 0, memory + 25, v1);
     else em_velocity_of_eta(N1, y + 10, y + 35, v1);
@@ -504,13 +504,13 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 }
 
 #define EM_VELOCITY velocity_by_roots
+
 /* After an accepted step: C and s, constraints on velocities. *done becomes 0 in lanes that are settled number by number
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };
@@ -522,14 +522,13 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     y[9] = eta1[4];
     if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 25, EM_SINGULAR_PIVOT);
 
-    real gap = em_real(INFINITY);
-    gap = em_lane_min(gap, em_gap(N1, y + 35));
+    real gap = em_gap(N1, y + 35);
     if (em_any(~(gap > EM_APART))) {
-        real v[N], time = em_real(INFINITY);
+        real v[N];
         velocity_by_roots(mode, y, c, memory, y + N, v);
         real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        time = em_lane_min(time, em_time_on_lanes(N1, y + 10, y + 35, Mdot1[0]));
+        real time = em_time_on_lanes(N1, y + 10, y + 35, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
 
@@ -537,6 +536,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     if (mode) em_rows_of_root(N_ROWS, N1, memory + 0, memory + 25, A1[0], B1[0]);
     else em_rows_of_factors(N_ROWS, N1, y + 10, y + 35, A1[0], B1[0]);
     real a1[N1] = { y[5], y[6], y[7], y[8], y[9] };
+
     /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -585,7 +585,7 @@ extern void draw(double t, const double *restrict x, const double *restrict c, d
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ASIDE void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -613,8 +613,8 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x,
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
                           double *restrict gamma)
 {
     const double c_0 = c[3];
@@ -665,8 +665,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const do
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ASIDE void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     double *restrict e)
 {
     const double x_dot = v[0];
     const double m = c[0];
@@ -702,15 +702,14 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ASIDE void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                      const double *restrict lambda, const double *restrict c, const double *restrict u,
+                      double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     p[0] = x_;
@@ -761,9 +760,9 @@ extern void constraint_partials(double t, const double *restrict x, const double
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void state_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double phi = x[2];
@@ -844,10 +843,9 @@ EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double phi_dot = v[2];
@@ -919,7 +917,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -987,15 +985,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict M)
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -1032,8 +1028,8 @@ static void (*const factored)(double t, const double *restrict x, const double *
     mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                     double *restrict b)
 {
     A[0] = 1.0;
     A[1] = 0.0;
@@ -1054,16 +1050,14 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                     EM_UNUSED double *restrict terms)
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                     double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+static void model_events(double t, const double *restrict x, const double *restrict v,
+                         const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -1075,23 +1069,20 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 35));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 35);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -1104,6 +1095,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -1124,7 +1116,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 /* v (n): xdot from a state, in the meaning of its mode. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -1135,7 +1126,6 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
@@ -1143,7 +1133,6 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -1155,7 +1144,6 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 10, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:c83a78dc0a95fbb6fc648e74d1c50991729ac87af9c48c6e172e8403e8bc1e9d */
+/* body sha256:196a8fb83d7857087dcf1546d0cdfe8b3d9c56087f752d9a2a452517c2cfd4a5 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -31,6 +31,9 @@
  *   projection: 24 additions, 69 multiplications, 3 divisions
  */
 #include "sphere.h"
+
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
 
 #include "em_functions.h"
 #include "em_multipliers.h"
@@ -141,7 +144,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[5] };
@@ -173,7 +175,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[5] };
@@ -375,7 +376,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M3[N3][N3], shared[8];
     triangular_masses(y, c, M3, shared);
 
@@ -429,6 +429,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* p_1, p_2, p_3: B = A L^-T */
     real B3[N_ROWS][N3];
     em_rows_of_root(N_ROWS, N3, L3[0], r3, A3[0], B3[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -462,7 +463,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 static int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -559,11 +559,13 @@ EM_INLINE void settled_rates(const real *restrict x, const real *restrict v, con
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+__attribute__((noinline)) /* once, though stages call it from several places */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -580,7 +582,6 @@ enum { N_PIVOTS = 3 };
 /* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
-    (void)t, (void)y, (void)c;
     real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
     em_pivots(N3, M3[0], pivots, diagonal);
@@ -591,7 +592,6 @@ static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     real v1[N1] = { e[0] };
     em_velocity_of_eta(N1, c + 4, c + 5, v1);
     v[0] = v1[0];
@@ -607,13 +607,13 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 }
 
 #define EM_VELOCITY velocity_by_roots
+
 /* After an accepted step: C and s, constraints on velocities. *done becomes 0 in lanes that are settled number by number
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
     real eta3[N3] = { y[7], y[8], y[9] };
@@ -623,14 +623,13 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     y[9] = eta3[2];
     if (mode) em_cholesky(N3, M3[0], memory + 0, memory + 9, EM_SINGULAR_PIVOT);
 
-    real gap = em_real(INFINITY);
-    gap = em_lane_min(gap, em_gap(N3, y + 19));
+    real gap = em_gap(N3, y + 19);
     if (em_any(~(gap > EM_APART))) {
-        real v[N], time = em_real(INFINITY);
+        real v[N];
         velocity_by_roots(mode, y, c, memory, y + N, v);
         real Mdot3[N3][N3];
         settled_rates(y, v, c, shared, Mdot3);
-        time = em_lane_min(time, em_time_on_lanes(N3, y + 10, y + 19, Mdot3[0]));
+        real time = em_time_on_lanes(N3, y + 10, y + 19, Mdot3[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
 
@@ -644,6 +643,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     if (mode) em_rows_of_root(N_ROWS, N3, memory + 0, memory + 9, A3[0], B3[0]);
     else em_rows_of_factors(N_ROWS, N3, y + 10, y + 19, A3[0], B3[0]);
     real a3[N3] = { y[7], y[8], y[9] };
+
     /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -700,7 +700,7 @@ extern void draw(double t, const double *restrict x, const double *restrict c, d
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ASIDE void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -756,8 +756,8 @@ EM_ASIDE void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x,
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                          const double *restrict c, EM_UNUSED const double *restrict u, double *restrict bias,
+EM_ASIDE void motion_bias(double t, const double *restrict x, const double *restrict v,
+                          const double *restrict c, const double *restrict u, double *restrict bias,
                           double *restrict gamma)
 {
     const double c_2 = c[14];
@@ -808,8 +808,8 @@ EM_ASIDE void motion_bias(EM_UNUSED double t, const double *restrict x, const do
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                     const double *restrict c, double *restrict e)
+EM_ASIDE void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                     double *restrict e)
 {
     const double p_1_dot = v[2];
     const double c_0 = c[12];
@@ -846,16 +846,15 @@ EM_ASIDE void energy(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ASIDE void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                      EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ASIDE void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                      const double *restrict lambda, const double *restrict c, const double *restrict u,
+                      double *restrict out)
 {
 }
 
 /* y (n) = P(x, t) v: the quasi-velocities                                                                       (3) */
-EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                    EM_UNUSED const double *restrict c, double *restrict y)
+EM_ASIDE void quasi(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                    double *restrict y)
 {
     const double x_dot = v[0];
     y[0] = x_dot;
@@ -874,7 +873,7 @@ EM_ASIDE void quasi(EM_UNUSED double t, const double *restrict x, const double *
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ASIDE void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c, double *restrict p)
+EM_ASIDE void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     const double c_8 = c[20];
@@ -954,9 +953,9 @@ extern void quasi_partials(double t, const double *restrict x, const double *res
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void state_partials(double t, const double *restrict x, const double *restrict v,
                              const double *restrict a, const double *restrict lambda,
-                             const double *restrict c, EM_UNUSED const double *restrict u, double *restrict D)
+                             const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double p_2_ddot = a[3];
@@ -1121,10 +1120,9 @@ EM_ASIDE void state_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                const double *restrict a, const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double x_ddot = a[0];
@@ -1241,7 +1239,7 @@ EM_ASIDE void forcing_partials(EM_UNUSED double t, const double *restrict x, con
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ASIDE void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -1283,8 +1281,8 @@ EM_ASIDE void constraint_partials(EM_UNUSED double t, const double *restrict x, 
 
 /* D (n, n_arguments), of P(x, t) v */
 EM_RARE /* no explicit step calls it */
-EM_ASIDE void quasi_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                             EM_UNUSED const double *restrict c, double *restrict D)
+EM_ASIDE void quasi_partials(double t, const double *restrict x, const double *restrict v,
+                             const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * N * N_ARGUMENTS);
     D[5] = 1.0;
@@ -1390,7 +1388,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 static int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -1400,8 +1397,7 @@ static int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-static void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict M)
+static void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -1441,8 +1437,8 @@ static void (*const factored)(double t, const double *restrict x, const double *
     mass_matrix;
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-static void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                     double *restrict A, double *restrict b)
+static void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                     double *restrict b)
 {
     A[0] = 1.0;
     A[1] = 0.0;
@@ -1464,16 +1460,14 @@ static void pfaffian(EM_UNUSED double t, const double *restrict x, const double 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-static void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                     EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                     EM_UNUSED double *restrict terms)
+static void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                     double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                         EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                         EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+static void model_events(double t, const double *restrict x, const double *restrict v,
+                         const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -1485,16 +1479,14 @@ static void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 static int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
     if (changed && em_settle_factors(&block3, *mode, 0, M3[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N3, y + 19));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N3, y + 19);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
@@ -1502,8 +1494,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         em_velocity_kept(&block3, *mode, y + N, y, c, memory, v);
         real Mdot3[N3][N3];
         settled_rates(y, v, c, shared, Mdot3);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block3, Mdot3[0], y));
+        double time = em_time_of_block(&block3, Mdot3[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -1522,6 +1513,7 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
         double B3[N_ROWS][N3], a3[N3];
         em_rows_of_block(&block3, *mode, N_ROWS, y, c, memory, A3[0], B3[0]);
         em_take(&block3, y + N, a3);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -1550,7 +1542,6 @@ static int model_settle(int *mode, int flags, double t, double *y, const double 
 /* v (n): xdot from a state, in the meaning of its mode. */
 static int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -1563,7 +1554,6 @@ static int model_velocity(int mode, double t, const double *y, const double *c, 
 static void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
     em_velocity_kept(&block2, mode, e, y, c, memory, ev);
     em_velocity_kept(&block3, mode, e, y, c, memory, ev);
@@ -1573,7 +1563,6 @@ static void model_velocity_error(int mode, const double *y, const double *c, con
 static int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -1585,7 +1574,6 @@ static int model_publish(int mode, double t, const double *y, const double *c, c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 static int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N3, coordinate3, y + 10, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
