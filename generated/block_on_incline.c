@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:e3278715eb2b1904350854e0c30e85e298a618afbb907446e85cad10deaee232 */
+/* body sha256:47cc5e2e2207b8e8d0971daa8d5a6e6b4f85edf58e51955ca387724e711ed3ae */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -23,6 +23,9 @@
  *   eigenfactor: none
  *   projection: none
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
 #define EM_ACTS
 #include "em_functions.h"
@@ -83,7 +86,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real A1[N
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* s: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
@@ -99,7 +101,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* s: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
@@ -141,7 +142,6 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
@@ -153,7 +153,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -173,16 +174,16 @@ em_lanes block_on_incline_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NU
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                    EM_UNUSED const double *restrict c, double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                           EM_UNUSED const double *restrict v, const double *restrict c,
-                           EM_UNUSED const double *restrict u, double *restrict bias, double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double c_0 = c[10];
     bias[0] = c_0;
@@ -190,8 +191,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict 
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double c_1 = c[11];
     const double s_dot = v[0];
@@ -204,16 +205,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = 0.0;
     const double c_4 = c[14];
@@ -240,22 +239,20 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 }
 
 /* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
-EM_ACROSS void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck)
+EM_ACROSS void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                       const double *restrict u, double *restrict struck)
 {
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
-EM_ACROSS void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after)
+EM_ACROSS void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict after)
 {
 }
 
 /* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
-EM_ACROSS void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level)
+EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict level)
 {
     const double c_3 = c[13];
     level[0] = c_3;
@@ -270,20 +267,18 @@ EM_ACROSS void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, co
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                              EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                EM_UNUSED const double *restrict v, const double *restrict a,
-                                const double *restrict lambda, const double *restrict c,
-                                EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double s_ddot = a[0];
@@ -310,8 +305,8 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *rest
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   const double *restrict v, const double *restrict c, double *restrict D)
+EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
     const double friction_stuck = c[4];
@@ -322,9 +317,8 @@ EM_ACROSS void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *r
 
 /* D (n_events, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              const double *restrict v, const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void event_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     const double friction_slides = c[5];
@@ -335,9 +329,8 @@ EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restri
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
-                             const double *restrict lambda, EM_UNUSED const double *restrict c,
-                             double *restrict D)
+EM_ACROSS void blow_partials(double t, const double *restrict x, const double *restrict a,
+                             const double *restrict lambda, const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
     const double s_ddot = a[0];
@@ -349,29 +342,24 @@ EM_ACROSS void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void impact_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 0 * (N + 2) * N_ARGUMENTS);
 }
 
 /* D (n_resets 2 n, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void reset_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 0 * 2 * N * N_ARGUMENTS);
 }
 
 /* D (n_switches 2, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void level_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     const double g = c[1];
     const double mu = c[3];
     const double alpha = c[2];
@@ -437,7 +425,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -446,8 +433,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -460,8 +446,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                        double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
     const double friction_stuck = c[4];
     A[0] = friction_stuck;
@@ -469,23 +455,22 @@ EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                            const double *restrict c, EM_UNUSED const double *restrict u,
-                            double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
     const double s_dot = v[0];
     const double friction_slides = c[5];
     crossing[0] = s_dot*friction_slides;
 }
 
-/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
+ * acts. */
 EM_ACROSS const em_deed deeds[] = { {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
@@ -515,8 +500,7 @@ EM_INLINE void settled_masses(const real *restrict c, real A1[N_ROWS][N1], real 
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    const int changed = (flags & EM_STABILISE);
+    const int changed = flags & EM_STABILISE;
     real A1[N_ROWS][N1], b[N_ROWS];
     settled_masses(c, A1, b);
 
@@ -524,6 +508,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -544,7 +529,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
@@ -553,7 +537,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
@@ -561,7 +544,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;
 }
@@ -569,7 +551,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n) */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:09b5c40fb525cecb6cb3459e19438eaf37833cdcd1562fea15a782d679e2b62b */
+/* body sha256:bb3390577904febcb30096cd6f871009e8da7720111db7c7d38f6f26cea6d7a4 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -27,6 +27,9 @@
  *   eigenfactor: none
  *   projection: none
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
 #define EM_ACTS
 #include "em_functions.h"
@@ -90,7 +93,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real f2[N
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
@@ -113,7 +115,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
@@ -167,7 +168,6 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
@@ -179,7 +179,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -199,16 +200,16 @@ em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL,
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                    EM_UNUSED const double *restrict c, double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                           EM_UNUSED const double *restrict v, const double *restrict c,
-                           EM_UNUSED const double *restrict u, double *restrict bias, double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     bias[0] = 0.0;
     const double c_0 = c[13];
@@ -217,8 +218,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, EM_UNUSED const double *restrict 
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double m = c[0];
     const double x_dot = v[0];
@@ -232,16 +233,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     p[0] = p[6] = x_;
@@ -255,9 +254,8 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 }
 
 /* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
-EM_ACROSS void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, const double *restrict c,
-                       EM_UNUSED const double *restrict u, double *restrict struck)
+EM_ACROSS void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                       const double *restrict u, double *restrict struck)
 {
     struck[0] = 0.0;
     struck[1] = 1.0;
@@ -267,16 +265,14 @@ EM_ACROSS void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
-EM_ACROSS void resets(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict after)
+EM_ACROSS void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict after)
 {
 }
 
 /* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
-EM_ACROSS void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                      EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                      double *restrict level)
+EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict level)
 {
     level[0] = 1.0/1000.0;
     const double z = x[1];
@@ -290,20 +286,18 @@ EM_ACROSS void levels(EM_UNUSED double t, const double *restrict x, EM_UNUSED co
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                              EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
 }
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                EM_UNUSED const double *restrict v, const double *restrict a,
-                                const double *restrict lambda, const double *restrict c,
-                                EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double x_ddot = a[0];
@@ -320,7 +314,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, EM_UNUSED const double *rest
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                    const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -335,9 +329,8 @@ EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x,
 
 /* D (n_events, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void event_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     D[1] = 1.0;
@@ -345,9 +338,8 @@ EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restri
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
-                             const double *restrict lambda, EM_UNUSED const double *restrict c,
-                             double *restrict D)
+EM_ACROSS void blow_partials(double t, const double *restrict x, const double *restrict a,
+                             const double *restrict lambda, const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
     const double x_ddot = a[0];
@@ -361,30 +353,26 @@ EM_ACROSS void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void impact_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * (N + 2) * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_IMPACTS * (N + 2) * N_ARGUMENTS);
     D[36] = 1.0;
 }
 
 /* D (n_resets 2 n, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void reset_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 0 * 2 * N * N_ARGUMENTS);
 }
 
 /* D (n_switches 2, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void level_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     D[11] = 1.0;
 }
 
@@ -423,7 +411,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -433,8 +420,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -449,8 +435,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                        double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
     A[0] = 0.0;
     const double floor_held = c[4];
@@ -459,8 +445,8 @@ EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict phi, double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
     const double floor_held = c[4];
     const double z = x[1];
@@ -470,15 +456,15 @@ EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                            EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                            double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
     const double z = x[1];
     crossing[0] = z;
 }
 
-/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
+ * acts. */
 EM_ACROSS const em_deed deeds[] = { {0, -1, 0, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
@@ -508,8 +494,7 @@ EM_INLINE void settled_masses(const double *restrict c, double A2[N_ROWS][N2], d
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    const int changed = (flags & EM_STABILISE);
+    const int changed = flags & EM_STABILISE;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
     double A2[N_ROWS][N2], b[N_ROWS];
     settled_masses(c, A2, b);
@@ -518,6 +503,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
         double B2[N_ROWS][N2], a2[N2];
         em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
         em_take(&block2, y + N, a2);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -538,7 +524,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
     return 0;
@@ -548,7 +533,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
     em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
@@ -557,7 +541,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;
 }
@@ -565,7 +548,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n) */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];

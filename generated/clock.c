@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
-/* body sha256:eea07dae24491f50cc1b2bc5f921569e92d531e918b3f76df58570b273976677 */
+/* body sha256:1eed22e413518fe05d655c4130f7226f8c3b61a9733efddce6ff9fbc0e4b9583 */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -23,6 +23,9 @@
  *   eigenfactor: 1 additions, 1 multiplications, 1 function calls
  *   projection: none
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #define EM_SWITCHED_ROWS 0x1 /* bits of constraint rows that hold at times */
 #define EM_ACTS
 #include "em_functions.h"
@@ -86,7 +89,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
@@ -102,7 +104,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[1] };
@@ -144,7 +145,6 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
@@ -156,7 +156,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -176,16 +177,16 @@ em_lanes clock_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                    EM_UNUSED const double *restrict c, double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                           const double *restrict c, EM_UNUSED const double *restrict u,
-                           double *restrict bias, double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double c_0 = c[11];
     const double c_1 = c[12];
@@ -196,8 +197,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, EM_UNUS
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double c_3 = c[14];
     const double theta_dot = v[0];
@@ -211,16 +212,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[4] = p[5] = p[8] = p[9] = p[12] = p[13] = 0.0;
     const double l = c[1];
@@ -245,15 +244,14 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 }
 
 /* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
-EM_ACROSS void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck)
+EM_ACROSS void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                       const double *restrict u, double *restrict struck)
 {
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
-EM_ACROSS void resets(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict after)
+EM_ACROSS void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict after)
 {
     const double theta = x[0];
     after[0] = theta;
@@ -263,8 +261,8 @@ EM_ACROSS void resets(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
-EM_ACROSS void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict level)
+EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict level)
 {
     const double tau = c[3];
     level[0] = tau;
@@ -279,10 +277,9 @@ EM_ACROSS void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x, co
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                              EM_UNUSED const double *restrict lambda, const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double m = c[0];
@@ -295,10 +292,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x,
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x,
-                                EM_UNUSED const double *restrict v, const double *restrict a,
-                                const double *restrict lambda, const double *restrict c,
-                                EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double theta_ddot = a[0];
@@ -323,8 +319,8 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x,
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                   const double *restrict v, const double *restrict c, double *restrict D)
+EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
     const double pivot_stuck = c[5];
@@ -335,9 +331,8 @@ EM_ACROSS void constraint_partials(EM_UNUSED double t, EM_UNUSED const double *r
 
 /* D (n_events, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              const double *restrict v, const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void event_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     D[0] = 1.0;
@@ -349,7 +344,7 @@ EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restri
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict a,
+EM_ACROSS void blow_partials(double t, const double *restrict x, const double *restrict a,
                              const double *restrict lambda, const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
@@ -365,20 +360,17 @@ EM_ACROSS void blow_partials(EM_UNUSED double t, EM_UNUSED const double *restric
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void impact_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 0 * (N + 2) * N_ARGUMENTS);
 }
 
 /* D (n_resets 2 n, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              const double *restrict v, const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void reset_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * 2 * N * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_RESETS * 2 * N * N_ARGUMENTS);
     D[0] = 1.0;
     const double theta_dot = v[0];
     const double l = c[1];
@@ -398,11 +390,10 @@ EM_ACROSS void reset_partials(EM_UNUSED double t, EM_UNUSED const double *restri
 
 /* D (n_switches 2, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void level_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * 2 * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
     D[5] = 1.0;
     D[11] = 1.0;
 }
@@ -450,7 +441,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -459,8 +449,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_2 = c[13];
     M[0] = c_2;
@@ -473,8 +462,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                        double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
     const double pivot_stuck = c[5];
     A[0] = pivot_stuck;
@@ -482,16 +471,14 @@ EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x, 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                            const double *restrict c, EM_UNUSED const double *restrict u,
-                            double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
     const double theta = x[0];
     crossing[0] = theta;
@@ -500,7 +487,8 @@ EM_ACROSS void model_events(EM_UNUSED double t, const double *restrict x, const 
     crossing[1] = theta_dot*pivot_slides;
 }
 
-/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
+ * acts. */
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1}, {-1, -1, -1, 1, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
@@ -530,8 +518,7 @@ EM_INLINE void settled_masses(const real *restrict c, real A1[N_ROWS][N1], real 
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    const int changed = (flags & EM_STABILISE);
+    const int changed = flags & EM_STABILISE;
     real A1[N_ROWS][N1], b[N_ROWS];
     settled_masses(c, A1, b);
 
@@ -539,6 +526,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -559,7 +547,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     return 0;
 }
@@ -568,7 +555,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
@@ -576,7 +562,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;
 }
@@ -584,7 +569,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n) */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];

@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:fca97c21186f07c49b8d4423d449b67efa1b64f7ab6b736efc95926e300aca52 */
+/* body sha256:91236f7d3a7cbce7547e06520bf3433967eec461873ca64be04a7ac297dc5315 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -25,6 +25,9 @@
  *   triangular root: 17 additions, 31 multiplications, 4 function calls
  *   projection: 7 additions, 11 multiplications, 2 function calls
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #define EM_ACTS
 #include "em_functions.h"
 #include "em_multipliers.h"
@@ -108,7 +111,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* theta, phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2], y[3] };
@@ -125,7 +127,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta, phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2], y[3] };
@@ -215,7 +216,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], shared[3];
     triangular_masses(y, c, M1, shared);
 
@@ -248,7 +248,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -261,7 +260,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -281,7 +281,7 @@ em_lanes compass_gait_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -299,9 +299,9 @@ EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, EM_UNUSED const double *restrict u,
-                           double *restrict bias, EM_UNUSED double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double theta = x[0];
     const double sin_theta = em_sin(theta);
@@ -334,8 +334,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double theta_dot = v[0];
     const double c_7 = c[12];
@@ -364,16 +364,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = 0.0;
     const double l = c[2];
@@ -394,15 +392,14 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 }
 
 /* struck: what strikes at each impact: N = dphi/dx, dphi/dt, the restitution */
-EM_ACROSS void impacts(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict struck)
+EM_ACROSS void impacts(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                       const double *restrict u, double *restrict struck)
 {
 }
 
 /* after: x, and v or the quasi-velocities, after each reset */
-EM_ACROSS void resets(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, EM_UNUSED const double *restrict u, double *restrict after)
+EM_ACROSS void resets(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict after)
 {
     const double phi = x[1];
     const double theta = x[0];
@@ -436,9 +433,8 @@ EM_ACROSS void resets(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* level: for each row that holds at times, up to which speed of parting or which force it does, and its gap or slip */
-EM_ACROSS void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                      EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                      EM_UNUSED const double *restrict u, EM_UNUSED double *restrict level)
+EM_ACROSS void levels(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      const double *restrict u, double *restrict level)
 {
 }
 
@@ -449,10 +445,9 @@ EM_ACROSS void levels(EM_UNUSED double t, EM_UNUSED const double *restrict x,
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                              const double *restrict a, EM_UNUSED const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double theta = x[0];
@@ -515,10 +510,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                const double *restrict a, EM_UNUSED const double *restrict lambda,
-                                const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double theta_ddot = a[0];
@@ -595,9 +589,8 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
 
 /* D (n_events, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void event_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_EVENTS * N_ARGUMENTS);
     D[0] = -2.0;
@@ -606,9 +599,8 @@ EM_ACROSS void event_partials(EM_UNUSED double t, EM_UNUSED const double *restri
 
 /* D (n + m, n_arguments), at fixed a, lambda, of M a + A^T lambda and A a */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void blow_partials(EM_UNUSED double t, const double *restrict x, const double *restrict a,
-                             EM_UNUSED const double *restrict lambda, const double *restrict c,
-                             double *restrict D)
+EM_ACROSS void blow_partials(double t, const double *restrict x, const double *restrict a,
+                             const double *restrict lambda, const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_ARGUMENTS);
     const double m = c[1];
@@ -644,20 +636,17 @@ EM_ACROSS void blow_partials(EM_UNUSED double t, const double *restrict x, const
 
 /* D (n_impacts (n + 2), n_arguments), of N, dphi/dt and the restitution */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void impact_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                               EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                               EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void impact_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 0 * (N + 2) * N_ARGUMENTS);
 }
 
 /* D (n_resets 2 n, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void reset_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+EM_ACROSS void reset_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 1 * 2 * N * N_ARGUMENTS);
+    memset(D, 0, sizeof *D * N_RESETS * 2 * N * N_ARGUMENTS);
     D[0] = 1.0;
     D[1] = -1.0;
     D[11] = -1.0;
@@ -748,11 +737,9 @@ EM_ACROSS void reset_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n_switches 2, n_arguments) */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void level_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void level_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
-    memset(D, 0, sizeof *D * 0 * 2 * N_ARGUMENTS);
 }
 
 #endif
@@ -813,15 +800,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_7 = c[12];
     const double l = c[2];
@@ -844,30 +829,28 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
-                        EM_UNUSED double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict v,
-                            EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                            double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
     const double phi = x[1];
     const double theta = x[0];
     crossing[0] = phi - 2.0*theta;
 }
 
-/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it acts. */
+/* What each event does: impact, reset, the contact that it closes or opens; whether it happens at zero, too; whether it
+ * acts. */
 EM_ACROSS const em_deed deeds[] = { {-1, 0, -1, 0, 1} };
 EM_ACROSS const int resets_quasi[] = { 0, 0 };
 /* Rows that hold at times: their event, their parameter, that of sliding, what presses, their number */
@@ -927,23 +910,20 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     real M1[N1][N1], shared[3];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 8));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 8);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -957,7 +937,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state, in the meaning of its mode. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -968,7 +947,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
@@ -976,7 +954,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -988,7 +965,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 4, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;

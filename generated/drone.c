@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:89062ec209b7dc7ad702fbae2a0d7015d6d6e7524e80f4affe45e3e3dfae8257 */
+/* body sha256:d3a5357610ee9ea92fb3e1a57b1e84cbb5f99e4f215b67846a47a7abd3e6b0b6 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -26,6 +26,9 @@
  *   triangular root: 44 additions, 122 multiplications, 10 function calls
  *   projection: 13 additions, 60 multiplications, 8 function calls
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -174,7 +177,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x, y, z, sway, heave: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[8], y[9], y[10], y[14], y[15] };
@@ -203,7 +205,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x, y, z, sway, heave: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[8], y[9], y[10], y[14], y[15] };
@@ -438,7 +439,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], M2[N2][N2], shared[16];
     triangular_masses(y, c, M1, M2, shared);
 
@@ -496,7 +496,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -622,11 +621,13 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+__attribute__((noinline)) /* once, though stages call it from several places */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -643,7 +644,6 @@ enum { N_PIVOTS = 8 };
 /* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
-    (void)t, (void)y, (void)c;
     real M1[N1][N1], M2[N2][N2], shared[10];
     settled_masses(y, c, M1, M2, shared);
     em_pivots(N1, M1[0], pivots, diagonal);
@@ -656,7 +656,6 @@ static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     real v1[N1] = { e[0], e[1], e[2], e[6], e[7] };
     if (mode) em_backward(N1, memory + 0, memory + 25, v1);
     else em_velocity_of_eta(N1, y + 16, y + 50, v1);
@@ -674,13 +673,13 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 }
 
 #define EM_VELOCITY velocity_by_roots
+
 /* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], M2[N2][N2], shared[10];
     settled_masses(y, c, M1, M2, shared);
     real eta1[N1] = { y[8], y[9], y[10], y[14], y[15] };
@@ -698,15 +697,14 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     y[13] = eta2[2];
     if (mode) em_cholesky(N2, M2[0], memory + 30, memory + 39, EM_SINGULAR_PIVOT);
 
-    real gap = em_real(INFINITY);
-    gap = em_lane_min(gap, em_gap(N1, y + 50));
+    real gap = em_gap(N1, y + 50);
     gap = em_lane_min(gap, em_gap(N2, y + 55));
     if (em_any(~(gap > EM_APART))) {
-        real v[N], time = em_real(INFINITY);
+        real v[N];
         velocity_by_roots(mode, y, c, memory, y + N, v);
         real Mdot1[N1][N1], Mdot2[N2][N2];
         settled_rates(v, c, shared, Mdot1, Mdot2);
-        time = em_lane_min(time, em_time_on_lanes(N1, y + 16, y + 50, Mdot1[0]));
+        real time = em_time_on_lanes(N1, y + 16, y + 50, Mdot1[0]);
         time = em_lane_min(time, em_time_on_lanes(N2, y + 41, y + 55, Mdot2[0]));
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -726,7 +724,7 @@ em_lanes drone_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run,
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -775,9 +773,9 @@ EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
-                           EM_UNUSED double *restrict gamma)
+                           double *restrict gamma)
 {
     const double roll = x[5];
     const double sin_roll = em_sin(roll);
@@ -875,8 +873,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double x_dot = v[0];
     const double c_7 = c[15];
@@ -929,9 +927,9 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                       const double *restrict a, EM_UNUSED const double *restrict lambda,
-                       const double *restrict c, EM_UNUSED const double *restrict u, double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
     const double c_8 = c[16];
     const double c_0 = c[8];
@@ -964,8 +962,7 @@ EM_ACROSS void observe(EM_UNUSED double t, const double *restrict x, const doubl
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     const double yaw = x[3];
@@ -1031,8 +1028,8 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                              const double *restrict a, EM_UNUSED const double *restrict lambda,
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
@@ -1203,8 +1200,8 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                const double *restrict a, EM_UNUSED const double *restrict lambda,
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
                                 const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
@@ -1351,10 +1348,9 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
 
 /* D (n_outputs, n + m + n_arguments), of the outputs by a, lambda and the arguments */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void output_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                               const double *restrict a, EM_UNUSED const double *restrict lambda,
-                               const double *restrict c, EM_UNUSED const double *restrict u,
-                               double *restrict D)
+EM_ACROSS void output_partials(double t, const double *restrict x, const double *restrict v,
+                               const double *restrict a, const double *restrict lambda,
+                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_OUTPUTS * (N + N_ROWS + N_ARGUMENTS));
     const double load = c[1];
@@ -1465,15 +1461,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_7 = c[15];
     M[0] = c_7;
@@ -1543,23 +1537,20 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
-                        EM_UNUSED double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -1578,7 +1569,6 @@ EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     real M1[N1][N1], M2[N2][N2], shared[10];
@@ -1586,18 +1576,16 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
     if (changed && em_settle_factors(&block2, *mode, 0, M2[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 50));
+    double gap = em_gap(N1, y + 50);
     gap = fmin(gap, em_gap(N2, y + 55));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
         real Mdot1[N1][N1], Mdot2[N2][N2];
         settled_rates(v, c, shared, Mdot1, Mdot2);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         time = fmin(time, em_time_of_block(&block2, Mdot2[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
@@ -1613,7 +1601,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state, in the meaning of its mode. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -1625,7 +1612,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
     em_velocity_kept(&block2, mode, e, y, c, memory, ev);
 }
@@ -1634,7 +1620,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -1647,7 +1632,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 16, C);
     em_spread(N, N2, coordinate2, y + 41, C);
@@ -1710,7 +1694,8 @@ static const char *const event_names[] = { NULL };
 static const int event_direction[] = { 0 };
 static const int event_terminal[] = { 0 };
 static const double parameter_defaults[] = { 1.2, 0.4, 0.012, 0.022, 0.2, 0.016, 0.8, 9.81, 0.0 };
-static const double input_defaults[] = { 3.9240000000000004, 3.9240000000000004, 3.9240000000000004, 3.9240000000000004, 0.0 };
+static const double input_defaults[] = { 3.9240000000000004, 3.9240000000000004, 3.9240000000000004, 3.9240000000000004,
+    0.0 };
 static const double initial_x[N] = { 0.0, 0.0, 1.0, 0.0, 0.0, 0.05, 0.5, 0.2 };
 static const double initial_v[N] = { 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 1, 1, 1, 1, 1, 1 };

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:b1a26017d6e9209ff8655095e0817bfda98e15a759fd956801b168ffd571cd56 */
+/* body sha256:1d8eb4d8ce2272a584dbefab632151b4d125a9966be7b6d874424b27da0fc88b */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -25,6 +25,9 @@
  *   triangular root: 91 additions, 288 multiplications, 14 function calls
  *   projection: 43 additions, 186 multiplications, 14 function calls
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -292,7 +295,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* theta, aj, ab, ak, ac, af, ag: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[7], y[8], y[9], y[10], y[11], y[12], y[13] };
@@ -314,7 +316,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta, aj, ab, ak, ac, af, ag: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[7], y[8], y[9], y[10], y[11], y[12], y[13] };
@@ -706,7 +707,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], shared[17];
     triangular_masses(y, c, M1, shared);
 
@@ -736,6 +736,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* theta, aj, ab, ak, ac, af, ag: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -765,7 +766,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -778,7 +778,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -798,7 +799,7 @@ em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2, 
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -843,7 +844,7 @@ EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x
 
 /* dM (n, n, n), of what is factored */
 EM_RARE /* no step calls it */
-EM_ACROSS void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void factored_gradient(double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -943,9 +944,9 @@ EM_ACROSS void factored_gradient(EM_UNUSED double t, const double *restrict x, c
 }
 
 /* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, EM_UNUSED const double *restrict u,
-                           double *restrict bias, double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double theta_dot = v[0];
     const double ab_dot = v[2];
@@ -1069,8 +1070,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double theta_dot = v[0];
     const double ab_dot = v[2];
@@ -1149,16 +1150,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[6] = p[7] = 0.0;
     const double c_94 = c[111];
@@ -1215,10 +1214,9 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double theta_dot = v[0];
@@ -1290,7 +1288,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_48 = density*f;
     const double z_49 = z_45 + density*d + z_48;
     const double z_50 = z_47/b;
-    const double z_51 = 4.0*1.0 - z_47*z_47/(z_43*z_46);
+    const double z_51 = 4.0 - z_47*z_47/(z_43*z_46);
     const double z_52 = 1.0/(4.0*density*b*z_43 + 4.0*(z_44 + z_45)*z_43 + z_45*z_47 + (b*z_45 + z_49*z_50)*z_50 +
         z_49*z_51*z_46);
     const double z_53 = m*m;
@@ -1449,7 +1447,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_165 = i*i;
     const double z_166 = z_164 + z_165 - h*h;
     const double z_167 = z_166/g;
-    const double z_168 = 4.0*1.0 - z_166*z_166/(z_164*z_165);
+    const double z_168 = 4.0 - z_166*z_166/(z_164*z_165);
     const double z_169 = 1.0/(1.9779122466912002*z_76 + z_52*(z_162*z_162) + z_52*(z_163*z_163) +
         0.7654631453230909*z_164/(g*(4.0*g*z_74 + z_71*z_167) + (z_68*h + z_72*z_167)*z_167 + z_72*z_168*z_165));
     const double z_170 = z_161*z_169;
@@ -1647,10 +1645,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
-                                const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double ab = x[2];
@@ -1691,7 +1688,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
     const double z_24 = z_16*z_16;
     const double z_25 = z_23*z_24;
     const double z_26 = 1.0/z_15;
-    const double z_27 = 4.0*1.0 - z_25*z_26;
+    const double z_27 = 4.0 - z_25*z_26;
     const double z_28 = z_27*z_15;
     const double z_29 = 4.0*z_9*z_10 + 4.0*z_13*z_9 + z_12*z_16 + z_22*z_21 + z_19*z_28;
     const double z_30 = 1.0/z_29;
@@ -1965,7 +1962,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
     const double z_236 = z_230*z_230;
     const double z_237 = z_235*z_236;
     const double z_238 = 1.0/z_229;
-    const double z_239 = 4.0*1.0 - z_237*z_238;
+    const double z_239 = 4.0 - z_237*z_238;
     const double z_240 = z_88*z_239;
     const double z_241 = g*z_233 + z_234*z_232 + z_229*z_240;
     const double z_242 = 1.0/z_241;
@@ -2446,7 +2443,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                    const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -2509,7 +2506,7 @@ EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x,
     const double z_16 = 1.0/z_10;
     const double z_17 = z_12*z_12;
     const double z_18 = z_16*z_17;
-    const double z_19 = 4.0*1.0 - z_15*z_18;
+    const double z_19 = 4.0 - z_15*z_18;
     const double z_20 = sqrt(0.25*z_19);
     const double z_21 = d*z_20;
     const double z_22 = z_12*z_14 + 2.0*cos_ab*z_21;
@@ -2524,7 +2521,7 @@ EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x,
     const double sin_ag = em_sin(ag);
     D[134] = g*sin_ag;
     const double z_25 = z_12*z_16;
-    const double z_26 = 2.0*1.0 - z_25;
+    const double z_26 = 2.0 - z_25;
     const double z_27 = 1.0/z_19;
     const double z_28 = z_27*z_21;
     const double z_29 = (z_15*z_17/(b*z_10) - 2.0*z_12*z_15*z_13)*z_28;
@@ -2675,7 +2672,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_7 = density*f;
     const double z_8 = z_4 + density*d + z_7;
     const double z_9 = z_6/b;
-    const double z_10 = 4.0*1.0 - z_6*z_6/(z_1*z_5);
+    const double z_10 = 4.0 - z_6*z_6/(z_1*z_5);
     const double z_11 = 4.0*z_1*z_2 + 4.0*(z_3 + z_4)*z_1 + z_4*z_6 + (e*z_2 + z_8*z_9)*z_9 + z_8*z_10*z_5;
     const double z_12 = 1.0/z_11;
     const double J = parameters[14];
@@ -2724,7 +2721,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_41 = i*i;
     const double z_42 = z_40 + z_41 - h*h;
     const double z_43 = z_42/g;
-    const double z_44 = 4.0*1.0 - z_42*z_42/(z_40*z_41);
+    const double z_44 = 4.0 - z_42*z_42/(z_40*z_41);
     const double z_45 = g*(4.0*g*z_25 + z_22*z_43) + (z_19*h + z_23*z_43)*z_43 + z_23*z_44*z_41;
     const double z_46 = 1.0/(1.9779122466912002*z_28 + z_12*(z_38*z_38) + z_12*(z_39*z_39) +
         0.7654631453230909*z_40/z_45);
@@ -2860,15 +2857,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_48 = c[65];
     M[0] = c_48;
@@ -2928,7 +2923,7 @@ EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
-EM_ACROSS void factored_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void factored_matrix(double t, const double *restrict x, const double *restrict c,
                                double *restrict M)
 {
     const double c_80 = c[97];
@@ -3021,8 +3016,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
     const double m = c[12];
     const double theta = x[0];
@@ -3105,8 +3100,8 @@ EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict phi, double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
     const double j = c[9];
     const double aj = x[1];
@@ -3178,9 +3173,8 @@ EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -3461,7 +3455,6 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
@@ -3469,16 +3462,14 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     settled_masses(y, c, M1, A1, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 63));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 63);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -3491,6 +3482,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -3511,7 +3503,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state, in the meaning of its mode. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -3522,7 +3513,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
@@ -3530,7 +3520,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -3542,7 +3531,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 14, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
@@ -3593,15 +3581,18 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #include "jansen.h"
 
 static const char *const coordinate_names[] = { "theta", "aj", "ab", "ak", "ac", "af", "ag", NULL };
-static const char *const parameter_names[] = { "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "density", "J", "torque", "gravity", NULL };
+static const char *const parameter_names[] = { "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m",
+    "density", "J", "torque", "gravity", NULL };
 static const char *const input_names[] = { NULL };
 static const char *const output_names[] = { NULL };
 static const char *const event_names[] = { NULL };
 static const int event_direction[] = { 0 };
 static const int event_terminal[] = { 0 };
-static const double parameter_defaults[] = { 0.38, 0.415, 0.393, 0.401, 0.558, 0.394, 0.367, 0.657, 0.49, 0.5, 0.619, 0.078, 0.15, 1.0, 0.02, 1.2, 9.81, 0.0 };
+static const double parameter_defaults[] = { 0.38, 0.415, 0.393, 0.401, 0.558, 0.394, 0.367, 0.657, 0.49, 0.5, 0.619,
+    0.078, 0.15, 1.0, 0.02, 1.2, 9.81, 0.0 };
 static const double input_defaults[] = { 0.0 };
-static const double initial_x[N] = { 0.5, 2.602262465075601, 1.3703951072340697, 4.107268260719168, -1.1528510374935115, -1.0331924236898824, 2.791190455017301 };
+static const double initial_x[N] = { 0.5, 2.602262465075601, 1.3703951072340697, 4.107268260719168, -1.1528510374935115,
+    -1.0331924236898824, 2.791190455017301 };
 static const double initial_v[N] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 static const int carried[N] = { 1, 1, 1, 1, 1, 1, 1 };
 static const em_shape shapes[] = {

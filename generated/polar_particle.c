@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:7af02b189849e035024e179232af3df7a43332e8e40ff8ec509b282f86535a97 */
+/* body sha256:5048d5ff38ed17672444ed8748f03feb4a7cb7f268ffba7758163b522f7ffcba */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -26,6 +26,9 @@
  *   eigenfactor: 1 additions, 8 multiplications, 1 divisions
  *   projection: 2 multiplications
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -99,7 +102,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
     real M2[N2][N2], shared[1];
     eigenfactor_masses(y, c, M2, shared);
 
@@ -125,7 +127,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
     real M2[N2][N2], shared[1];
     eigenfactor_masses(y, c, M2, shared);
 
@@ -165,7 +166,6 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
@@ -181,11 +181,13 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+__attribute__((noinline)) /* once, though stages call it from several places */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -202,7 +204,6 @@ enum { N_PIVOTS = 1 };
 /* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
-    (void)t, (void)y, (void)c;
     real M2[N2][N2];
     settled_masses(y, c, M2);
     em_pivots(N2, M2[0], pivots, diagonal);
@@ -213,7 +214,6 @@ static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     real v1[N1] = { e[0] };
     em_velocity_of_eta(N1, c + 2, c + 3, v1);
     v[0] = v1[0];
@@ -223,13 +223,13 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 }
 
 #define EM_VELOCITY velocity_by_roots
+
 /* After an accepted step: the root of M is kept. *done becomes 0 in lanes that are settled number by number
  * instead; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M2[N2][N2];
     settled_masses(y, c, M2);
     em_cholesky(N2, M2[0], memory + 0, memory + 1, 0.0);
@@ -249,7 +249,7 @@ em_lanes polar_particle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_f
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -259,9 +259,9 @@ EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, EM_UNUSED const double *restrict u,
-                           double *restrict bias, EM_UNUSED double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double theta_dot = v[1];
     const double m = c[0];
@@ -274,8 +274,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double m = c[0];
     const double r_dot = v[0];
@@ -289,16 +289,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double r = x[0];
     const double theta = x[1];
@@ -318,10 +316,9 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED cons
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                              const double *restrict a, EM_UNUSED const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double m = c[0];
@@ -341,10 +338,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                const double *restrict a, EM_UNUSED const double *restrict lambda,
-                                const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double r = x[0];
@@ -394,7 +390,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1];
     prepared_constants(parameters, M1, c);
@@ -403,8 +398,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -420,23 +414,20 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
-                        EM_UNUSED double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -455,7 +446,6 @@ EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     real M2[N2][N2];
     settled_masses(y, c, M2);
     if (em_keep_root(&block2, M2[0], memory, fault)) return -1;
@@ -465,7 +455,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, 0, M, y, c, v, fault)) return -1;
@@ -477,7 +466,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
     em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
@@ -486,7 +474,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;
 }
@@ -494,7 +481,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n) */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:c32e0f58129d0708e8bb605340fc21046ac034bf830c31ee78a8b11b33119d40 */
+/* body sha256:059d10e5809773aa4a44cc1dbb5463840f8c6584ac300e039ab82ec0af0e8219 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -24,6 +24,9 @@
  *   triangular root: 480 additions, 831 multiplications, 10 function calls
  *   projection: 344 additions, 596 multiplications, 8 function calls
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -376,7 +379,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* q1, q2, q3, q4, q5, q6: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[6], y[7], y[8], y[9], y[10], y[11] };
@@ -397,7 +399,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* q1, q2, q3, q4, q5, q6: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[6], y[7], y[8], y[9], y[10], y[11] };
@@ -916,7 +917,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], shared[56];
     triangular_masses(y, c, M1, shared);
 
@@ -957,7 +957,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -1328,11 +1327,13 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+__attribute__((noinline)) /* once, though stages call it from several places */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -1349,7 +1350,6 @@ enum { N_PIVOTS = 6 };
 /* The pivots of M of the blocks that vary, and its diagonal */
 static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, real *diagonal)
 {
-    (void)t, (void)y, (void)c;
     real M1[N1][N1], shared[50];
     settled_masses(y, c, M1, shared);
     em_pivots(N1, M1[0], pivots, diagonal);
@@ -1360,7 +1360,6 @@ static void pivots_on_lanes(real t, const real *y, const real *c, real *pivots, 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     real v1[N1] = { e[0], e[1], e[2], e[3], e[4], e[5] };
     if (mode) em_backward(N1, memory + 0, memory + 36, v1);
     else em_velocity_of_eta(N1, y + 12, y + 48, v1);
@@ -1373,13 +1372,13 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 }
 
 #define EM_VELOCITY velocity_by_roots
+
 /* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real M1[N1][N1], shared[50];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[6], y[7], y[8], y[9], y[10], y[11] };
@@ -1392,14 +1391,13 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     y[11] = eta1[5];
     if (mode) em_cholesky(N1, M1[0], memory + 0, memory + 36, EM_SINGULAR_PIVOT);
 
-    real gap = em_real(INFINITY);
-    gap = em_lane_min(gap, em_gap(N1, y + 48));
+    real gap = em_gap(N1, y + 48);
     if (em_any(~(gap > EM_APART))) {
-        real v[N], time = em_real(INFINITY);
+        real v[N];
         velocity_by_roots(mode, y, c, memory, y + N, v);
         real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        time = em_lane_min(time, em_time_on_lanes(N1, y + 12, y + 48, Mdot1[0]));
+        real time = em_time_on_lanes(N1, y + 12, y + 48, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
     return 0;
@@ -1418,7 +1416,7 @@ em_lanes puma_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, 
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -1758,9 +1756,9 @@ EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
-                           EM_UNUSED double *restrict gamma)
+                           double *restrict gamma)
 {
     const double tau1 = u[0];
     const double q1_dot = v[0];
@@ -1964,8 +1962,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double q1_dot = v[0];
     const double q2 = x[1];
@@ -2112,16 +2110,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[3] = p[4] = p[6] = p[7] = p[8] = p[9] = p[10] = p[11] = p[13] = p[14] = p[17] = p[18] = p[19]
         = p[23] = p[24] = p[25] = p[29] = 0.0;
@@ -2193,10 +2189,9 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, EM_UNUSED cons
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                              const double *restrict a, EM_UNUSED const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double q2 = x[1];
@@ -2346,7 +2341,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_132 = 82.0*z_92 + z_131;
     const double z_133 = z_45 + (1.0/9016.0)*z_53;
     const double z_134 = 9016.0*z_133;
-    const double z_135 = 43.0*1.0 + 100.0*load;
+    const double z_135 = 43.0 + 100.0*load;
     const double z_136 = cos_q5*z_58;
     const double z_137 = sin_q5*z_55;
     const double z_138 = z_136 + z_137;
@@ -2746,7 +2741,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_439 = 89133.0*g + 43180.0*z_437 + 32.0*cos_q5*z_438;
     const double z_440 = 5075.0*g + 4060.0*z_437 - 64.0*z_248*z_438;
     const double z_441 = (z_203*z_260 + z_171*z_269) + 400000.0*(sin_q3*z_439 - 0.5*cos_q3*z_440);
-    const double z_442 = 203.0*1.0 + 4318.0*cos_q3;
+    const double z_442 = 203.0 + 4318.0*cos_q3;
     const double z_443 = sin_q3*cos_q4;
     const double z_444 = cos_q4 - z_443;
     const double z_445 = z_442*z_184 + 4318.0*z_444*z_148;
@@ -2872,7 +2867,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
         40.0*cos_q4*z_560 + 3001.0*cos_q5*z_546 - 4.0*sin_q4*z_561 - 3001.0*sin_q5*z_549);
     const double z_563 = cos_q2*z_435;
     const double z_564 = (z_203*z_269 - z_171*z_260) - 400000.0*(cos_q3*z_439 + 0.5*sin_q3*z_440);
-    const double z_565 = 118755000.0*1.0 - 2159.0*z_479;
+    const double z_565 = 118755000.0 - 2159.0*z_479;
     const double z_566 = 207025.0*z_6 + 48.0*z_485;
     D[13] = ((-1.0/40000000000.0))*(sin_q2*(20960000000.0*z_436 + (151823600000.0*g + 17272000000.0*z_437 +
         174000.0*q1_dot*z_205 - 5200000000.0*z_436 - z_441) + 4.0*q1_dot*z_518 + z_529*z_269 + z_534*z_260 +
@@ -2918,7 +2913,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     D[14] = (1.0/40000000000.0)*(sin_q3*(8636.0*q3_dot*z_567 + 17272.0*z_568*z_399 + 2.0*z_13*z_476 +
         2.0*z_476*z_400 + 2.0*z_2*z_484 + 2.0*z_484*z_401 + 8636.0*q2_dot*z_569 + 8636.0*z_403*q1_ddot +
         2.0*cos_q2*z_557 + 2.0*sin_q2*z_562 + z_582 - 8636.0*(480.0*z_183 + z_185) - 287509712.0*z_357 -
-        41914238752.0*z_374 - z_1*z_529 - z_6*z_534 - 17272.0*(16646.0*1.0 + 2426716.0*cos_q3 + z_573*z_184 -
+        41914238752.0*z_374 - z_1*z_529 - z_6*z_534 - 17272.0*(16646.0 + 2426716.0*cos_q3 + z_573*z_184 -
         sin_q5*z_571)*q2_ddot - 17272.0*(cos_q5*z_577 - sin_q5*z_581)) + cos_q3*(8636.0*q3_dot*z_583 +
         2.0*z_476*z_401 + 2.0*z_2*z_476 + z_6*z_529 + 2.0*sin_q2*z_557 + 35798638080.0*z_388 + z_600 -
         8636.0*(480.0*z_172 + z_173) - 17272.0*z_584*z_399 - 2.0*z_484*z_400 - 2.0*z_13*z_484 -
@@ -3015,7 +3010,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_633 = 320.0*z_456 + z_631;
     const double z_634 = 100.0*z_632 + 9.0*z_633;
     const double z_635 = 34.0*z_626 + cos_q6*z_634 - sin_q6*z_630;
-    const double z_636 = 16646.0*1.0 + cos_q5*z_624 + sin_q5*z_635;
+    const double z_636 = 16646.0 + cos_q5*z_624 + sin_q5*z_635;
     const double z_637 = 146812.0*sin_q4 + cos_q6*z_630 + sin_q6*z_634;
     const double z_638 = 9375.0*z_456 + 1250.0*z_632 + 18.0*z_633;
     const double z_639 = 9375.0*z_449 + 1250.0*z_628 + 18.0*z_629;
@@ -3028,7 +3023,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_646 = 369656.0*cos_q4 + z_642;
     const double z_647 = cos_q4*z_645 - sin_q4*z_646;
     const double z_648 = sin_q4*z_645 + cos_q4*z_646;
-    const double z_649 = 1103088000.0*1.0 + 3001.0*z_648 - 406.0*z_647 - 320.0*(21250.0*z_483 - sin_q5*z_640);
+    const double z_649 = 1103088000.0 + 3001.0*z_648 - 406.0*z_647 - 320.0*(21250.0*z_483 - sin_q5*z_640);
     const double z_650 = 3001.0*z_57;
     const double z_651 = 406.0*z_22 - sin_q4*z_650;
     const double z_652 = 9016.0*z_486 + z_651;
@@ -3089,7 +3084,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
         z_687*z_260 - 17272.0*z_696) + cos_q2*(2.0*z_644*z_270 + 2.0*z_644*z_271 + 2.0*z_649*z_261 +
         2.0*z_649*z_262 + z_683*z_260 + 2.0*sin_q3*z_698 + z_564 - 17272.0*z_206*z_647 - z_687*z_269 -
         2.0*cos_q3*z_701));
-    const double z_702 = 336000.0*1.0 + z_648;
+    const double z_702 = 336000.0 + z_648;
     const double z_703 = z_675 + 480.0*z_676;
     const double z_704 = 203.0*z_184*q2_ddot + 4318.0*q2_ddot*z_623;
     const double z_705 = cos_q4*q2_ddot;
@@ -3178,18 +3173,18 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     D[35] = ((-1.0/20000000000.0))*(z_80*z_626 + 4318.0*sin_q4*z_140 + z_68*z_626 + z_73*z_630 + 320.0*z_69*z_639
         - 4318.0*sin_q4*z_141 - z_72*z_630 - z_50*z_634 - z_61*z_634 - 320.0*z_48*z_638 - 320.0*z_42*z_638 -
         320.0*z_70*z_639 - 320.0*z_622);
-    const double z_738 = 9.0*1.0 + 625.0*load;
+    const double z_738 = 9.0 + 625.0*load;
     const double z_739 = sin_q5*z_738;
-    const double z_740 = 3027.0*1.0 + 500000.0*load;
-    const double z_741 = 3750.0*1.0 + z_740;
-    const double z_742 = 4250.0*1.0 - z_741;
+    const double z_740 = 3027.0 + 500000.0*load;
+    const double z_741 = 3750.0 + z_740;
+    const double z_742 = 4250.0 - z_741;
     const double z_743 = 8636.0*z_739 - 5.0*z_742*z_608;
     const double z_744 = cos_q4*z_743;
     const double z_745 = sin_q4*z_739;
     const double z_746 = z_248*z_738;
     const double z_747 = cos_q5*cos_q5;
     const double z_748 = z_741*z_468;
-    const double z_749 = 3001.0*z_745 + 5.0*(16250.0*1.0 + 4250.0*z_747 + z_748) - 406.0*z_746;
+    const double z_749 = 3001.0*z_745 + 5.0*(16250.0 + 4250.0*z_747 + z_748) - 406.0*z_746;
     const double z_750 = 9016.0*z_133;
     const double z_751 = 8636.0*z_54;
     const double z_752 = z_98 + cos_q5*z_45;
@@ -3228,10 +3223,10 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_783 = sin_q5*z_775 - 21250.0*cos_q5*z_776 - 5.0*cos_q5*z_95*z_742;
     const double z_784 = 406.0*z_771 + 3001.0*z_782 + 640.0*z_783;
     const double z_785 = z_738*z_615;
-    const double z_786 = 6777.0*1.0 + 500000.0*load;
+    const double z_786 = 6777.0 + 500000.0*load;
     const double z_787 = 81250.0*q1_ddot + (21250.0*q1_ddot*z_747 + 5.0*z_786*z_602 + 3001.0*z_745*q1_ddot) -
         406.0*z_785;
-    const double z_788 = 4250.0*1.0 - z_786;
+    const double z_788 = 4250.0 - z_786;
     const double z_789 = 20000.0*z_438*z_612 + 8636.0*z_785 - 5.0*cos_q5*z_788*z_615;
     D[37] = ((-1.0/40000000000.0))*(sin_q2*(640.0*z_744*z_261 + 640.0*z_744*z_262 + 8636.0*q1_dot*z_771 +
         z_784*z_260 + 640.0*cos_q3*z_787 + 640.0*sin_q3*z_789 - 640.0*z_749*z_270 - 640.0*z_749*z_271 -
@@ -3286,7 +3281,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     D[46] = ((-1.0/62500000.0))*(5.0*sin_q5*z_167*z_742 + z_186 - 5.0*z_23*z_748 - 21250.0*z_23*z_747 - z_779);
     D[47] = (1.0/62500000.0)*(sin_q5*z_190 - sin_q5*z_189 - 2500.0*z_776 - z_796 - 5.0*z_46*z_778);
     const double z_798 = cos_q5*z_738;
-    const double z_799 = 8636.0*z_798 + 5.0*(5000.0*1.0 + z_740);
+    const double z_799 = 8636.0*z_798 + 5.0*(5000.0 + z_740);
     const double z_800 = 3001.0*z_739 + sin_q4*z_799;
     const double z_801 = z_448*z_738;
     const double z_802 = z_225*z_738;
@@ -3320,7 +3315,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     const double z_830 = q1_ddot*z_801;
     const double z_831 = (20000.0*sin_q5*z_438 + 3001.0*q1_ddot*z_802) + 406.0*z_830;
     const double z_832 = q1_ddot*z_798;
-    const double z_833 = 8027.0*1.0 + 500000.0*load;
+    const double z_833 = 8027.0 + 500000.0*load;
     const double z_834 = 8636.0*z_832 + 5.0*q1_ddot*z_833;
     const double z_835 = 3001.0*z_790 + sin_q4*z_834 - 20000.0*z_225*z_438;
     D[49] = ((-1.0/40000000000.0))*(sin_q2*(640.0*z_800*z_261 + 640.0*z_800*z_262 + 640.0*z_803*z_270 +
@@ -3366,7 +3361,7 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
     D[56] = ((-1.0/20000000000.0))*(2763520.0*z_9*z_802 - 2763520.0*z_4*z_739 - 203.0*z_840);
     D[57] = (1.0/62500000.0)*(2.0*z_30*z_802 + z_22*z_799 + z_828 - z_28*z_801 - z_17*z_799);
     D[58] = ((-1.0/62500000.0))*(z_58*z_798 + z_55*z_739 + z_824);
-    D[59] = (1.0/62500000.0)*(z_164 - z_838 - 5.0*z_41*(500.0*1.0 + z_740));
+    D[59] = (1.0/62500000.0)*(z_164 - z_838 - 5.0*z_41*(500.0 + z_740));
     const double z_841 = load*(4000.0*z_77);
     const double z_842 = 640.0*z_75;
     const double z_843 = 100.0*z_841 + 9.0*z_842;
@@ -3420,10 +3415,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                const double *restrict a, EM_UNUSED const double *restrict lambda,
-                                const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     D[0] = -1.0;
@@ -3575,7 +3569,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
     D[15] = ((-1.0/200000.0))*(20880.0*sin_q2 + 576.0*z_116 - 759118.0*cos_q2 - 20.0*load*z_115);
     const double z_117 = sin_q4*cos_q5;
     const double z_118 = z_117*sin_q6 - cos_q4*cos_q6;
-    const double z_119 = 203.0*1.0 + 4318.0*cos_q3;
+    const double z_119 = 203.0 + 4318.0*cos_q3;
     const double z_120 = cos_q4 - sin_q3*cos_q4;
     const double z_121 = sin_q5*z_119 - 4318.0*cos_q5*z_120;
     const double z_122 = sin_q4 - sin_q3*sin_q4;
@@ -3640,7 +3634,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
         16.0*z_135*(2159.0*sin_q4*q2_ddot + 1000.0*z_117*q2_ddot) - 4.0*z_137*(2000.0*cos_q4*q2_ddot -
         (203.0*z_158 - 4318.0*z_56*q2_ddot)) - 2.0*z_111*(2000.0*z_145 - (203.0*z_160 - 4318.0*z_56*q1_ddot)));
     D[30] = -1.0;
-    const double z_161 = 9.0*1.0 + 625.0*load;
+    const double z_161 = 9.0 + 625.0*load;
     const double z_162 = sin_q5*z_58;
     D[33] = (1.0/3125.0)*(z_161*z_162);
     const double z_163 = 8636.0*z_50;
@@ -3685,7 +3679,7 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 {
     const double load = parameters[1];
     prepared[2] = 100.0*load; /* c_0 */
-    const double z_0 = 43.0*1.0 + 100.0*load;
+    const double z_0 = 43.0 + 100.0*load;
     prepared[3] = z_0; /* c_1 */
     prepared[4] = 20.0*load; /* c_2 */
     prepared[5] = 625.0*load; /* c_3 */
@@ -3694,8 +3688,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[8] = 2159.0*z_0; /* c_6 */
     prepared[9] = 3001.0*z_0; /* c_7 */
     prepared[10] = 2500.0*load; /* c_8 */
-    const double z_1 = 6777.0*1.0 + 500000.0*load;
-    prepared[11] = (1.0/6250000.0)*(4250.0*1.0 - z_1); /* c_9 */
+    const double z_1 = 6777.0 + 500000.0*load;
+    prepared[11] = (1.0/6250000.0)*(4250.0 - z_1); /* c_9 */
     prepared[12] = 1250.0*load; /* c_10 */
     const double g = parameters[0];
     const double z_2 = load*g;
@@ -3710,11 +3704,11 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[20] = 203.0*z_0; /* c_18 */
     prepared[21] = 10150.0*z_0; /* c_19 */
     prepared[22] = 500000.0*z_1; /* c_20 */
-    const double z_4 = 171348451657.0*1.0 + 40000000000.0*load;
+    const double z_4 = 171348451657.0 + 40000000000.0*load;
     prepared[23] = (1.0/1000000000000.0)*z_4; /* c_21 */
-    prepared[24] = 25.0*(5.0*1.0 + 4.0*load); /* c_22 */
-    prepared[25] = 55533.0*1.0 + 43180.0*load; /* c_23 */
-    const double z_5 = 9.0*1.0 + 625.0*load;
+    prepared[24] = 25.0*(5.0 + 4.0*load); /* c_22 */
+    prepared[25] = 55533.0 + 43180.0*load; /* c_23 */
+    const double z_5 = 9.0 + 625.0*load;
     prepared[26] = 32.0*z_5; /* c_24 */
     prepared[27] = (2159.0/15625000.0)*z_5; /* c_25 */
     prepared[28] = 4661281.0*z_0; /* c_26 */
@@ -3736,15 +3730,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double q2 = x[1];
     const double sin_q2 = em_sin(q2);
@@ -3878,23 +3870,20 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
-                        EM_UNUSED double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -3913,23 +3902,20 @@ EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     real M1[N1][N1], shared[50];
     settled_masses(y, c, M1, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 48));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 48);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         real Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -3943,7 +3929,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state, in the meaning of its mode. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -3954,7 +3939,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
@@ -3962,7 +3946,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -3974,7 +3957,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 12, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:d55ae5bb62db94e342014afac72bd147a9b3d4085302fa1cda4b3f92fb0a6d48 */
+/* body sha256:64b79e178dbc56652ff00b38e488cfcc2a594953d40c26d738f26f394b78deec */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -26,6 +26,9 @@
  *   triangular root: 65 additions, 125 multiplications
  *   projection: 34 additions, 92 multiplications
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -139,7 +142,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4], y[5], y[6], y[7] };
@@ -158,7 +160,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* q_0, q_1, q_2, q_3: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4], y[5], y[6], y[7] };
@@ -318,7 +319,6 @@ EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1];
     triangular_masses(y, c, M1);
 
@@ -345,6 +345,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* q_0, q_1, q_2, q_3: B = A L^-T */
     real B1[N_ROWS][N1];
     em_rows_of_root(N_ROWS, N1, L1[0], r1, A1[0], B1[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -371,7 +372,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -384,7 +384,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -404,7 +405,7 @@ em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -457,7 +458,7 @@ EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x
 
 /* dM (n, n, n), of what is factored */
 EM_RARE /* no step calls it */
-EM_ACROSS void factored_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void factored_gradient(double t, const double *restrict x, const double *restrict c,
                                  double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -514,9 +515,9 @@ EM_ACROSS void factored_gradient(EM_UNUSED double t, const double *restrict x, c
 }
 
 /* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, EM_UNUSED const double *restrict u,
-                           double *restrict bias, double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double q_0 = x[0];
     const double c_4 = c[9];
@@ -555,8 +556,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double q_0_dot = v[0];
     const double J3 = c[4];
@@ -596,16 +597,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[2] = p[3] = p[4] = p[5] = 0.0;
     const double q_2 = x[2];
@@ -646,10 +645,9 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double q_3_ddot = a[3];
@@ -775,10 +773,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                const double *restrict a, EM_UNUSED const double *restrict lambda,
-                                const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double q_0 = x[0];
@@ -874,8 +871,8 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                   EM_UNUSED const double *restrict c, double *restrict D)
+EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
+                                   const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
     const double q_0 = x[0];
@@ -958,15 +955,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     prepared_constants(parameters, c);
     return 0;
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double J3 = c[4];
     const double q_3 = x[3];
@@ -999,7 +994,7 @@ EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
-EM_ACROSS void factored_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void factored_matrix(double t, const double *restrict x, const double *restrict c,
                                double *restrict M)
 {
     const double J3 = c[4];
@@ -1041,8 +1036,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                        double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
     const double q_0 = x[0];
     A[0] = 2.0*q_0;
@@ -1056,8 +1051,8 @@ EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, EM_UNUSED 
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, EM_UNUSED const double *restrict c,
-                        double *restrict phi, double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
     const double q_1 = x[1];
     const double q_2 = x[2];
@@ -1069,9 +1064,8 @@ EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, EM_UNUSED 
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -1171,7 +1165,6 @@ EM_INLINE void settled_rates(const double *restrict x, const double *restrict v,
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
@@ -1179,16 +1172,14 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     settled_masses(y, c, M1, A1, b);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 24));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 24);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(y, v, c, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -1201,6 +1192,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
         double B1[N_ROWS][N1], a1[N1];
         em_rows_of_block(&block1, *mode, N_ROWS, y, c, memory, A1[0], B1[0]);
         em_take(&block1, y + N, a1);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -1221,7 +1213,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state, in the meaning of its mode. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -1232,7 +1223,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
@@ -1240,7 +1230,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -1252,7 +1241,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 8, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;

@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:9b013f9673cab4b9fdd02de47459931a3e9ee103f66721f0010f631fc558de06 */
+/* body sha256:d3899aa45e02cfb71356dce0d2788f5eb563019a423e7a4ea290ebfc57a1ecf0 */
 /* rotating_spring: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -23,6 +23,9 @@
  * Operations of the straight-line part:
  *   eigenfactor: 4 additions, 4 multiplications
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -86,7 +89,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
@@ -109,7 +111,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
@@ -146,7 +147,6 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
@@ -154,11 +154,13 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+__attribute__((noinline)) /* once, though stages call it from several places */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -173,7 +175,6 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     real v1[N1] = { e[0] };
     em_velocity_of_eta(N1, c + 4, c + 5, v1);
     v[0] = v1[0];
@@ -183,6 +184,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 }
 
 #define EM_VELOCITY velocity_by_roots
+
 #include "em_flock.h"
 
 extern em_lanes rotating_spring_lanes;
@@ -195,16 +197,16 @@ em_lanes rotating_spring_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                    EM_UNUSED const double *restrict c, double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, EM_UNUSED const double *restrict u,
-                           double *restrict bias, EM_UNUSED double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double y_dot = v[1];
     const double c_0 = c[12];
@@ -220,8 +222,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double m = c[0];
     const double x_dot = v[0];
@@ -242,10 +244,9 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
@@ -279,10 +280,9 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                              EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                              EM_UNUSED const double *restrict lambda, const double *restrict c,
-                              EM_UNUSED const double *restrict u, double *restrict D)
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
+                              const double *restrict a, const double *restrict lambda,
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double k_x = c[1];
@@ -299,10 +299,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, EM_UNUSED const double *restri
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                                const double *restrict a, EM_UNUSED const double *restrict lambda,
-                                const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
+                                const double *restrict a, const double *restrict lambda,
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double x_ = x[0];
@@ -364,7 +363,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2];
     prepared_constants(parameters, M1, M2, c);
@@ -374,8 +372,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -390,23 +387,20 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict A,
-                        EM_UNUSED double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -425,14 +419,12 @@ EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     return 0;
 }
 
 /* v (n): xdot from a state. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
     return 0;
@@ -442,7 +434,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
     em_velocity_kept(&block2, 0, e, y, c, memory, ev);
 }
@@ -451,7 +442,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;
 }
@@ -459,7 +449,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n) */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];

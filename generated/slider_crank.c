@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:1323a64f12e6e1f7374b607f819bfb656793866f2c764ac282aac546113c24b1 */
+/* body sha256:178df81198195d62fda7426ff802c231c64a4adfdd8641f97549f6ff0c80e044 */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -28,6 +28,9 @@
  *   triangular root: 9 additions, 30 multiplications, 4 function calls
  *   projection: 4 additions, 17 multiplications, 4 function calls
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -117,7 +120,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* theta, phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[3], y[4] };
@@ -141,7 +143,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* theta, phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[3], y[4] };
@@ -275,7 +276,6 @@ EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c,
 static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                         int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)flags, (void)fault;
     real M1[N1][N1], shared[4];
     triangular_masses(y, c, M1, shared);
 
@@ -314,6 +314,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
     /* x: B = A C^T S^-1 (28) */
     real B2[N_ROWS][N2];
     em_rows_on_eta(N_ROWS, N2, C2, r2, A2[0], B2[0]);
+
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -342,7 +343,6 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -355,7 +355,8 @@ static void rhs_on_lanes(int mode, const double *t, const double *y, const doubl
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -375,7 +376,7 @@ em_lanes slider_crank_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x, const double *restrict c,
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
                                     double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
@@ -391,9 +392,9 @@ EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, const double *restrict x
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                           const double *restrict c, EM_UNUSED const double *restrict u,
-                           double *restrict bias, double *restrict gamma)
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
+                           const double *restrict c, const double *restrict u, double *restrict bias,
+                           double *restrict gamma)
 {
     const double theta_dot = v[0];
     const double phi_dot = v[1];
@@ -422,8 +423,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double theta_dot = v[0];
     const double phi_dot = v[1];
@@ -452,16 +453,14 @@ EM_ACROSS void energy(EM_UNUSED double t, const double *restrict x, const double
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[14] = p[15] = 0.0;
     const double c_13 = c[23];
@@ -503,10 +502,9 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double theta_dot = v[0];
@@ -568,10 +566,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
-                                const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double theta = x[0];
@@ -640,7 +637,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                    const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -737,7 +734,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M2[N2][N2];
     prepared_constants(parameters, M2, c);
@@ -746,8 +742,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double c_3 = c[13];
     M[0] = c_3;
@@ -774,8 +769,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
     const double r = c[0];
     const double theta = x[0];
@@ -796,8 +791,8 @@ EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict phi, double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
     const double r = c[0];
     const double theta = x[0];
@@ -818,9 +813,8 @@ EM_ACROSS void position(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -890,7 +884,6 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
@@ -898,17 +891,15 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     settled_masses(y, c, M1, A1, A2, b, shared);
     if (changed && em_settle_factors(&block1, *mode, 0, M1[0], y, memory, fault)) return -1;
 
-    double gap = INFINITY, delta_gap = INFINITY;
-    gap = fmin(gap, em_gap(N1, y + 10));
-    int wanted = em_mode_by_gaps(*mode, flags, gap, delta_gap);
+    double gap = em_gap(N1, y + 10);
+    int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
         double v[N];
         em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
         em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
         double Mdot1[N1][N1];
         settled_rates(v, c, shared, Mdot1);
-        double time = INFINITY;
-        time = fmin(time, em_time_of_block(&block1, Mdot1[0], y));
+        double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }
     if (*mode != wanted) {
@@ -924,6 +915,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
         double B2[N_ROWS][N2], a2[N2];
         em_rows_of_block(&block2, *mode, N_ROWS, y, c, memory, A2[0], B2[0]);
         em_take(&block2, y + N, a2);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -948,7 +940,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state, in the meaning of its mode. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     double M[N*N];
     factored(t, y, c, M);
     if (em_velocity_at(&block1, mode, M, y, c, v, fault)) return -1;
@@ -960,7 +951,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
     em_velocity_kept(&block2, mode, e, y, c, memory, ev);
 }
@@ -969,7 +959,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;
     double v[N];
@@ -981,7 +970,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n); eigenfactors continuous with those y holds, if any */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     em_spread(N, N1, coordinate1, y + 6, C);
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;

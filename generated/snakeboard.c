@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:b159824ae6757671b7a5ef1598fe40bea4bfb0c7b2c6a54911a27fb798c354ba */
+/* body sha256:750bc99e19390707b084a3c0785cc5007d4811bb7e13ecab2642b93e102aea57 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -30,6 +30,9 @@
  *   eigenfactor: 10 additions, 16 multiplications, 4 function calls
  *   projection: 4 additions, 5 multiplications, 4 function calls
  */
+/* Whoever calls them hands all models the same arguments; functions use those that this model needs. */
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #include "em_functions.h"
 #include "em_multipliers.h"
 
@@ -128,7 +131,6 @@ EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v
 EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c, real *restrict dy,
                          em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[5] };
@@ -166,7 +168,6 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict c, const real *restrict u,
                            double *memory, int flags, real *restrict dy, em_fault *restrict fault)
 {
-    (void)t, (void)c, (void)u, (void)memory, (void)flags, (void)fault;
 
     /* x: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[5] };
@@ -260,7 +261,6 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
                      em_fault *fault)
 {
-    (void)mode, (void)memory;
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
@@ -296,11 +296,13 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+__attribute__((noinline)) /* once, though stages call it from several places */
+static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
-    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy, &fault);
+    model_rhs(mode, *(const real *)t, (const real *)y, (const real *)c, (const real *)u, NULL, flags, (real *)dy,
+              &fault);
 }
 
 /* xdot alone (20) */
@@ -315,7 +317,6 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
 static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     real v1[N1] = { e[0] };
     em_velocity_of_eta(N1, c + 5, c + 6, v1);
     v[0] = v1[0];
@@ -332,13 +333,13 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 }
 
 #define EM_VELOCITY velocity_by_roots
+
 /* After an accepted step: constraints on velocities. *done becomes 0 in lanes that are settled number by number
  * instead; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     em_fault whole, *const fault = &whole;
     const int flags = 0;
-    (void)mode, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)done, (void)fault, (void)flags;
     real A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS];
     settled_masses(y, c, A1, A2, A3, b);
 
@@ -351,6 +352,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     real B3[N_ROWS][N3];
     em_rows_of_factors(N_ROWS, N3, c + 13, c + 17, A3[0], B3[0]);
     real a3[N3] = { y[7], y[8] };
+
     /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
     for (int row = 0; row < N_ROWS; ++row) {
@@ -389,14 +391,14 @@ em_lanes snakeboard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock
 
 /* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
 EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                                    EM_UNUSED const double *restrict c, double *restrict dM)
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
 {
     memset(dM, 0, sizeof *dM * N * N * N);
 }
 
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
-EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
                            double *restrict gamma)
 {
@@ -430,8 +432,8 @@ EM_ACROSS void motion_bias(EM_UNUSED double t, const double *restrict x, const d
 }
 
 /* e (4): T2, T1, T0, V                                                                                          (4) */
-EM_ACROSS void energy(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict v,
-                      const double *restrict c, double *restrict e)
+EM_ACROSS void energy(double t, const double *restrict x, const double *restrict v, const double *restrict c,
+                      double *restrict e)
 {
     const double m = c[0];
     const double x_dot = v[0];
@@ -450,16 +452,14 @@ EM_ACROSS void energy(EM_UNUSED double t, EM_UNUSED const double *restrict x, co
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
-EM_ACROSS void observe(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                       EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict a,
-                       EM_UNUSED const double *restrict lambda, EM_UNUSED const double *restrict c,
-                       EM_UNUSED const double *restrict u, EM_UNUSED double *restrict out)
+EM_ACROSS void observe(double t, const double *restrict x, const double *restrict v, const double *restrict a,
+                       const double *restrict lambda, const double *restrict c, const double *restrict u,
+                       double *restrict out)
 {
 }
 
 /* p: what the drawing is made of, shape by shape */
-EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                    double *restrict p)
+EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
     p[0] = p[18] = x_;
@@ -523,10 +523,9 @@ EM_ACROSS void draw(EM_UNUSED double t, const double *restrict x, const double *
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void state_partials(double t, const double *restrict x, const double *restrict v,
                               const double *restrict a, const double *restrict lambda,
-                              const double *restrict c, EM_UNUSED const double *restrict u,
-                              double *restrict D)
+                              const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * 2 * N);
     const double phi = x[4];
@@ -595,10 +594,9 @@ EM_ACROSS void state_partials(EM_UNUSED double t, const double *restrict x, cons
 
 /* D (n + m, n_inputs + n_parameters + 1), of r and s by inputs, parameters, time */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void forcing_partials(double t, const double *restrict x, const double *restrict v,
                                 const double *restrict a, const double *restrict lambda,
-                                EM_UNUSED const double *restrict c, EM_UNUSED const double *restrict u,
-                                double *restrict D)
+                                const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N + N_ROWS) * N_GIVEN);
     const double x_ddot = a[0];
@@ -630,7 +628,7 @@ EM_ACROSS void forcing_partials(EM_UNUSED double t, const double *restrict x, co
 
 /* D (h + m, n_arguments), of phi and A v + b */
 EM_RARE /* no explicit step calls it */
-EM_ACROSS void constraint_partials(EM_UNUSED double t, const double *restrict x, const double *restrict v,
+EM_ACROSS void constraint_partials(double t, const double *restrict x, const double *restrict v,
                                    const double *restrict c, double *restrict D)
 {
     memset(D, 0, sizeof *D * (N_POSITIONS + N_ROWS) * N_ARGUMENTS);
@@ -716,7 +714,6 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
 EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 {
-    (void)fault;
     memcpy(c, parameters, N_PARAMETERS * sizeof *c);
     double M1[N1][N1], M2[N2][N2], M3[N3][N3], M4[N4][N4];
     prepared_constants(parameters, M1, M2, M3, M4, c);
@@ -728,8 +725,7 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 }
 
 /* M (n, n)                                                                                                      (5) */
-EM_ACROSS void mass_matrix(EM_UNUSED double t, EM_UNUSED const double *restrict x, const double *restrict c,
-                           double *restrict M)
+EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
     const double m = c[0];
     M[0] = m;
@@ -759,8 +755,8 @@ EM_ACROSS void factored(double t, const double *x, const double *c, double *M)
 }
 
 /* A (m, n), b (m): A xdot + b = 0                                                                               (8) */
-EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const double *restrict c,
-                        double *restrict A, double *restrict b)
+EM_ACROSS void pfaffian(double t, const double *restrict x, const double *restrict c, double *restrict A,
+                        double *restrict b)
 {
     const double phi = x[4];
     const double sin_phi = em_sin(phi);
@@ -789,16 +785,14 @@ EM_ACROSS void pfaffian(EM_UNUSED double t, const double *restrict x, const doub
 }
 
 /* phi (h): the holonomic constraints;  terms (h): what cancels in them, so that eps terms is their rounding */
-EM_ACROSS void position(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                        EM_UNUSED const double *restrict c, EM_UNUSED double *restrict phi,
-                        EM_UNUSED double *restrict terms)
+EM_ACROSS void position(double t, const double *restrict x, const double *restrict c, double *restrict phi,
+                        double *restrict terms)
 {
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
-EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict x,
-                            EM_UNUSED const double *restrict v, EM_UNUSED const double *restrict c,
-                            EM_UNUSED const double *restrict u, EM_UNUSED double *restrict crossing)
+EM_ACROSS void model_events(double t, const double *restrict x, const double *restrict v,
+                            const double *restrict c, const double *restrict u, double *restrict crossing)
 {
 }
 
@@ -817,8 +811,7 @@ EM_ACROSS void model_events(EM_UNUSED double t, EM_UNUSED const double *restrict
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
                         em_fault *fault)
 {
-    (void)mode, (void)flags, (void)t, (void)y, (void)c, (void)memory, (void)pace, (void)fault;
-    const int changed = (flags & EM_STABILISE);
+    const int changed = flags & EM_STABILISE;
     real A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS];
     settled_masses(y, c, A1, A2, A3, b);
 
@@ -832,6 +825,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
         double B3[N_ROWS][N3], a3[N3];
         em_rows_of_block(&block3, *mode, N_ROWS, y, c, memory, A3[0], B3[0]);
         em_take(&block3, y + N, a3);
+
         /* Delta = B B^T (43), Delta lambda = B a (46), in one loop */
         real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];
         for (int row = 0; row < N_ROWS; ++row) {
@@ -860,7 +854,6 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
 /* v (n): xdot from a state. */
 EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)fault;
     if (em_velocity_at(&block1, 0, NULL, y, c, v, fault)) return -1;
     if (em_velocity_at(&block2, 0, NULL, y, c, v, fault)) return -1;
     if (em_velocity_at(&block3, 0, NULL, y, c, v, fault)) return -1;
@@ -872,7 +865,6 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
                                  const double *e, double *ev)
 {
-    (void)mode, (void)y, (void)c, (void)memory;
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
     em_velocity_kept(&block2, 0, e, y, c, memory, ev);
     em_velocity_kept(&block3, 0, e, y, c, memory, ev);
@@ -883,7 +875,6 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
                          em_fault *fault)
 {
-    (void)mode, (void)t, (void)c, (void)memory, (void)fault;
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;
 }
@@ -891,7 +882,6 @@ EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c
 /* y (n_state) from x, v (n) */
 EM_ACROSS int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault)
 {
-    (void)t, (void)c, (void)fault;
     double C[N*N] = {0.0}, s[N], eta[N];
     if (em_eigenfactors_of(t, x, c, C, s, fault)) return -1;
     for (int k = 0; k < N; ++k) eta[k] = v[k]/scales[k];

@@ -1,6 +1,7 @@
 """Fixtures that files share."""
 
 import os
+import shutil
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -75,6 +76,16 @@ def interruptible() -> Iterator[None]:
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
+
+
+@pytest.fixture(scope="module")
+def hurried() -> Iterator[None]:
+    """What is compiled is compiled in a hurry, as by whom its speed does not concern."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("EIGENMOTION_CFLAGS", "-O0")
+        if shutil.which("clang") and "CC" not in os.environ:
+            patch.setenv("CC", "clang")
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -17,6 +17,7 @@ from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.cache import entry, key
+from eigenmotion.building.request import Request
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
@@ -41,7 +42,7 @@ def model_of(name: str) -> Model:
 @cache
 def system_of(name: str, formulation: str = "eigenfactor", **options: str) -> System:
     """Return the System of models/NAME.py, compiled in a hurry: once a process, and kept."""
-    return loaded(compiler.generate(model_of(name), choices_for(name, formulation, **options)), "-O0")
+    return built(model_of(name), choices_for(name, formulation, **options))
 
 
 def choices_for(name: str, formulation: str, **options: str) -> Choices:
@@ -55,7 +56,26 @@ def system_for(
     model: Model, formulation: str = "eigenfactor", savings: frozenset[Saving] = ALL_SAVINGS, **options: str
 ) -> System:
     """Return the System of any model, compiled in a hurry."""
-    return loaded(compiler.generate(model, Choices(formulation, **options), savings=savings), "-O0")
+    choices = Choices(formulation, **options)
+    if savings == ALL_SAVINGS:
+        return built(model, choices)
+    return loaded(compiler.generate(model, choices, savings=savings), "-O0")
+
+
+def built(model: Model, choices: Choices) -> System:
+    """Return the System of what is asked for: generated, too, only where no process has done so before."""
+    asked = Request(model, choices)
+    name = key("asked", asked.sources_hash, *FLAGS, "-O0", *_compiler(["-O0"]), *_headers())
+
+    def fill(folder: Path) -> None:
+        compile_into(folder, asked.sources(), ("-O0",))
+
+    return system_in(ctypes.CDLL(str(entry("tests", name, fill) / f"{model.name}.so")), model.name)
+
+
+@cache
+def _headers() -> tuple[str, ...]:
+    return tuple(path.read_text() for path in sorted(INCLUDE.glob("*.h")))
 
 
 def loaded(sources: Sources, *flags: str, lanes: bool = False) -> System:
@@ -79,8 +99,8 @@ def _compiler(flags: Iterable[str]) -> tuple[str, ...]:
 
 
 def _library(sources: Sources, flags: tuple[str, ...], lanes: bool) -> Path:
-    texts = [file.text for file in sources.files] + [path.read_text() for path in sorted(INCLUDE.glob("*.h"))]
-    name = key(*FLAGS, *flags, *_compiler(flags), str(lanes), *texts)
+    texts = [file.text for file in sources.files]
+    name = key(*FLAGS, *flags, *_compiler(flags), str(lanes), *texts, *_headers())
     folder = entry("tests", name, lambda folder: compile_into(folder, sources, flags, lanes))
     return folder / f"{sources.name}.so"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import acos, cos, pi, sin, sqrt, symbols
+from sympy import Symbol, acos, cos, pi, sin, sqrt, symbols
 from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBody, dot, dynamicsymbols, inertia
 
 import eigenmotion as em
@@ -45,14 +45,10 @@ def bicycle() -> Example:
                                (front_contact, front_centre, front)):  # fmt: skip
         point.v2pt_theory(base, N, frame)
     bodies = [
-        RigidBody(
-            "B", B_centre, B, p["mB"], (inertia(level_B, p["IB11"], p["IB22"], p["IB33"], 0, 0, p["IB31"]), B_centre)
-        ),
-        RigidBody(
-            "H", H_centre, H, p["mH"], (inertia(level_H, p["IH11"], p["IH22"], p["IH33"], 0, 0, p["IH31"]), H_centre)
-        ),
-        RigidBody("R", rear_centre, rear, p["mR"], (inertia(B, p["IR11"], p["IR22"], p["IR11"]), rear_centre)),
-        RigidBody("F", front_centre, front, p["mF"], (inertia(H, p["IF11"], p["IF22"], p["IF11"]), front_centre)),
+        _body("B", B_centre, B, p["mB"], level_B, p["IB11"], p["IB22"], p["IB33"], 0, 0, p["IB31"]),
+        _body("H", H_centre, H, p["mH"], level_H, p["IH11"], p["IH22"], p["IH33"], 0, 0, p["IH31"]),
+        _body("R", rear_centre, rear, p["mR"], B, p["IR11"], p["IR22"], p["IR11"]),
+        _body("F", front_centre, front, p["mF"], H, p["IF11"], p["IF22"], p["IF11"]),
     ]
     kinematic = [q.diff() - speed for q, speed in ((q1, u1), (q2, u2), (q4, u4), (q5, u5))]
     rolls = [front_contact.vel(N) & axis for axis in Y]
@@ -66,6 +62,13 @@ def bicycle() -> Example:
                               coordinates=[q1, q2, q4, q5], speeds=u, kinematic_equations=kinematic,
                               holonomic_constraints=height, velocity_constraints=rolls, parameters=values)  # fmt: skip
     return Example(model, kane)
+
+
+def _body(
+    name: str, centre: Point, frame: ReferenceFrame, mass: Symbol, axes: ReferenceFrame, *moments: object
+) -> RigidBody:
+    """Return a body whose moments of inertia are about its centre, along these axes."""
+    return RigidBody(name, centre, frame, mass, (inertia(axes, *moments), centre))
 
 
 def benchmark() -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""The structures of `eigenmotion.h` and `em_tableaux.h` for ctypes, read off the headers."""
+"""The structures of `em_run.h` and `em_tableaux.h` for ctypes, read off the headers."""
 
 import ctypes as ct
 import re
@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 INCLUDE = Path(__file__).parents[1] / "src" / "eigenmotion" / "runtime" / "include"
-TEXT = re.sub(r"/\*.*?\*/", "", "".join((INCLUDE / f"{name}.h").read_text() for name in ("eigenmotion", "em_tableaux")),
+TEXT = re.sub(r"/\*.*?\*/", "", "".join((INCLUDE / f"{name}.h").read_text() for name in ("em_run", "em_tableaux")),
               flags=re.DOTALL)  # fmt: skip
 POLL = ct.CFUNCTYPE(ct.c_int, ct.c_void_p)
 

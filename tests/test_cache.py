@@ -87,6 +87,7 @@ def in_another_process():
     return float(done.stdout)
 
 
+@pytest.mark.usefixtures("hurried")
 def test_a_damaged_module_never_kills_python(folder):
     right = in_another_process()
     (binary,) = folder.glob(f"binaries/*/*{EXTENSION_SUFFIX}")

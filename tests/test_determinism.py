@@ -11,16 +11,17 @@ from .models_table import HEAVY
 
 MODELS = sorted(path for path in (Path(__file__).parents[1] / "models").glob("*.py") if path.stem != "__init__")
 LIGHT = [path for path in MODELS if path.stem not in HEAVY]
+COMMITTED = Path(__file__).parents[1] / "generated"
 MORE_SEEDS = pytest.param(("0", "1", "2", "4294967295"), MODELS, marks=pytest.mark.nightly)
 
 
-@pytest.mark.parametrize(("seeds", "models"), [(("0", "1234567"), LIGHT), MORE_SEEDS], ids=["light", "all"])
+@pytest.mark.parametrize(("seeds", "models"), [(("1234567",), LIGHT), MORE_SEEDS], ids=["light", "all"])
 def test_the_hash_seed_changes_no_byte(seeds, models, tmp_path):
-    first, *others = (generated(seed, tmp_path / seed, models) for seed in seeds)
-    assert len(first) == 3 * len(models) > 0
-    for seed, files in zip(seeds[1:], others, strict=True):
-        assert files.keys() == first.keys()
-        assert [name for name in files if files[name] != first[name]] == [], seed
+    """Of the committed files, which are there for every default of a model."""
+    for seed in seeds:
+        files = generated(seed, tmp_path / seed, models)
+        assert len(files) == 3 * len(models) > 0
+        assert [name for name, text in files.items() if text != (COMMITTED / name).read_bytes()] == [], seed
 
 
 def generated(seed: str, folder: Path, models: list[Path]) -> dict[str, bytes]:

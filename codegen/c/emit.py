@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
 import jinja2
 
+from .lines import WHOLE, folded
 from .program import Program
 
 TEMPLATES = {"h": "model.h.jinja", "c": "model.c.jinja", "pyx": "module.pyx.jinja"}
@@ -97,12 +99,24 @@ def environment() -> jinja2.Environment:
     )
     made.filters["quoted"] = quoted
     made.filters["commented"] = commented
+    made.filters["strings"] = strings
+    made.filters["listed"] = listed
     return made
 
 
 def quoted(text: str) -> str:
     r"""Return a text as C writes it between quotation marks: names such as \theta are the user's to choose."""
     return "".join(ESCAPES.get(char) or (char if char.isprintable() else _octal(char)) for char in text)
+
+
+def strings(texts: Iterable[str]) -> list[str]:
+    """Return texts as C writes them."""
+    return [f'"{quoted(text)}"' for text in texts]
+
+
+def listed(items: Iterable[object], head: str, last: str = "") -> str:
+    """Return the definition of an array, in lines of their usual width; `last` ends what may have no items."""
+    return folded(f"{head} = {{ ", [*map(str, items), *filter(None, [last])], " };", 4, WHOLE)
 
 
 def _octal(char: str) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -10,10 +9,10 @@ from ..graph.graph import Graph
 from ..graph.operations import Cost, operands_of
 from ..graph.schedule import Constants, Schedule, schedule
 from ..graph.store import Kind, Node
+from .lines import folded, wrapped
 from .names import c_identifiers, free
 from .printer import Printer
 
-WIDTH = 110
 INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
 """What a kernel may read, in the order of its arguments; all but the time are arrays."""
 SHARED = "shared"
@@ -45,7 +44,6 @@ class Draft:
     arguments : their names, where others rely on them; else they are what the kernel reads and assigns
     actual : what the caller calls them, where that differs
     on_lanes : whether it computes with `real` (em_real.h) in place of double
-    cleared : the array that is all zeros before it is assigned
     """
 
     name: str
@@ -53,7 +51,6 @@ class Draft:
     arguments: tuple[str, ...] = ()
     actual: Mapping[str, str] | None = None
     on_lanes: bool = False
-    cleared: str = ""
 
     @property
     def number(self) -> str:
@@ -125,7 +122,7 @@ class _Scope:
         """Write what the kernel is for, of which all parts have their names."""
         text = self.printer.whole(self.printer.plan.roots[entry.node])
         words = f" /* {entry.words} */" if entry.words else ""
-        self.statements.append(_wrap(f"{_targets(entry)} = {text};") + words)
+        self.statements.append(wrapped(f"{_targets(entry)} = {text};") + words)
 
 
 class _Writer:
@@ -202,7 +199,7 @@ class _Writer:
         name = free(self._named_after(value), self.taken)
         self.taken.add(name)
         number = self.here.draft.number
-        self.here.statements.append(_wrap(f"const {number} {name} = {self.here.printer.bare(value)};"))
+        self.here.statements.append(wrapped(f"const {number} {name} = {self.here.printer.bare(value)};"))
         self.here.names[value] = name
         self.known[value] = name, self.here
 
@@ -226,9 +223,9 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
     names = [*read, *(array.name for array in results)]
     actual = draft.actual or {}
     return Kernel(
-        head=_head(draft, [*names, draft.cleared]) if draft.arguments else _inner_head(draft, read, results, handed),
-        declared=_folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
-        call=_folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
+        head=_head(draft) if draft.arguments else _inner_head(draft, read, results, handed),
+        declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
+        call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=(*scope.statements, *scope.shares), cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
     )  # fmt: skip
@@ -238,11 +235,9 @@ def _targets(entry: Entry) -> str:
     return " = ".join(entry.array.name + place for place in entry.places)
 
 
-def _head(draft: Draft, used: Sequence[str]) -> str:
-    """Of a function that others call: its arguments are given, and marked where it does not use them."""
-    named = zip(draft.arguments, _given(draft), strict=True)
-    marked = [("" if name in used else "EM_UNUSED ") + text for name, text in named]
-    return _folded(f"EM_ACROSS void {draft.name}(", marked, ")")
+def _head(draft: Draft) -> str:
+    """Of a function that others call: its arguments are given, whether it uses them or not."""
+    return folded(f"EM_ACROSS void {draft.name}(", _given(draft), ")")
 
 
 def _given(draft: Draft) -> list[str]:
@@ -253,23 +248,8 @@ def _given(draft: Draft) -> list[str]:
 def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:
     number = draft.number
     given = [_input(name, number) if name != SHARED else f"const {number} {SHARED}[{handed}]" for name in read]
-    return _folded(f"EM_INLINE void {draft.name}(", [*given, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
+    return folded(f"EM_INLINE void {draft.name}(", [*given, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
 
 
 def _input(name: str, number: str) -> str:
     return f"{number} {name}" if name == "t" else f"const {number} *restrict {name}"
-
-
-def _folded(before: str, items: Sequence[str], after: str) -> str:
-    """Write a list into lines, without a break inside an item; nothing for no items."""
-    if not items:
-        return ""
-    text = before + ", ".join(item.replace(" ", "\0") for item in items) + after
-    return "\n".join(textwrap.wrap(text, WIDTH, subsequent_indent=" " * len(before), break_long_words=False)).replace(
-        "\0", " "
-    )
-
-
-def _wrap(statement: str) -> str:
-    """Break a long statement into lines."""
-    return "\n".join(textwrap.wrap(statement, WIDTH, subsequent_indent="    ", break_long_words=False) or [""])

@@ -203,7 +203,7 @@ class _Writing:
         """What is not zero, since the rest is cleared before."""
         zero, square = self.terms.graph.zero, self.scene.n**2
         entries = [entry for k, M in enumerate(dM) for entry in self.whole("dM", k * square, M) if entry.node != zero]
-        return self.write(Draft(name, entries, ("t", "x", "c", "dM"), cleared="dM"))[0]
+        return self.write(Draft(name, entries, ("t", "x", "c", "dM")))[0]
 
     def whole(self, name: str, first: int, M: Rows) -> list[Entry]:
         """A symmetric matrix (n, n), both triangles, from the place `first` on."""

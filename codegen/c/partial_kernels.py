@@ -67,5 +67,5 @@ class _Writing:
         flat = [entry for row in self.partials.of(roots, columns) for entry in row]
         expanded = [(k, self.terms.expanded(entry)) for k, entry in enumerate(flat)]
         entries = [Entry(D, (f"[{k}]",), node) for k, node in expanded if node != graph.zero]
-        draft = Draft(name, entries, (*arguments, "D"), cleared="D")
+        draft = Draft(name, entries, (*arguments, "D"))
         return written(graph, [draft], self.symbols, None)[0]

@@ -9,6 +9,7 @@ from ..graph.numbers import Number, magnitude
 from ..graph.operations import Operation
 from ..graph.schedule import Schedule
 
+ONE = Operation("number", (1,))
 SUM, PRODUCT, ATOM = 0, 1, 2
 """How tightly a text binds."""
 CALLS: Mapping[str, str] = {
@@ -80,6 +81,8 @@ class Printer:
 
     def _term(self, value: int, factor: Number) -> tuple[int, str]:
         sign = -1 if factor < 0 else 1
+        if self.plan.operations[value] == ONE:
+            return sign, c_number(magnitude(factor))
         text = self._bound(value, PRODUCT)
         return sign, text if abs(factor) == 1 else f"{c_number(magnitude(factor))}*{text}"
 

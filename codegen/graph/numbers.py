@@ -20,6 +20,8 @@ def ratio(first: Number, second: Number) -> Number:
         return first
     if second == -1:
         return -first
+    if isinstance(first, int) and isinstance(second, int):
+        return exact(first, second)
     if isinstance(first, float) or isinstance(second, float):
         return float(first) / float(second)
     quotient = Fraction(first) / Fraction(second)

@@ -68,7 +68,7 @@ def cost_of(operations: dict[int, Operation], values: Iterable[int]) -> Cost:
         kind, operands = operations[value]
         if kind == "add":
             cost.add += len(operands) - 1
-            cost.multiply += sum(abs(factor) != 1 for _, factor in operands)
+            cost.multiply += sum(abs(factor) != 1 and operations[term].kind != "number" for term, factor in operands)
         elif kind == "mul":
             cost.multiply += len(operands) - 1
         elif kind == "inverse":

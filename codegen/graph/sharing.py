@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from heapq import heapify, heappop, heappush
 from itertools import combinations
+from typing import Any
 
 from .numbers import Number, ratio
 from .operations import Operation, Table
@@ -36,11 +37,18 @@ class _Pairs:
         heapify(self.heap)
 
     def _keys(self, operation: Operation) -> set[Pair]:
+        return {self._key(a, b) for a, b in combinations(operation.operands, 2)}
+
+    def _key(self, a: Any, b: Any) -> Pair:
+        return (a, b, 1) if self.kind == "mul" else (a[0], b[0], ratio(b[1], a[1]))
+
+    def _keys_with(self, operation: Operation, values: set[int]) -> set[Pair]:
+        """Return the pairs of which at least one operand is among some values."""
         operands = operation.operands
-        pairs = combinations(operands, 2)
-        if self.kind == "mul":
-            return {(a, b, 1) for a, b in pairs}
-        return {(a[0], b[0], ratio(b[1], a[1])) for a, b in pairs}
+        places = [k for k, a in enumerate(operands) if (a if self.kind == "mul" else a[0]) in values]
+        return {
+            self._key(*(operands[j] for j in sorted((i, k)))) for k in places for i in range(len(operands)) if i != k
+        }
 
     def most_frequent(self) -> Pair | None:
         """Return the pair that most operations hold, the smallest of several; None if no two share one."""
@@ -70,7 +78,7 @@ class _Pairs:
         """Renew what the table and the heap know of one operation."""
         operation = self.table.operations[holder]
         self.table.operations[holder] = smaller = self._replaced(operation, key, value)
-        before, after = self._keys(operation), self._keys(smaller)
+        before, after = (self._keys_with(one, {*key[:2], value}) for one in (operation, smaller))
         for gone in before - after:
             self.holders[gone].discard(holder)
         for new in after - before:

@@ -26,7 +26,8 @@ class Lagrange:
         self.n, self.m = len(model.coordinates), len(_rows(model))
         self._plain = _plain_symbols(model)
         residual, rows, A = self._equations()
-        self._names = [str(symbol) for symbol, _ in model.parameters]
+        self._parameters = {str(symbol): value for symbol, value in model.parameters}
+        self._inputs = {u.func.__name__: value for u, value in model.inputs}
         arguments = [*self._plain.values(), *(symbol for symbol, _ in model.parameters)]
         rates_only = [symbol for name, symbol in self._plain.items() if name not in self._second()]
         accelerations = [self._plain[a] for a in self._second()]
@@ -48,18 +49,16 @@ class Lagrange:
         """Return xddot (n,) and lambda (m,) of (7) and the derivative of (8)."""
         n, m = self.n, self.m
         values = array(self._function(*self._arguments(x, v, time, parameters, inputs)), self.precision)
-        M, forces, drift, A = np.split(values, np.cumsum([n * n, n, m]))
-        A = A.reshape(m, n)
-        zeros = array([0] * (m * m), self.precision).reshape(m, m)
-        matrix = np.block([[M.reshape(n, n), A.T], [A, zeros]])
-        solution = solve(matrix, np.concatenate([forces, drift]))
+        right = n * n, n * n + n + m
+        matrix = np.zeros((n + m, n + m), dtype=values.dtype)
+        matrix[:n, :n], matrix[n:, :n] = values[: right[0]].reshape(n, n), values[right[1] :].reshape(m, n)
+        matrix[:n, n:] = matrix[n:, :n].T
+        solution = solve(matrix, values[slice(*right)])
         return solution[:n], solution[n:]
 
     def _arguments(self, x: Any, v: Any, time: Any, parameters: Any, inputs: Any) -> np.ndarray:
-        model = self.model
-        p = {str(symbol): value for symbol, value in model.parameters} | dict(parameters or {})
-        u = {u.func.__name__: value for u, value in model.inputs} | dict(inputs or {})
-        return array([*x, *v, *u.values(), time, *(p[name] for name in self._names)], self.precision)
+        p, u = self._parameters | dict(parameters or {}), self._inputs | dict(inputs or {})
+        return array([*x, *v, *u.values(), time, *(p[name] for name in self._parameters)], self.precision)
 
     def _second(self) -> list[sympy.Expr]:
         return [x.diff(t, 2) for x in self.model.coordinates]

@@ -19,7 +19,7 @@ Column = float | Signal | Vector | list[Any]
 class Asked:
     """What all members share. t_eval (nt,): times of the rows; else as `Task`.
 
-    method : em_method of eigenmotion.h; None where the method is not compiled
+    method : em_method of em_run.h; None where the method is not compiled
     iterates : whether its steps are found by iteration
     end_only : the one row of a run is where it ends
     differentiated : by what, or None

@@ -53,8 +53,11 @@ def _substituted(L: list[list[Any]], D: list[Any], z: list[Any]) -> list[Any]:
     return z
 
 
+_NUMBERS = (int, float)
+
+
 def _is_zero(value: Any) -> bool:
-    return isinstance(value, int | float) and value == 0
+    return isinstance(value, _NUMBERS) and value == 0
 
 
 def _product(a: Any, b: Any) -> Any:
@@ -63,5 +66,5 @@ def _product(a: Any, b: Any) -> Any:
 
 def _dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
     """Sum of products, without those that vanish."""
-    terms = [p for p in map(_product, a, b) if not _is_zero(p)]
-    return sum(terms[1:], terms[0]) if terms else 0
+    first, *rest = [x * y for x, y in zip(a, b, strict=True) if not (_is_zero(x) or _is_zero(y))] or [0]
+    return sum(rest, first)

@@ -16,7 +16,7 @@ class Method:
     name : as users write it, in upper or lower case
     order : the power of the step size that the error of a run falls with; None where it varies from step to step
     implicit : solves equations in every step, with the Jacobian of the motion (x, v): for stiff scenes
-    number : of a compiled one, em_method of eigenmotion.h; else None
+    number : of a compiled one, em_method of em_run.h; else None
     solver : of the others, "module:class" of what makes the steps, as `scipy.integrate.OdeSolver` does
     needs : the package without which there is none, "" where it comes with ours
     extra : what installs that: pip install 'eigenmotion[extra]'

@@ -6,7 +6,7 @@ from math import isfinite
 
 
 class StopReason(StrEnum):
-    """Why a simulation ended. In the order of `em_status` (eigenmotion.h); all but the first two are failures.
+    """Why a simulation ended. In the order of `em_status` (em_run.h); all but the first two are failures.
 
     Examples
     --------

@@ -9,41 +9,10 @@
 
 #include <stddef.h>
 
-#define EM_ABI 13 /* changes whenever anything in this file changes its meaning */
+#include "em_run.h"
+#include "em_side_by_side.h"
 
-/* How a call or a run ended. Every value but the first two names a failure. */
-typedef enum em_status {
-    EM_FINISHED = 0,
-    EM_TERMINAL_EVENT,
-    EM_STEP_SIZE_UNDERFLOW,       /* fault.first: the coordinate with the largest error */
-    EM_TOO_MANY_STEPS,
-    EM_NON_FINITE_STATE,          /* fault.first: the coordinate, -1: unknown */
-    EM_SINGULAR_MASS_MATRIX,      /* fault.first: the coordinate whose pivot vanished */
-    EM_DEPENDENT_CONSTRAINTS,     /* fault.first: the row that depends on those before it, fault.second: the same row
-                                     where it contradicts them, -2 where it does so at the start only */
-    EM_COINCIDENT_EIGENVALUES,    /* fault.first, fault.second: coordinates of the block */
-    EM_POSITION_NOT_REACHED,      /* Newton on phi(x, t) = 0 did not converge; fault.first: the row */
-    EM_INTERRUPTED,
-    EM_OUT_OF_MEMORY,
-    EM_FACTORS_DRIFTED,           /* C and s, carried and not settled, are no longer those of M; fault.first: a coordinate
-                                     of the block, fault.size: by how much, relative to an eigenvalue */
-    EM_EVENT_UNDEFINED,           /* an event's expression is not a number; fault.first: the event */
-    EM_ENERGY_DRIFTED,            /* T2 - T0 + V, a constant of the motion, is not what it was; fault.size: by how much */
-    EM_CONSTRAINTS_DRIFTED,       /* A v + b, not settled, is not what it was; fault.first: the row, fault.size: by how much */
-    EM_START_REFUSED,             /* of a member of an ensemble: no motion starts there */
-    EM_EVENTS_PILE_UP,            /* events that act follow each other without time passing; fault.first: the event */
-    EM_IMPACT_UNDEFINED,          /* the constraints leave no freedom along N, or, fault.second = 1, the restitution is not
-                                     from 0 to 1 but fault.size; fault.first: the event */
-    EM_RESET_OFF                  /* a reset leaves a constraint; fault.first: the event, fault.second: the row, -1: it
-                                     names quasi-velocities where P is singular */
-} em_status;
-
-/* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */
-typedef struct em_fault {
-    em_status status;
-    int first, second;
-    double size; /* the pivot, gap or residual that was too small or too large */
-} em_fault;
+#define EM_ABI 13 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -56,23 +25,6 @@ typedef struct em_shape {
     const char *kind;
     int first, count;
 } em_shape;
-
-/* One run-time signal u_i(t). count = 0 with values[0]: constant. */
-typedef enum em_signal_kind { EM_CONSTANT = 0, EM_HOLD, EM_LINEAR, EM_CUBIC } em_signal_kind;
-typedef struct em_signal {
-    em_signal_kind kind;
-    size_t count;              /* samples */
-    const double *times;       /* (count), increasing */
-    const double *values;      /* (count); EM_CUBIC: (count - 1, 4) coefficients, highest power first, local time */
-} em_signal;
-
-/* Those of fixed step are for steppers: first_step is how long their steps are, and nothing says how large their error.
- * EM_TOLD makes no steps: the caller makes them, and tells them (em_piece). */
-typedef enum em_method {
-    EM_RK34 = 0, EM_DOPRI5, EM_DOP853, EM_RA15, EM_RK4, EM_MIDPOINT, EM_RADAU5, EM_RADAU9, EM_TOLD
-} em_method;
-
-enum { EM_DENSE_COEFFICIENTS = 10 }; /* rows a dense step stores at the most, each (n_state) */
 
 /* What an event does: which of the model's impacts and resets, which contact it closes or opens; -1: none. keeps_apart:
  * it happens at zero, too, where the motion is about to leave that in its direction. */
@@ -91,116 +43,6 @@ typedef struct em_switch {
 typedef struct em_pile {
     double t, count;
 } em_pile;
-
-/* A growing table: one time and `width` numbers a row. Owned by the run; em_release frees it. */
-typedef struct em_rows {
-    size_t count, capacity, width;
-    size_t most; /* rows there may be, after which the last is written over and over; 0: as many as come */
-    double *t;
-    double *y; /* (capacity, width) */
-} em_rows;
-
-/* One accepted step kept for dense output: t in [t, t + h], coefficients in the run's dense table. */
-typedef struct em_dense_step {
-    double t, h;
-    int mode, kept; /* kept: as em_run's, within the step */
-    size_t leg;     /* of em_run's legs */
-} em_dense_step;
-
-/* A step that the caller of EM_TOLD has made, from t on; the run is advanced to its end and no further. */
-typedef struct em_piece {
-    double t, h;
-    const double *y; /* (EM_DENSE_COEFFICIENTS, n_state) x and v at the nodes of em_told.h; the rest counts for nothing */
-    int left;        /* whether an event acted in it, and the motion goes on as another */
-} em_piece;
-
-struct em_model;
-
-/* One simulation. The caller fills the first part (zero the whole struct before), em_model.simulate the second;
- * em_release(run) frees what simulate allocated. */
-typedef struct em_run {
-    /* --- what to do --- */
-    double t_start, t_end;
-    const double *y_start;       /* (n_state), published meaning */
-    const double *prepared;      /* (n_prepared), from em_model.prepare */
-    const em_signal *inputs;     /* (n_inputs) or NULL */
-    em_method method;
-    double rtol;
-    const double *atol;          /* (n): of x_k [u_k] and of its velocity [u_k / s] */
-    double first_step;           /* 0: chosen */
-    double max_step;             /* INFINITY: none */
-    long max_steps;              /* accepted ones */
-    int stabilise;               /* 1 "project", 0 "none" */
-    int least_norm;              /* 1: dependent rows get multipliers of least norm, 0: they are a fault */
-    int dense;                   /* 1: keep every step's interpolant */
-    const double *t_eval;        /* (n_t_eval) in the direction of time, or NULL: a row for every accepted step */
-    size_t n_t_eval;
-    const int *event_direction;  /* (n_events) -1, 0, 1 */
-    const int *event_terminal;   /* (n_events) */
-    int (*poll)(void *);         /* called about every 20 ms; non-zero ends the run as EM_INTERRUPTED; or NULL */
-    void *poll_argument;
-    em_piece *piece;             /* of EM_TOLD */
-
-    /* --- what came of it --- */
-    em_fault fault;              /* fault.status says how it ended */
-    em_rows rows;                /* width n_state, published meaning */
-    em_rows *events;             /* (n_events), width n_state */
-    em_rows *after;              /* (n_events) the states after those that acted */
-    em_rows legs;                /* width n_prepared + 1: between events that change the mode, where a model has modes:
-                                    since when, the constants then (`prepared` is the last), its first row of `rows` */
-    em_dense_step *dense_steps;  /* (n_dense) */
-    double *dense_table;         /* (n_dense, EM_DENSE_COEFFICIENTS, n_state) */
-    size_t n_dense, dense_capacity;
-    int kept;                    /* flags of the constraint rows kept at the last accepted step (em_rank.h) */
-    long n_rhs, n_steps, n_rejected;
-    long n_bounded;              /* accepted steps that did not run the published equations */
-    long n_jacobians, n_factors; /* of implicit methods: slopes of the acceleration, and sets of factors made of them */
-    long n_stiff;                /* that stability kept short, or the convergence of an iteration, and not their error */
-    double t_reached;
-    const struct em_model *model; /* the caller's, where the run is to be held against its energy, or NULL */
-} em_run;
-
-/* Runs side by side, one in each lane: what em_lanes.run works with. Tables are (..., width), number by number, on
- * addresses that are multiples of 64, and 0 where nobody wrote; rows of states are padded to a multiple of 4. */
-enum { EM_MOST_LANES = 8 };
-typedef enum em_landing {
-    EM_SETTLED,
-    EM_UNSETTLED, /* that is to be done number by number; */
-    EM_LOST       /* so are all of the run's steps, from its start */
-} em_landing;
-typedef struct em_flock {
-    const em_run *task;   /* what is asked of all */
-    int mode;             /* of all */
-    double rtol, direction, stretch; /* as a walk has them (em_walk.h) */
-    double *y, *y_new, *f_new; /* (n_state, width) */
-    double *memory, *memory_new; /* (remembered, width) */
-    double *K;            /* (12, n_state, width): K_0 is f at y */
-    double *c, *u;        /* (n_prepared, width), (n_inputs, width) */
-    double *t, *t_new, *h, *h_next, *error, *last_error, *longest; /* (width) */
-    double *n_steps, *n_rejected, *retries, *n_rhs;
-    double *stiff, *n_stiff, *next_judge; /* (width) 1 where stability keeps steps short; how many; the step at which that is judged */
-    double *next_look;    /* (width) right-hand sides, and a time, at which a step is looked at */
-    double *t_look;
-    int live[EM_MOST_LANES], n_live; /* lanes with a run */
-    int always;           /* every step is looked at */
-    int pauses;           /* another flock is to go on first */
-    /* Looks at the step that a lane has taken. 0: goes on; else the lane has another run now, or none. */
-    int (*look)(struct em_flock *f, int lane, em_landing landing);
-    int (*stopped)(struct em_flock *f); /* whether all are to end */
-    void *with;           /* whose they are */
-} em_flock;
-
-/* The right-hand side of `width` states side by side, number by number: y[k width + lane], and so t, c, u, dy. Where a
- * lane is singular its dy is NaN. width 0: there is none. */
-typedef struct em_lanes {
-    int width;
-    void (*rhs)(int mode, const double *t, const double *y, const double *c, const double *u, int flags, double *dy);
-    /* v (n): xdot alone, of states in mode 0, where it costs little; or NULL */
-    void (*velocity)(const double *t, const double *y, const double *c, double *v);
-    void (*run)(em_flock *f); /* until no lane has a run; dop853, stabilised, inputs constant; or NULL */
-    int remembered, modes;    /* numbers that a run keeps of its last step; modes of runs, each in flocks of its own */
-    int n_prepared;
-} em_lanes;
 
 /* One compiled mechanism. n coordinates, m constraint rows (the first h holonomic).
  * x, v (n); y, dy (n_state); c: the prepared parameters (n_prepared); u (n_inputs).

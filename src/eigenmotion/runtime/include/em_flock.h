@@ -18,7 +18,7 @@ enum {
     EM_FLOCK_LOOKS = 64 /* attempts between two looks at whether an end is wanted */
 };
 
-/* The arrays of a flock (eigenmotion.h), as vectors. */
+/* The arrays of a flock (em_side_by_side.h), as vectors. */
 typedef struct em_lane_state {
     real *y, *y_new, *f_new, *c, *u;
     real (*K)[EM_FLOCK_STATE];
