@@ -11,6 +11,7 @@ import pytest
 import eigenmotion as em
 from eigenmotion.reference.motion import scaled_error
 from eigenmotion.report import Ask, Budget, Findings, Measurement, examine, recommendation, write_report
+from eigenmotion.report.curves import _LOOKS as looks
 from eigenmotion.report.peers import Peers
 from eigenmotion.report.recommend import Curve, curves, recommend
 from eigenmotion.report.solvers import IMPLICIT, METHODS
@@ -73,6 +74,12 @@ def test_order_and_cost_of_a_made_up_curve():
     assert curve.order(1e-16) == pytest.approx(5)
     assert curve.cost() == pytest.approx((1e-4, 2e-7))
     assert replace(curve, points=tuple(replace(p, nsteps=70) for p in points)).order(1e-16) is None
+
+
+def test_every_implicit_method_has_looks_of_its_own():
+    """Without them it is drawn in grey, as peers are that nobody knows."""
+    assert set(IMPLICIT) <= set(looks.keys())
+    assert len({looks[name][1:] for name in IMPLICIT}) == len(IMPLICIT)
 
 
 @pytest.fixture(scope="module")

@@ -10,29 +10,12 @@ import eigenmotion as em
 from eigenmotion import ModelError
 from eigenmotion.runtime.variations import constraint_partials
 
+from .differences import differences
 from .generation import system_for, system_of
 from .models_table import BY_NAME
 from .oracles import Lagrange
 
 TIGHT = {"rtol": 1e-11, "atol": 1e-13}
-
-
-def differences(system, name, end, h=1e-4, **given):
-    """The same by central differences of runs whose starts are projected."""
-
-    def run(change):
-        p, (x, v) = system.parameters, system.start()
-        if name in p:
-            p[name] += change
-        elif name in system.coordinates:
-            x[system.coordinates.index(name)] += change
-        else:
-            v[system.coordinates.index(name[:-1])] += change
-        x, v = system.project_initial_state(x, v, parameters=p)
-        run = system.simulate((0, end), x0=x, v0=v, parameters=p, t_eval=[end], rtol=1e-12, atol=1e-14, **given)
-        return np.concatenate([run.x[:, -1], run.v[:, -1]])
-
-    return (8 * (run(h) - run(-h)) - (run(2 * h) - run(-2 * h))) / (12 * h)
 
 
 @pytest.mark.parametrize(("name", "by"), [

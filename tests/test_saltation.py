@@ -12,6 +12,7 @@ import eigenmotion as em
 from eigenmotion import Event, Model, ModelError, System
 from eigenmotion.runtime.variations import act_along, constraint_partials
 
+from .differences import differences
 from .generation import system_for, system_of
 
 TIGHT = {"rtol": 1e-11, "atol": 1e-13}
@@ -158,23 +159,6 @@ def test_a_block_that_stops_and_stays():
         assert abs(run.sensitivity[name].dv[0, 0]) < 1e-12
 
 
-def differences(system: System, name: str, end: float, h: float = 1e-4) -> np.ndarray:
-    """The same by differences of runs."""
-
-    def run(change: float) -> np.ndarray:
-        p, (x, v) = system.parameters, system.start()
-        if name in p:
-            p[name] += change
-        elif name in system.coordinates:
-            x[system.coordinates.index(name)] += change
-        else:
-            v[system.coordinates.index(name[:-1])] += change
-        found = system.simulate((0, end), x0=x, v0=v, parameters=p, t_eval=[end], rtol=1e-13, atol=1e-14)
-        return np.concatenate([found.x[:, -1], found.v[:, -1]])
-
-    return (8 * (run(h) - run(-h)) - (run(2 * h) - run(-2 * h))) / (12 * h)
-
-
 NIGHT = pytest.mark.nightly
 
 
@@ -189,7 +173,7 @@ def test_against_differences_of_runs(name, end, by):
     run = system.simulate((0.0, end), sensitivities=by, t_eval=[end], **TIGHT)
     assert any(len(times) for times in run.t_events)
     for one in by:
-        found, right = run.sensitivity[one], differences(system, one, end)
+        found, right = run.sensitivity[one], differences(system, one, end, rtol=1e-13)
         close = np.concatenate([found.dx[:, -1], found.dv[:, -1]])
         np.testing.assert_allclose(close, right, atol=2e-8 * np.abs(right).max())
 

@@ -20,6 +20,8 @@ _LOOKS: dict[str, tuple[str, str, Any]] = {
     "cholesky": (FORMULATIONS["cholesky"], "s", "-"),
     "lagrange": (FORMULATIONS["lagrange"], "^", "-"),
     "inverse": (FORMULATIONS["inverse"], "D", "--"),
+    "radau5": (_WINE, "X", "-."),
+    "radau9": (_WINE, "d", (0, (5, 1))),
     "Radau": (_WINE, ">", "-"),
     "BDF": (_WINE, "p", (0, (1, 3))),
     "LSODA": (_WINE, "<", "--"),
