@@ -214,6 +214,7 @@ def test_a_pendulum_leans_on_its_stop():
         (lambda: {"rub": Friction(z, 1)}, "not linear"),
         (lambda: {"rub": Friction(z.diff(), em.multiplier(0))}, "multiplier"),
         (lambda: {"rub": Friction(z.diff(), 1, normal="floor")}, "Name a Contact"),
+        (lambda: {"rub": Friction(z.diff(), -0.3)}, "Turn its sign"),
     ],
 )
 def test_what_no_contact_is_is_refused_by_name(contacts, words):

@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from sympy import cos, sin, symbols
+from sympy import cos, sign, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
@@ -132,3 +132,25 @@ def test_a_friction_takes_no_impulse():
     assert run.t_events[0] == pytest.approx([1.0])
     assert run.v[:, -1] == pytest.approx([0.0, 0.0], abs=1e-12)
     assert run.x[:, -1] == pytest.approx([1.0, 2.25], abs=1e-10)
+
+
+@pytest.mark.parametrize("press", [-2.0, ([0.0, 1.0, 3.0], [1.0, -1.0, -3.0])])
+def test_what_does_not_press_does_not_rub(press):
+    """A negative limit, as where a normal force in it changes its sign, must not drive what slides."""
+    N = dynamicsymbols("N")
+    system = system_for(
+        Model(name="pressed", coordinates=[x], kinetic_energy=m * x.diff() ** 2 / 2, inputs={N: 1.0},
+              contacts={"pad": Friction(x.diff(), limit=mu * N)}, parameters={m: 1.0, mu: 0.5}), "lagrange")  # fmt: skip
+    run = system.simulate((0.0, 3.0), v0=[1.0], inputs={"N": press}, rtol=1e-9, atol=1e-11)
+    impulse = 0.5 * 0.5 / 2 if isinstance(press, tuple) else 0.0  # until the force is gone at t = 1/2
+    assert run.v[0, -1] == pytest.approx(1.0 - impulse, rel=1e-8)
+
+
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9"])
+def test_what_chatters_is_told_of_friction(method):
+    chatters = system_for(
+        Model(name="chatters", coordinates=[x], kinetic_energy=m * x.diff() ** 2 / 2, forces={x: -sign(x.diff())},
+              parameters={m: 1.0}), "lagrange")  # fmt: skip
+    run = chatters.simulate((0.0, 2.0), v0=[1.0], method=method, max_steps=2000)
+    assert not run.success
+    assert "that is a Friction" in run.message

@@ -73,6 +73,7 @@ def test_a_model_takes_no_keywords(write):
         ("def model(n): return n", "must have a default; `n` has none"),
         ("def model(): return 'x'", r"model\(\) returned a str"),
         ("raise SystemExit(0)", "ended the program"),
+        ("raise BaseException('x')", "ended the program"),
     ],
 )
 def test_a_file_without_a_model(write, text, words):

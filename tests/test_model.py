@@ -150,7 +150,9 @@ def test_keywords_are_allowed_as_names_of_symbols(name):
         ({"potential_energy": k * r.diff()}, ["velocity r'", "kinetic_energy or forces"]),
         ({"potential_energy": k * r.diff(t, 2)}, ["r''", "higher order"]),
         ({"potential_energy": Symbol("t", real=True)}, ["not the time", "eigenmotion.t"]),
-        ({"potential_energy": Function("f")(r)}, ["'f'", "not declared"]),
+        ({"potential_energy": Function("f")(r)}, ["f(r(t))", "not declared", "Write it out"]),
+        ({"potential_energy": sympy.Integral(sin(m), (m, 0, r))}, ["Integral(sin(m), (m, 0, r(t)))", ".doit()"]),
+        ({"potential_energy": sympy.Sum(r**m, (m, 1, 3))}, ["Sum(r(t)**m, (m, 1, 3))", ".doit()"]),
         ({"forces": [1]}, ["1 entries for 2 coordinates"]),
         ({"forces": {dynamicsymbols("rr"): 1}}, ["rr(t)", "not a coordinate"]),
         ({"forces": [u.diff(), 0], "inputs": {u: 0}}, ["rate of the input 'u'"]),
@@ -269,3 +271,19 @@ def test_coordinates_are_real_whatever_sympy_takes_them_for(written, meant):
     for values in ((0.7, 0.3, -1.1, 2.0), (-0.7, 0.3, 1.1, -2.0)):
         point = dict(zip((r.diff(), theta.diff(), r, theta), values, strict=True))
         assert float((ours - meant).xreplace(point)) == pytest.approx(0.0, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        (sympy.Mod(r, L), r - L * sympy.floor(r / L)),
+        (2 * sympy.frac(r), 2 * r - 2 * sympy.floor(r)),
+        (sympy.cot(r) + sympy.sec(r) * sympy.csc(r), 1 / sympy.tan(r) + 1 / (sympy.cos(r) * sin(r))),
+        (sympy.coth(r) + sympy.sech(sympy.csch(r)), 1 / sympy.tanh(r) + 1 / sympy.cosh(1 / sympy.sinh(r))),
+        (sympy.erfc(r), 1 - sympy.erf(r)),
+    ],
+)
+def test_functions_that_c_has_not_are_written_in_those_it_has(written, meant):
+    assert changed(potential_energy=written).potential_energy == meant
+    values = {r: Rational(13, 10), L: Rational(1, 2)}
+    assert float(written.subs(values)) == pytest.approx(float(meant.subs(values)), rel=1e-14)

@@ -190,3 +190,17 @@ def test_a_model_without_events_has_none():
         found = system.simulate((0, 1), v0=[1.0], method=method)
         assert found.t_events is None
         assert found.y_events is None
+
+
+@pytest.mark.parametrize("method", COMPILED)
+@pytest.mark.parametrize("apart", [1e-2, 1e-5])
+def test_two_passages_close_together_fire_wherever_in_a_long_step(method, apart):
+    """Uniform motion, which every interpolant holds exactly: q = t, in a last step of some six seconds."""
+    q, (first, gap) = dynamicsymbols("q"), symbols("first gap")
+    at = q - first
+    system = system_for(
+        Model(name="close_passages", coordinates=[q], kinetic_energy=q.diff() ** 2 / 2, initial={q.diff(): 1.0},
+              parameters={first: 1.0, gap: 0.1}, events={"pair": at * (at - gap)}), "lagrange")  # fmt: skip
+    for place in np.linspace(0.1, 9.9, 99):
+        run = system.simulate((0.0, 10.0), parameters={"first": place, "gap": apart}, method=method)
+        assert run.t_events[0] == pytest.approx([place, place + apart], abs=1e-9)

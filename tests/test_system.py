@@ -4,12 +4,14 @@ import copy
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
+import pandas
 import pytest
 from eigenmotion.codegen.model import ModelError
 from scipy.integrate import solve_ivp
 from sympy import Symbol
 from sympy.physics.mechanics import dynamicsymbols
 
+from eigenmotion import simulate_ensemble
 from eigenmotion.runtime import CompiledModel, EvaluationError
 
 from .hand_written import bead, capsule
@@ -219,3 +221,15 @@ def test_threads_share_a_system():
         found = list(pool.map(lambda a: [system.rhs(0, np.concatenate(on_circle(a, 1.0))) for _ in range(50)], angles))
     for angle, rows in zip(angles, found, strict=True):
         np.testing.assert_allclose(np.array(rows)[:, 2:], np.tile(swinging(angle, 1.0), (50, 1)), atol=1e-13)
+
+
+def test_labels_of_pandas_are_names_whatever_their_order():
+    x, v = on_circle(0.5, 1.0)
+    system, place = bead(), pandas.Series({"y": x[1], "x": x[0]})
+    np.testing.assert_array_equal(system.start(place, pandas.Series({"y": v[1], "x": v[0]})), (x, v))
+    np.testing.assert_array_equal(system.mass_matrix(x, parameters=pandas.Series({"m": 3.0})), 3.0 * np.eye(2))
+    np.testing.assert_array_equal(system.signals(pandas.Series({"push": 2.0}), 0.0), [2.0])
+    np.testing.assert_array_equal(system.start(pandas.Series(x))[0], x)  # by numbers: an array
+    starts = {"x0": pandas.DataFrame({"y": [x[1], -L], "x": [x[0], 0.0]}), "v0": pandas.DataFrame({"y": [v[1], 0.0], "x": [v[0], 1.0]})}
+    runs = simulate_ensemble(system, (0.0, 0.0), **starts).x[:, :, 0]
+    np.testing.assert_array_equal(runs, [x, (0.0, -L)])

@@ -67,7 +67,7 @@ class Friction:
         Linear in the velocities: at which rate it slides.
     limit
         In x, xdot, t and inputs [J / integral of slip]: the friction coefficient times the normal force; with `normal`
-        the coefficient alone.
+        the coefficient alone. Where it is negative nothing presses: there is no friction.
     normal
         The name of a Contact before it in `contacts`, whose multiplier is the normal force; None: it is in `limit`.
 
@@ -85,7 +85,7 @@ class Friction:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "slip", expression(self.slip, "The slip of a friction"))
-        object.__setattr__(self, "limit", expression(self.limit, "The limit of a friction"))
+        object.__setattr__(self, "limit", _limit(self.limit))
 
     @property
     def measure(self) -> sympy.Expr:
@@ -111,6 +111,13 @@ class Switch:
     over: str | None
     row: int
     level: sympy.Expr
+
+
+def _limit(given: Any) -> sympy.Expr:
+    limit = expression(given, "The limit of a friction")
+    if limit.is_negative:
+        raise ModelError(f"The limit of a friction is {shown(given)}, which is negative. Turn its sign.")
+    return limit if limit.is_nonnegative else sympy.Max(limit, 0)
 
 
 def contacts_of(given: Any) -> tuple[tuple[str, Contact | Friction], ...]:

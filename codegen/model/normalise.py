@@ -6,7 +6,7 @@ import difflib
 import math
 import numbers
 import reprlib
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from typing import Any
 
 import sympy
@@ -18,6 +18,14 @@ t: sympy.Symbol = dynamicsymbols._t
 
 MULTIPLIER = sympy.Function("multiplier", real=True)
 INFINITE = (sympy.nan, sympy.zoo, sympy.oo, -sympy.oo)
+_TO_BE_CARRIED_OUT = (sympy.Integral, sympy.Sum, sympy.Product, sympy.Limit)
+_IN_OTHERS: Mapping[type[sympy.Basic], Callable[..., sympy.Expr]] = {
+    sympy.Mod: lambda a, b: a - b * sympy.floor(a / b), sympy.frac: lambda a: a - sympy.floor(a),
+    sympy.cot: lambda a: 1 / sympy.tan(a), sympy.sec: lambda a: 1 / sympy.cos(a), sympy.csc: lambda a: 1 / sympy.sin(a),
+    sympy.coth: lambda a: 1 / sympy.tanh(a), sympy.sech: lambda a: 1 / sympy.cosh(a),
+    sympy.csch: lambda a: 1 / sympy.sinh(a), sympy.erfc: lambda a: 1 - sympy.erf(a),
+}  # fmt: skip
+"""Functions that C has not, in those that it has."""
 _SHORT = reprlib.Repr()
 _SHORT.maxstring = _SHORT.maxother = _SHORT.maxlong = 60
 
@@ -99,10 +107,15 @@ def expression(given: Any, what: str) -> sympy.Expr:
         raise ModelError(f"{what} contains the imaginary unit. Energies, forces and constraints are real.")
     if value.has(*INFINITE):
         raise ModelError(f"{what} contains an infinite or undefined term. Look for a division by zero in it.")
+    if value.has(*_TO_BE_CARRIED_OUT):
+        standing = next(part for part in sympy.preorder_traversal(value) if isinstance(part, _TO_BE_CARRIED_OUT))
+        raise ModelError(
+            f"{what} contains {shown(standing)}, which is not carried out. Write what .doit() makes of it."
+        )
     for constant in value.atoms(sympy.Number):
         if _is_lost(constant):
             raise ModelError(f"{what} contains {shown(constant)}, beyond the range of a double. Choose other units.")
-    return _exact_exponents(_carried_out(_real(value)))
+    return _exact_exponents(_carried_out(_in_other_functions(_real(value))))
 
 
 def real(given: Any, what: str) -> float:
@@ -178,6 +191,13 @@ def _real(value: sympy.Expr) -> sympy.Expr:
     value = value.replace(sympy.im, lambda _: sympy.S.Zero)
     signs = {rate: sympy.S.Zero for rate in value.atoms(sympy.Derivative) if isinstance(rate.expr, sympy.sign)}
     return value.xreplace(signs)
+
+
+def _in_other_functions(value: sympy.Expr) -> sympy.Expr:
+    """Write functions that C has not in those that it has: Mod(a, b) as a - b floor(a / b), sec(a) as 1 / cos(a)."""
+    return value.replace(lambda part: type(part) in _IN_OTHERS, lambda part: _IN_OTHERS[type(part)](*part.args)) if (
+        value.has(*_IN_OTHERS)
+    ) else value
 
 
 def _carried_out(value: sympy.Expr) -> sympy.Expr:

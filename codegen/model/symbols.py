@@ -8,7 +8,7 @@ import sympy
 from sympy.core.function import AppliedUndef
 
 from .contacts import expressions_of
-from .normalise import MULTIPLIER, ModelError, name_of, nearest, t
+from .normalise import MULTIPLIER, ModelError, name_of, nearest, shown, t
 
 if TYPE_CHECKING:
     from .mechanism import Mechanism
@@ -134,5 +134,7 @@ def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
             f"{what} contains {name!r}, a different symbol from the {kinds[name]} of that name: two symbols of one "
             f"name differ by their assumptions or by being a function of time. {SAME_OBJECT}"
         )
+    if isinstance(symbol, AppliedUndef) and symbol.args != (t,):
+        return f"{what} contains {shown(symbol)}, a function that is not declared: nothing says what it is. Write it out."
     where = "coordinates, quasi_velocities or inputs" if isinstance(symbol, AppliedUndef) else "parameters"
     return f"{what} contains {name!r}, which is not declared. Add it to {where}.{nearest(name, kinds)}"

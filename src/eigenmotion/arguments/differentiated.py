@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from ..codegen.model.normalise import ModelError, shown
 from ..runtime import CompiledModel
-from .names import by_spelling, rate_name, spelled, unknown
+from .names import by_spelling, is_named, rate_name, spelled, unknown
 from .options import OptionError
 
 
@@ -41,11 +41,11 @@ def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Different
     if wrong := set(names) - set(known):
         raise ModelError(unknown("name in sensitivities", wrong, known))
     quasi = [name for name in names if name in c.quasi_velocities]
-    given = set(by_spelling(v0, "v0", rate_name)) if isinstance(v0, Mapping) else set()
+    given = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
     from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)
     if quasi and not from_quasi:
         raise ModelError(f"sensitivities: the run does not start from quasi-velocities, as {quasi[0]!r} is; name rates")
-    if isinstance(v0, Mapping) and (c.initial_y is not None) != from_quasi and len(given) < c.n:
+    if is_named(v0) and (c.initial_y is not None) != from_quasi and len(given) < c.n:
         raise ModelError("sensitivities: the start mixes rates and quasi-velocities; give all of one kind in v0")
     return Differentiated(names, from_quasi)
 

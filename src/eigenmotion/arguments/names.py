@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from math import isfinite
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,10 +37,19 @@ def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Ma
     return f"unknown {what} {', '.join(repr(name) for name in wrong)}; known: {listed}.{hint}"
 
 
+def is_named(given: object) -> TypeGuard[Mapping[Any, Any]]:
+    """Say whether values come by name: in a mapping, or in what labels them by texts, as pandas' Series and DataFrame."""
+    if isinstance(given, Mapping):
+        return True
+    if not (hasattr(given, "keys") and hasattr(given, "items")):
+        return False
+    return any(isinstance(key, str) for key in given.keys())  # noqa: SIM118  (iterating a Series gives its values)
+
+
 def by_spelling(given: Mapping[Any, Any], what: str, spelling: Callable[[object], str] = spelled) -> dict[str, Any]:
     """Return the mapping with its keys as strings; none may be there twice, by its name and as a symbol."""
     spelt = {spelling(key): value for key, value in given.items()}
-    if len(spelt) < len(given):
+    if len(spelt) < len(given.keys()):
         raise ModelError(f"{what}: one of {', '.join(map(repr, spelt))} is given twice, by name and as a symbol")
     return spelt
 
@@ -77,7 +86,7 @@ def overlay(given: Mapping[Any, Any] | ArrayLike | None, names: Sequence[str], d
     values = defaults.copy()
     if given is None:
         return values
-    if isinstance(given, Mapping):
+    if is_named(given):
         for name, value in by_name(given, names, what).items():
             values[list(names).index(name)] = real(value, f"{what} {name!r}")
     else:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..codegen.model.normalise import ModelError, number, shown
-from .names import Vector, by_name, vector
+from .names import Vector, by_name, is_named, vector
 
 Compiled: TypeAlias = tuple[int, Vector, NDArray[np.float64]]
 _KINDS = {"hold": 1, "linear": 2, "cubic": 3}  # em_signal_kind
@@ -202,7 +202,7 @@ def bind(given: Mapping[Any, Any], names: Sequence[str], defaults: Vector) -> In
     ModelError
         An unknown name, or a value that is none of these; names it.
     """
-    if not isinstance(given, Mapping):
+    if not is_named(given):
         raise ModelError(f"inputs is {shown(given)}, not a mapping name -> number, (times, values), Signal or Sampled")
     named = by_name(given, names, "input")
     return Inputs(

@@ -110,8 +110,11 @@ def _guarded(file: Path, action: Callable[[], T]) -> T:
         return action()
     except Exception as error:
         raise ModelError(f"{_place(file, error)}: {_words(error)}") from error
-    except SystemExit as error:
-        raise ModelError(f"{file}: the file ended the program (SystemExit) instead of defining `model`") from error
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
+        words = f"the file ended the program ({type(error).__name__}) instead of defining `model`"
+        raise ModelError(f"{file}: {words}") from error
 
 
 def _place(file: Path, error: Exception) -> str:

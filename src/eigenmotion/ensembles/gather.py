@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments.members import Column, Members
-from ..arguments.names import Vector, by_name, by_spelling, overlay, rate_name, vector
+from ..arguments.names import Vector, by_name, by_spelling, is_named, overlay, rate_name, vector
 from ..arguments.signals import Signal, as_signal
 from ..codegen.model.normalise import ModelError, shown
 from ..runtime import EvaluationError, Prepared
@@ -61,7 +61,7 @@ class _Given:
         """Return what is given by name, or as an array (n,) or (K, n)."""
         if given is None:
             return {}
-        if not isinstance(given, Mapping):
+        if not is_named(given):
             return self._rows(given, names, defaults, what, mark)
         named = by_name(given, names, what)
         return {name: self.numbers(value, f"{what} {name!r}", name + mark) for name, value in named.items()}
@@ -103,7 +103,7 @@ def gather(system: "System", t: float, x0: Any, v0: Any, parameters: Any, inputs
         parameters = np.array(system.prepare(parameters).parameters)
     p = found.table(parameters, c.parameters, c.parameter_defaults, "parameter")
     x = found.table(x0, c.coordinates, c.initial_x, "coordinate of x0", "(0)")
-    v0 = by_spelling(v0, "v0", rate_name) if isinstance(v0, Mapping) else v0
+    v0 = by_spelling(v0, "v0", rate_name) if is_named(v0) else v0
     quick = _rates(system, v0)
     v = found.table(v0, c.coordinates, c.initial_v, "coordinate of v0", "'(0)") if quick else None
     quasi = {} if v is not None or v0 is None else _columns(found, v0)
@@ -163,7 +163,7 @@ def _signals(system: "System", inputs: Any, found: _Given) -> tuple[Column, ...]
     names, defaults = system.compiled.inputs, system.compiled.input_defaults
     if inputs is None:
         return tuple(defaults.tolist())
-    if not isinstance(inputs, Mapping):
+    if not is_named(inputs):
         raise ModelError(f"inputs is {shown(inputs)}, not a mapping name -> number, array, (times, values) or Signal")
     named = by_name(inputs, names, "input")
     return tuple(_column(named[name], name, found) if name in named else float(default)

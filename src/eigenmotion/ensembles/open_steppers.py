@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 
 from ..arguments import options
 from ..arguments.members import Asked
-from ..arguments.names import Vector, unknown
+from ..arguments.names import Vector, is_named, unknown
 from ..arguments.options import OptionError
 from ..codegen.model.normalise import ModelError, number, shown
 from ..running.stepper import METHOD_NUMBERS, fixed_step, method_named
@@ -73,7 +73,7 @@ def steppers(
     begin, named = number(t, "t"), method_named(method)
     relative, absolute = options.tolerances(system.compiled, rtol, atol)
     _, longest, most = options.step_limits(None, max_step, max_steps, np.inf)
-    by_columns = inputs if isinstance(inputs, Mapping) else None
+    by_columns = inputs if is_named(inputs) else None
     members = gather(system, begin, x0, v0, parameters, by_columns)
     total = _count(count, members.count, inputs)
     if members.reasons:
@@ -104,7 +104,7 @@ def _threads(workers: int | None) -> int:
 
 def _count(count: int | None, found: int, inputs: Any) -> int:
     """Return K, of what is said and what arrays there are."""
-    rows = 1 if inputs is None or isinstance(inputs, Mapping) or np.ndim(inputs) < 2 else len(inputs)
+    rows = 1 if inputs is None or is_named(inputs) or np.ndim(inputs) < 2 else len(inputs)
     if rows > 1 and found not in (1, rows):
         raise ModelError(f"inputs has {rows} rows, but other arrays have {found}")
     total = max(found, rows)

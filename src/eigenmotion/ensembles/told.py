@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..arguments.names import Vector, by_name, vector
+from ..arguments.names import Vector, by_name, is_named, vector
 from ..codegen.model.normalise import ModelError, shown
 from ..runtime import CompiledModel
 
@@ -24,7 +24,7 @@ def numbers(given: ArrayLike, count: int, what: str) -> Vector:
 def columns(given: Mapping[Any, ArrayLike] | ArrayLike, names: tuple[str, ...], over: Vector) -> Vector:
     """Return inputs (K, n_inputs): what is given by name over what holds, or all of it; of one input, (K,) will do."""
     made = over.copy()
-    if isinstance(given, Mapping):
+    if is_named(given):
         for name, value in by_name(given, names, "input").items():
             made[:, names.index(name)] = numbers(value, len(made), f"input {name!r}")
         return made
@@ -43,7 +43,7 @@ def rows(given: Any, names: tuple[str, ...], over: Vector, chosen: NDArray[np.in
     if given is None:
         return over
     made = over.copy()
-    if isinstance(given, Mapping):
+    if is_named(given):
         for name, value in by_name(given, names, what).items():
             made[:, names.index(name)] = _column(value, len(made), f"{what} {name!r}")
     else:

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import least_squares
 
-from ..arguments.names import Vector, rate_name, spelled, unknown
+from ..arguments.names import Vector, is_named, rate_name, spelled, unknown
 from ..arguments.options import is_system, no_system
 from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
@@ -99,9 +99,9 @@ def _indices(names: object, known: tuple[str, ...], what: str) -> list[int]:
 
 def _given_rates(v0: object, coordinates: tuple[str, ...]) -> list[int]:
     """Return the coordinates whose rates are kept: those a mapping names; quasi-velocities name none."""
-    if not isinstance(v0, Mapping):
+    if not is_named(v0):
         return []
-    names = {rate_name(key) for key in v0}
+    names = {rate_name(key) for key in v0.keys()}  # noqa: SIM118  (pandas' Series)
     return [k for k, name in enumerate(coordinates) if name in names]
 
 

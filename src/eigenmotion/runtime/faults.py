@@ -58,16 +58,17 @@ class EvaluationError(ArithmeticError, ValueError):
         return type(self), (str(self), self.stop)
 
 
+_SIGN = " Where a force holds back by the sign of a speed, no step is short enough: that is a Friction."
 _REMEDY = {
     StopReason.FINISHED: "The end of t_span was reached.",
     StopReason.TERMINAL_EVENT: "A terminal event ended the run.",
     StopReason.STEP_SIZE_UNDERFLOW: (
         "The step size fell below the spacing of numbers{at}. Look for a singularity or a jump near this time; "
-        "if there is none, loosen rtol and atol, or use a stiff method (radau9)."
+        "if there is none, loosen rtol and atol, or use a stiff method (radau9)." + _SIGN
     ),
     StopReason.TOO_MANY_STEPS: (
         "The step limit was reached. Raise max_steps, or loosen rtol and atol; where steps are short though the motion "
-        "is slow, the scene is stiff: use a stiff method (radau9)."
+        "is slow, the scene is stiff: use a stiff method (radau9)." + _SIGN
     ),
     StopReason.NON_FINITE_STATE: (
         "The state or its rate is not finite{at}. Look for a division by zero or a domain error in the energies, "

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments.names import Vector, overlay, vector
+from ..arguments.names import Vector, is_named, overlay, vector
 from ..arguments.options import least_norm_of
 from ..arguments.signals import Inputs, Signal, bind
 from ..codegen.model.normalise import ModelError, number, real
@@ -167,7 +167,7 @@ class System(Description):
 
     def signals(self, inputs: Mapping[Any, Any] | ArrayLike | None, t: float) -> Vector:
         """Return u (n_inputs,) at t: of a mapping over the defaults, or an array in the order of `System.inputs`."""
-        if isinstance(inputs, Mapping) and any(isinstance(u, tuple | list | Signal) for u in inputs.values()):
+        if is_named(inputs) and any(isinstance(u, tuple | list | Signal) for _, u in inputs.items()):
             return self.bind(inputs).at(t)
         return overlay(inputs, self._compiled.inputs, self._compiled.input_defaults, "input")
 

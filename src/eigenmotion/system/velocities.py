@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..arguments.names import Vector, by_spelling, overlay, rate_name, unknown
+from ..arguments.names import Vector, by_spelling, is_named, overlay, rate_name, unknown
 from ..codegen.model import ModelError
 from ..codegen.model.pivots import is_singular
 from ..runtime import CompiledModel, Prepared
@@ -56,7 +56,7 @@ def initial_rates(
     ModelError
         Unknown names, rates and quasi-velocities together, or quasi-velocities where P is singular.
     """
-    if not isinstance(v0, Mapping):
+    if not is_named(v0):
         return _default(model, c, t, x) if v0 is None else overlay(v0, model.coordinates, model.initial_v, "v0")
     given = by_spelling(v0, "v0", rate_name)
     quasi = given.keys() & set(model.quasi_velocities)

@@ -82,25 +82,26 @@ static int em_is_wild(const em_walk *w, const double *a, double size, double pro
     return w->retries < RETRIES && fabs(w->h) > brief * w->longest_step && em_max(tail, off) > wild * size;
 }
 
-/* Between nodes j and j + 1, where g_i has the sign `side`: *theta <- where the polynomial is lowest, *low <- how low.
- * Whether that is lower than at both. */
-static int em_lowest(const em_survey *s, int i, const double *a, int j, double side, double *theta, double *low) {
+/* Between nodes j and j + 1, where g_i has the sign `side`, and at these: *theta <- where the polynomial is lowest among
+ * its neighbours, *low <- how low. Whether it is anywhere: a lowest place close to a node may lie on either side of it. */
+static int em_lowest(const double *a, int j, double side, double *theta, double *low) {
     enum { PARTS = 8 };
-    const double left = em_node(j), width = em_node(j + 1) - left;
-    const double ends = em_min(side * em_at_node(s, j, i), side * em_at_node(s, j + 1, i));
-    *low = ends;
-    for (int part = 1; part < PARTS; ++part) {
-        const double at = left + width * part / PARTS, value = side * em_polynomial_at(a, at);
-        if (value < *low) *low = value, *theta = at;
+    const double left = em_node(j), part = (em_node(j + 1) - left) / PARTS;
+    double before = side * em_polynomial_at(a, left - part), here = side * em_polynomial_at(a, left);
+    *low = INFINITY;
+    for (int k = 0; k <= PARTS; ++k) {
+        const double after = side * em_polynomial_at(a, left + (k + 1) * part);
+        if (here <= before && here <= after && here < *low) *low = here, *theta = left + k * part;
+        before = here, here = after;
     }
-    return *low < ends;
+    return *low < INFINITY;
 }
 
 /* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
  * closer places. 1, 0, or -1 and w->reason. */
 static int em_dips(em_walk *w, int i, double side, double *theta, double *value) {
     double apart = 1.0 / 128.0, f[3], g[EM_SOME_EVENTS];
-    for (int n = 0; n < 5; ++n, apart /= 8.0) {
+    for (int n = 0; n < 8; ++n) {
         *theta = em_min(1.0 - apart, em_max(apart, *theta));
         for (int place = 0; place < 3; ++place) {
             const double at = *theta + (place - 1) * apart;
@@ -110,8 +111,9 @@ static int em_dips(em_walk *w, int i, double side, double *theta, double *value)
         }
         const double slope = 0.5 * (f[2] - f[0]), bend = f[0] - 2.0 * f[1] + f[2];
         if (!(bend > 0.0)) return 0;
-        if (f[1] - 0.5 * slope * slope / bend > 0.3 * f[1] && fabs(slope) < bend) return 0;
+        if (f[1] - 0.5 * slope * slope / bend > 0.1 * bend && fabs(slope) < bend) return 0;
         *theta += apart * em_min(1.0, em_max(-1.0, -slope / bend));
+        if (fabs(slope) <= bend) apart /= 8.0; /* else the lowest place lies farther than this, and is walked to */
     }
     return 0;
 }
@@ -150,12 +152,12 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
         const double side = w->side_new[i];
         const int node = k - s->near - 1; /* before this one */
         if (node >= (s->near > 0) && side * here.g > 0.0 && side * s->g[k - 1][i] > 0.0 &&
-            em_lowest(s, i, a, node, side, &theta, &low) && low < 0.05 * size) {
+            em_lowest(a, node, side, &theta, &low) && low < 0.05 * size) {
             em_point dip;
             const int dips = em_dips(w, i, side, &theta, &dip.g);
             if (dips < 0) return -1;
             dip.t = w->t + theta * w->h;
-            if (dips) em_pass(w, i, &before, &dip), before = dip;
+            if (dips && theta > em_node(node) && theta < em_node(node + 1)) em_pass(w, i, &before, &dip), before = dip;
         }
         em_pass(w, i, &before, &here);
         if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
