@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:d1a0051ce4dadc44558a366091fc093e266b9176f4bf1eb59c7c7ac0ebff3cd7 */
+/* body sha256:421540686199456e7f3fa9a25320ec9bc02cb720a6bbbb537739ac6e4c3f9be0 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -2102,7 +2102,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -2116,8 +2116,30 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7] };
+    if (mode) em_backward(N1, memory + 0, memory + 64, v1);
+    else em_velocity_of_eta(N1, y + 16, y + 80, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+    v[4] = v1[4];
+    v[5] = v1[5];
+    v[6] = v1[6];
+    v[7] = v1[7];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes bicycle_lanes;
-em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
+em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -10857,6 +10879,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", "psi", "phi", "theta", "delta", "spin_r", "spin_f", NULL };
 static const char *const parameter_names[] = { "w", "c", "tilt", "g", "r_R", "r_F", "m_R", "m_B", "m_H", "m_F", "x_B", "z_B", "x_H", "z_H", "R_xx", "R_yy", "F_xx", "F_yy", "B_xx", "B_yy", "B_zz", "B_xz", "H_xx", "H_yy", "H_zz", "H_xz", NULL };
@@ -10964,6 +10987,9 @@ const em_model bicycle_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &bicycle_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 8,
     .dimension = 3,
     .shapes = shapes,

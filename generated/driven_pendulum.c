@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:6045e530217c9401090a8d49a48b6a083569a7d6c28900c0c1f1a6d269ae47eb */
+/* body sha256:003791add50494d445bab80c95b395cc977098555b8c931cdc5195782b8e159a */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -182,7 +182,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -196,8 +196,25 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 5, c + 6, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 9, c + 10, v2);
+    v[1] = v2[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes driven_pendulum_lanes;
-em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1};
+em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1};
 
 #else
 
@@ -659,6 +676,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "x", "y", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "a", "w", NULL };
@@ -763,6 +781,9 @@ const em_model driven_pendulum_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 5,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:93a82e74f43bc2e60de3d95b6ba03850b156ba07652b5812b7b654728bfab104 */
+/* body sha256:6c12a569b66e708b8b1c574b23a677625efcf8c51c1cff7edca1ab2bce680ba8 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -498,7 +498,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -512,8 +512,32 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[3] };
+    if (mode) em_backward(N1, memory + 0, memory + 4, v1);
+    else em_velocity_of_eta(N1, y + 10, y + 18, v1);
+    v[0] = v1[0];
+    v[3] = v1[1];
+    real v2[N2] = { e[1], e[4] };
+    if (mode) em_backward(N2, memory + 6, memory + 10, v2);
+    else em_velocity_of_eta(N2, y + 14, y + 20, v2);
+    v[1] = v2[0];
+    v[4] = v2[1];
+    real v3[N3] = { e[2] };
+    em_velocity_of_eta(N3, c + 3, c + 4, v3);
+    v[2] = v3[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes four_bars_2_lanes;
-em_lanes four_bars_2_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
+em_lanes four_bars_2_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -1481,6 +1505,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "q1", "q2", "q3", "p1", "p2", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", NULL };
@@ -1594,6 +1619,9 @@ const em_model four_bars_2_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &four_bars_2_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 12,
     .dimension = 2,
     .shapes = shapes,

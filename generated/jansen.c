@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:4f1c6059fcc867699b8920bf36601067d09620861544adf5c10c27bd6aabd384 */
+/* body sha256:2d5d7911558e5c2c96b868a291f115fb2a71e4f496ce18c366b2bf1a083de22b */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -766,7 +766,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -780,8 +780,29 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[3], e[4], e[5], e[6] };
+    if (mode) em_backward(N1, memory + 0, memory + 49, v1);
+    else em_velocity_of_eta(N1, y + 14, y + 63, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+    v[4] = v1[4];
+    v[5] = v1[5];
+    v[6] = v1[6];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes jansen_lanes;
-em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
+em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -3593,6 +3614,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "theta", "aj", "ab", "ak", "ac", "af", "ag", NULL };
 static const char *const parameter_names[] = { "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "density", "J", "torque", "gravity", NULL };
@@ -3710,6 +3732,9 @@ const em_model jansen_model = {
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
     .lanes = &jansen_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 16,
     .dimension = 2,
     .shapes = shapes,

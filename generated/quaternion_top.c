@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:4688952689d29045f8f63839e1d0d058e6aaa3ff1d648ae75d2994dab82b1167 */
+/* body sha256:0c1e1b910e75126a1366b2ef51a31f6db076bab6acd9b900598f219940c3de8a */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -372,7 +372,7 @@ static int model_rhs(int mode, real t, const real *y, const real *c, const real 
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
-static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
+static __attribute__((noinline)) void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
     em_fault fault;
@@ -386,8 +386,26 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    (void)mode, (void)y, (void)c, (void)memory;
+    real v1[N1] = { e[0], e[1], e[2], e[3] };
+    if (mode) em_backward(N1, memory + 0, memory + 16, v1);
+    else em_velocity_of_eta(N1, y + 8, y + 24, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+}
+
+#define EM_VELOCITY velocity_by_roots
+#include "em_flock.h"
+
 extern em_lanes quaternion_top_lanes;
-em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2};
+em_lanes quaternion_top_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2};
 
 #else
 
@@ -1303,6 +1321,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 }
 
 #include "em_handle.h"
+#include "em_member.h"
 
 static const char *const coordinate_names[] = { "q_0", "q_1", "q_2", "q_3", NULL };
 static const char *const parameter_names[] = { "m", "l", "g", "J", "J3", NULL };
@@ -1410,6 +1429,9 @@ const em_model quaternion_top_model = {
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
     .lanes = &quaternion_top_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 5,
     .dimension = 3,
     .shapes = shapes,

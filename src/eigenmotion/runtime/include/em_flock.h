@@ -127,6 +127,7 @@ EM_INLINE void em_flock_settle(const em_flock *f, em_lane_state *w, EM_UNUSED re
     for (int k = 2 * EM_SECOND_ORDER * N; k < N_STATE; ++k) w->y_new[k] = em_where(*done, w->y_new[k], raw[k]);
 #else
     (void)f, (void)w;
+    if (N_POSITIONS > 0) *done = (em_truth){0}; /* Newton's method on positions is for numbers */
 #endif
 }
 
