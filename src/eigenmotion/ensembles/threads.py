@@ -39,14 +39,18 @@ def shares(count: int, workers: int) -> list[tuple[int, int]]:
 
 def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> Found:
     """Run all members; Ctrl-C ends the runs, and what is done is returned."""
-    stop, found = Stop(), Collection(asked, members.count)
+    stop, parts = Stop(), shares(members.count, workers)
+    if len(parts) == 1:
+        only = run_chunk(asked, members, stop)
+        report(members.count)
+        return only
+    found = Collection(asked, members.count)
 
     def work(start: int, end: int) -> None:
         found.put(start, run_chunk(asked, members.part(start, end), stop))
         report(end - start)
 
-    parts = shares(members.count, workers)
-    if workers == 1 or len(parts) == 1:
+    if workers == 1:
         for part in parts:
             work(*part)
         return found.whole
