@@ -23,7 +23,7 @@ from eigenmotion.report.peers import functions_of
 
 MODELS = Path(__file__).parents[1] / "models"
 FORMULATIONS = ("lagrange", "inverse", "cholesky", "eigenfactor")
-TARGET, TOLERANCES = 5e-10, 10.0 ** -np.arange(8.5, 12.1, 0.25)
+TARGET, TOLERANCES = 5e-10, 10.0 ** -np.arange(8.5, 12.1, 0.125)
 SPAN, ROUNDS = (0.0, 10.0), 5
 COUNTS = (1, 8, 100, 10_000)
 SLOW = tuple(f"{formulation} ra15" for formulation in FORMULATIONS)  # left out where there are many runs

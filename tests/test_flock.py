@@ -38,6 +38,12 @@ def turning() -> em.System:
     return em.build(MODELS / "dual_link.py", formulation="eigenfactor", flags="-O1")
 
 
+@pytest.fixture(scope="module")
+def loop() -> em.System:
+    """One with constraints on positions, on which numbers put every step."""
+    return em.build(MODELS / "four_bar.py", formulation="inverse", flags="-O1")
+
+
 def check_alike(one: em.Solution, other: em.Solution) -> None:
     """Say that they are the same but for rounding."""
     told = ("stop", "nsteps", "nrejected", "nfev", "n_bounded", "n_stiff", "method")
@@ -71,6 +77,35 @@ def test_members_with_constraints_move_as_they_do_alone(link, span):
     assert np.abs(runs[3].constraint_residual).max() < 1e-13
 
 
+@pytest.mark.parametrize("span", [(0.0, 2.0), (2.0, 0.5)])
+@pytest.mark.parametrize(
+    "formulation",
+    ["inverse", *(pytest.param(f, marks=pytest.mark.nightly) for f in ("eigenfactor", "cholesky", "lagrange"))],
+)
+def test_members_with_constraints_on_positions_move_as_they_do_alone(loop, formulation, span):
+    system = loop if formulation == "inverse" else em.build(MODELS / "four_bar.py", formulation=formulation)
+    assert system.compiled.flocks == (system.compiled.lanes > 1)
+    weights, rows = np.linspace(5.0, 15.0, COUNT), np.linspace(*span, 4)
+    runs = simulate_ensemble(system, span, parameters={"g": weights}, t_eval=rows, **TIGHT)
+    for k in range(0, COUNT, 4):
+        check_alike(runs[k], system.simulate(span, parameters={"g": weights[k]}, t_eval=rows, **TIGHT))
+    assert np.abs(runs[3].position_residual).max() < 1e-12
+
+
+def test_a_loop_that_comes_near_a_singular_position_is_run_by_numbers(loop):
+    """A parallelogram that flattens, fast and slowly, beside one that does not: numbers settle the stages there."""
+    (x, v), flat, speeds = loop.initial, [np.pi / 2, 0.0, np.pi / 2], (4.0, 1.0)
+    starts = {"x0": np.array([x, flat, flat]), "v0": np.array([v, *([speed, 0.0, speed] for speed in speeds)])}
+    options = {"t_eval": ROWS, "rtol": 1e-10, "atol": 1e-10}
+    runs = simulate_ensemble(loop, SPAN, parameters={"c": [0.8, 0.4, 0.4]}, **starts, **options)
+    check_alike(runs[0], loop.simulate(SPAN, **options))
+    for k in (1, 2):
+        alone = loop.simulate(SPAN, parameters={"c": 0.4}, x0=flat, v0=starts["v0"][k], **options)
+        assert (runs.stop[k], runs.message(k), runs.nfev[k]) == (alone.stop, alone.message, alone.nfev)
+        assert np.array_equal(runs[k].y, alone.y, equal_nan=True)
+    assert list(runs.stop[1:]) == [StopReason.FINISHED, StopReason.DEPENDENT_CONSTRAINTS]
+
+
 @pytest.mark.parametrize("rows", [None, 3])
 def test_members_change_their_modes_as_they_do_alone(turning, rows):
     """C, s and eta are those of numbers, too; more runs than both flocks have lanes."""
@@ -95,10 +130,10 @@ def test_roots_that_vary_are_kept_in_lanes():
 
 
 @pytest.mark.parametrize("rows", [None, ROWS])
-def test_the_bits_are_the_members_own(swing, link, turning, rows):
+def test_the_bits_are_the_members_own(swing, link, turning, loop, rows):
     """Whatever lane, neighbours, order and number of threads; alone, too."""
-    springs = {"parameters": {"K1": 0.5 + SPEEDS / 6}}
-    for system, given in ((swing, {"v0": {"q": SPEEDS}}), (link, springs), (turning, springs)):
+    springs, weights = {"parameters": {"K1": 0.5 + SPEEDS / 6}}, {"parameters": {"g": 5.0 + SPEEDS}}
+    for system, given in ((swing, {"v0": {"q": SPEEDS}}), (link, springs), (turning, springs), (loop, weights)):
         ((kind, table),) = given.items()
         ((name, values),) = table.items()
         first = bits(simulate_ensemble(system, SPAN, **given, t_eval=rows, workers=1))

@@ -71,7 +71,7 @@ def _in_lanes(scene: Scene, layout: Layout, choices: Choices) -> bool:
     """Whether the lanes have all that most steps need."""
     remembers_omega = layout.couples and choices.extrapolate
     carries_delta = any(group.size > 1 for group in layout.row_groups)
-    return not (scene.h or _acts(scene) or remembers_omega or carries_delta)
+    return not (_acts(scene) or remembers_omega or carries_delta)
 
 
 def _acts(scene: Scene) -> bool:

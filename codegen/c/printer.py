@@ -17,7 +17,7 @@ CALLS: Mapping[str, str] = {
     "step": "em_heaviside", "select": "em_select", "<": "em_less", "<=": "em_not_above", "==": "em_equal",
     "and": "em_and", "or": "em_or", "not": "em_not",
 }  # fmt: skip
-IN_VECTORS = frozenset(CALLS)
+IN_VECTORS = frozenset(CALLS) | {"exp", "log"}
 """Functions that vectors have; all others are asked of C's library lane by lane (em_lane_functions.h)."""
 TURNED: Mapping[str, str] = {">": "<", ">=": "<="}
 

@@ -208,6 +208,11 @@ class Program:
         return bool(self.n_impacts or self.resets or self.switches)
 
     @property
+    def settles_in_lanes(self) -> bool:
+        """Whether accepted steps are settled there, too: Newton's method on positions is for numbers."""
+        return self.in_lanes and not self.h
+
+    @property
     def switched_rows(self) -> str:
         """The bits of the rows that hold at times."""
         return f"{sum(1 << switch.row for switch in self.switches):#x}"

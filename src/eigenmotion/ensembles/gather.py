@@ -84,7 +84,7 @@ def _filled(table: Table, names: Sequence[str], defaults: Vector) -> Vector:
     if not isinstance(table, dict):
         return table
     count = max((column.size for column in table.values()), default=1)
-    rows = np.tile(defaults, (count, 1))
+    rows = np.repeat(defaults[None], count, axis=0)
     for name, column in table.items():
         rows[:, list(names).index(name)] = column
     return rows
@@ -153,7 +153,10 @@ def _by_member(
 
 def _check_finite(reasons: dict[int, str], count: int, *tables: tuple[Sequence[str], Vector, str]) -> None:
     for names, rows, what in tables:
-        for k, place in np.argwhere(~np.isfinite(rows)).tolist():
+        finite = np.isfinite(rows)
+        if finite.all():
+            continue
+        for k, place in np.argwhere(~finite).tolist():
             reasons.setdefault(k, f"{what} {names[place]!r} is not a finite number")
             if len(rows) == 1:
                 reasons |= dict.fromkeys(range(count), reasons[k])

@@ -10,7 +10,7 @@ from ..runtime.ensemble import Stop
 from .work import run_chunk
 
 Report = Callable[[int], None]
-_SHARES = 16  # chunks a thread: slow members hold up no more than one of them
+_PART = 3  # of what is left for a thread, the part that is its next chunk: the last are short, and all end together
 _LEAST, _MOST = 64, 4096  # members of a chunk: enough to fill lanes, and to report
 _TICK = 0.05  # [s] between two looks at signals
 
@@ -25,17 +25,32 @@ def pieces(count: int, size: int) -> list[tuple[int, int]]:
     return [(start, min(start + size, count)) for start in range(0, count, size)]
 
 
+def shares(count: int, workers: int) -> list[tuple[int, int]]:
+    """Return (start, stop) of chunks for so many threads, ever shorter: each takes Python some time."""
+    if workers == 1:
+        return pieces(count, _MOST)
+    least, found, start = min(_LEAST, -(-count // workers)), list[tuple[int, int]](), 0
+    while start < count:
+        size = min(_MOST, max(least, (count - start) // (_PART * workers)), count - start)
+        found.append((start, start + size))
+        start += size
+    return found
+
+
 def in_threads(asked: Asked, members: Members, workers: int, report: Report) -> Found:
     """Run all members; Ctrl-C ends the runs, and what is done is returned."""
-    stop, found = Stop(), Collection(asked, members.count)
-    size = min(_MOST, max(-(-members.count // (_SHARES * workers)), min(_LEAST, -(-members.count // workers))))
+    stop, parts = Stop(), shares(members.count, workers)
+    if len(parts) == 1:
+        only = run_chunk(asked, members, stop)
+        report(members.count)
+        return only
+    found = Collection(asked, members.count)
 
     def work(start: int, end: int) -> None:
         found.put(start, run_chunk(asked, members.part(start, end), stop))
         report(end - start)
 
-    parts = pieces(members.count, _MOST if workers == 1 else size)
-    if workers == 1 or len(parts) == 1:
+    if workers == 1:
         for part in parts:
             work(*part)
         return found.whole

@@ -1,5 +1,7 @@
 """A chunk of members, in this thread: compiled, or one by one in Python."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..arguments.members import Asked, Members
@@ -15,7 +17,7 @@ from .start import task_of
 from .vary import vary_members
 
 _REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFUSED, StopReason.INTERRUPTED))
-_OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "counts", "event_times", "events", "event_counts")
+_OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "event_times", "events", "event_counts")
 
 
 def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
@@ -26,9 +28,8 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
         doubtful = list(range(members.count))
     else:
         chunk = Chunk(asked, members, stop)
-        none = {name: getattr(Found.none(asked, members.count), name) for name in ("S", "dt_events")}
-        found = Found(**{name: getattr(chunk, name) for name in _OF_CHUNK}, **none)
-        found.counts = np.pad(found.counts, ((0, 0), (0, len(COUNTS) - found.counts.shape[1])))
+        found = replace(Found.none(asked, members.count), **{name: getattr(chunk, name) for name in _OF_CHUNK})
+        found.counts[:, : chunk.counts.shape[1]] = chunk.counts
         doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
             doubtful = list(range(members.count))  # eigenvalues that coincide at the start are looked at in Python

@@ -36,16 +36,22 @@ EM_INLINE int em_flock_moving(const em_flock *f) {
     return f->mode ? (2 * N + EM_TOGETHER - 1) / EM_TOGETHER * EM_TOGETHER : EM_FLOCK_STATE;
 }
 
-/* out <- y + h sum_j a_j K_j over j < n; y NULL: 0 */
+/* sum (EM_TOGETHER) <- sum_j a_j K_j over j < n, of the states from k on */
+EM_INLINE void em_flock_sum(const double *a, int n, real (*K)[EM_FLOCK_STATE], int k, real *sum) {
+    for (int i = 0; i < EM_TOGETHER; ++i) sum[i] = a[0] * K[0][k + i];
+    EM_UNROLL
+    for (int j = 1; j < n; ++j) {
+        if (a[j] == 0.0) continue;
+        for (int i = 0; i < EM_TOGETHER; ++i) sum[i] += a[j] * K[j][k + i];
+    }
+}
+
+/* out <- y + h sum_j a_j K_j over j < n */
 EM_INLINE void em_flock_combine(int moving, const double *a, int n, real h, const real *y, real (*K)[EM_FLOCK_STATE], real *out) {
     for (int k = 0; k < moving; k += EM_TOGETHER) {
-        real sum[EM_TOGETHER] = {{0.0}};
-        EM_UNROLL
-        for (int j = 0; j < n; ++j) {
-            if (a[j] == 0.0) continue;
-            for (int i = 0; i < EM_TOGETHER; ++i) sum[i] += a[j] * K[j][k + i];
-        }
-        for (int i = 0; i < EM_TOGETHER; ++i) out[k + i] = y ? y[k + i] + h * sum[i] : h * sum[i];
+        real sum[EM_TOGETHER];
+        em_flock_sum(a, n, K, k, sum);
+        for (int i = 0; i < EM_TOGETHER; ++i) out[k + i] = y[k + i] + h * sum[i];
     }
 }
 
@@ -80,17 +86,31 @@ EM_INLINE void em_flock_weigh(const em_flock *f, const em_lane_state *w, real *w
     }
 }
 
+/* Both errors (EM_TOGETHER) of the states from k on: what is read is read once. */
+EM_INLINE void em_flock_errors(real (*K)[EM_FLOCK_STATE], int k, real *fifth, real *third) {
+    const em_tableau *const rk = &EM_DOP853_TABLEAU;
+    for (int i = 0; i < EM_TOGETHER; ++i) {
+        fifth[i] = rk->e[0][0] * K[0][k + i];
+        third[i] = rk->e[1][0] * K[0][k + i];
+    }
+    EM_UNROLL
+    for (int j = 1; j < rk->stages; ++j) {
+        if (rk->e[0][j] == 0.0 && rk->e[1][j] == 0.0) continue;
+        for (int i = 0; i < EM_TOGETHER; ++i) {
+            fifth[i] += rk->e[0][j] * K[j][k + i];
+            third[i] += rk->e[1][j] * K[j][k + i];
+        }
+    }
+}
+
 /* The norm of the error (em_runge_kutta.h). */
 EM_INLINE void em_flock_norm(const em_flock *f, em_lane_state *w, const real *weight) {
-    const em_tableau *const rk = &EM_DOP853_TABLEAU;
-    real sum[2] = {em_real(0.0), em_real(0.0)};
-    EM_UNROLL
+    real sum[2] = {em_real(0.0), em_real(0.0)}, error[2][EM_FLOCK_STATE], v[N];
+    for (int k = 0; k < em_flock_moving(f); k += EM_TOGETHER) em_flock_errors(w->K, k, error[0] + k, error[1] + k);
     for (int e = 0; e < 2; ++e) {
-        real error[EM_FLOCK_STATE], v[N];
-        em_flock_combine(em_flock_moving(f), rk->e[e], rk->stages, em_real(1.0), NULL, w->K, error);
-        EM_VELOCITY(f->mode, w->y, w->c, w->memory, error + N, v);
-        em_copy(N, v, error + N);
-        for (int k = 0; k < em_flock_counted(f); ++k) sum[e] += (error[k] * weight[k]) * (error[k] * weight[k]);
+        EM_VELOCITY(f->mode, w->y, w->c, w->memory, error[e] + N, v);
+        em_copy(N, v, error[e] + N);
+        for (int k = 0; k < em_flock_counted(f); ++k) sum[e] += (error[e][k] * weight[k]) * (error[e][k] * weight[k]);
     }
     const real under = sum[0] + 0.01 * sum[1];
     *w->error = em_where(under == 0.0, em_real(0.0), fabs(*w->h) * sum[0] / sqrt(under * (2.0 * N)));
@@ -107,6 +127,7 @@ EM_INLINE void em_flock_settle(const em_flock *f, em_lane_state *w, EM_UNUSED re
     for (int k = 2 * EM_SECOND_ORDER * N; k < N_STATE; ++k) w->y_new[k] = em_where(*done, w->y_new[k], raw[k]);
 #else
     (void)f, (void)w;
+    if (N_POSITIONS > 0) *done = (em_truth){0}; /* Newton's method on positions is for numbers */
 #endif
 }
 

@@ -110,7 +110,7 @@ static int em_member_lands(em_walk *w, em_flock *f, int lane) {
     if (N_EVENTS > 0 || judged || em_needs_interpolant(w)) em_member_read_stages(w, f, lane);
     w->end_rate = NULL;
     --w->run->n_rhs; /* that of the lane was in vain */
-    if (em_land(w) || !(w->error_norm < 1.0)) return -1;
+    if (em_land(w) || !(w->error_norm < 1.0) || (N_POSITIONS > 0 && w->near)) return -1; /* stages are settled there */
     for (int k = 0; k < N_STATE; ++k) {
         EM_LANE(f->y_new, k) = w->y_new[k];
         EM_LANE(f->f_new, k) = w->f_new[k];

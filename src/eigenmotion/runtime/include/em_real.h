@@ -6,6 +6,7 @@
 #ifndef EM_REAL_H
 #define EM_REAL_H
 
+#include <float.h>
 #include <math.h>
 
 #ifdef __OPTIMIZE__
@@ -64,6 +65,8 @@
 
 typedef double real __attribute__((vector_size(8 * EM_LANES), may_alias));
 typedef long long em_truth __attribute__((vector_size(8 * EM_LANES))); /* of a comparison: -1 or 0 */
+
+typedef unsigned long long em_bits __attribute__((vector_size(8 * EM_LANES)));
 
 /* a in every lane */
 EM_INLINE real em_real(double a) { return a - (real){0.0}; }
