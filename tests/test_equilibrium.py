@@ -73,6 +73,39 @@ def test_mistakes_of_equilibria_have_names(wrong):
         em.find_equilibrium(system_of("pendulum", "lagrange"), **wrong)
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", ["pendulum", "four_bar"])
+@pytest.mark.parametrize("angle", [1e13, 1e16, -1e150, 1e300])
+def test_an_angle_that_nobody_knows_is_no_rest(name, angle):
+    """Small beside |slope| |x| are accelerations of any size there, up to those of a fall."""
+    system = system_of(name, "lagrange")
+    found = em.find_equilibrium(system, np.full(system.n, angle))
+    assert not found.success
+    assert "begin nearer to 0" in found.message
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("name", ["pendulum", "four_bar", "slider_crank"])
+@pytest.mark.parametrize("angle", [1e308, -1.7e308])
+def test_a_search_that_begins_beyond_all_numbers_is_refused(name, angle):
+    system = system_of(name, "lagrange")
+    with pytest.raises(ModelError, match=r"not finite where the search begins; .* = 1"):
+        em.find_equilibrium(system, np.full(system.n, angle))
+
+
+@pytest.mark.parametrize("angle", [5e-324, -1e-310, 1e9, -1e9])
+def test_rest_is_found_as_near_as_numbers_can_tell(angle):
+    found = em.find_equilibrium(system_of("pendulum", "lagrange"), [angle])
+    assert found.success
+    assert abs(np.sin(found.x[0])) <= max(np.spacing(abs(found.x[0])), 1e-308)
+
+
+def test_a_length_much_shorter_than_the_guess_is_not_nothing():
+    found = em.find_equilibrium(system_of("elastic_pendulum", "lagrange"), {"theta": 0.0, "r": 1e12})
+    assert found.success
+    assert found.x[1] == pytest.approx(1.0981, rel=1e-12)
+
+
 # --- closed loops -----------------------------------------------------------------------------------------------------
 
 

@@ -268,6 +268,13 @@ def kinked() -> em.Model:
                     potential_energy=k * Abs(x) * x / 2 + sqrt(y**4 + y**2), parameters={k: 4.0})  # fmt: skip
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("angle", [1e6, 1e13, 1e16, -1e150])
+def test_a_fall_from_an_angle_however_large_is_not_steady(angle):
+    """Small beside |slope| |x| are accelerations of any size there; and angles of 1e16 are the same a moment later."""
+    assert not system_of("pendulum", "lagrange").linearize([angle]).steady
+
+
 def test_kinks_are_taken_from_one_side_or_refused():
     """V = k |x| x / 2 has the curvature of x > 0 at 0; sqrt(y^2 + ...) has none there."""
     system = system_for(kinked(), "lagrange")

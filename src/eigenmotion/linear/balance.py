@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from ..arguments.names import Vector
+from ..codegen.model import ModelError
 from ..runtime import EvaluationError
 from .place import Place
 
@@ -21,6 +22,10 @@ _STEPS = 200
 """Of a search downhill."""
 _FAR = 1e3
 """How many times farther than all that is given a solution may be for its own size to count."""
+_LEAST = float(np.finfo(float).tiny)
+"""Below it no number is known to many digits."""
+_NOWHERE = (EvaluationError, np.linalg.LinAlgError)
+"""Raised where a step of a search has led to no place at all."""
 
 
 @dataclass(frozen=True)
@@ -89,10 +94,19 @@ class Balance:
         def slope(q: Vector) -> Vector:
             return self.equations(q)[1][:, list(self.free)]
 
-        self.equations(start)  # says what is wrong there
-        with np.errstate(all="ignore"):
-            found = least_squares(value, start, slope, x_scale=self._scale(start), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        self._check_finite(start)
+        found = least_squares(value, start, slope, x_scale=self._scale(start), xtol=1e-15, ftol=1e-15, gtol=1e-15)
         return self._cleaned(self._polished(np.asarray(found.x)), start)
+
+    def _check_finite(self, start: Vector) -> None:
+        """Raise where the equations, their slopes or their terms are beyond all numbers, or have none."""
+        if all(np.isfinite(numbers).all() for numbers in self.equations(start)):
+            return
+        largest = self.names[int(np.abs(self.given).argmax())]
+        raise ModelError(
+            f"{self.system.name}: accelerations, constraints or their derivatives are not finite where the search "
+            f"begins; the largest number there is {largest} = {np.abs(self.given).max():.3g}. Begin elsewhere"
+        )
 
     def _scale(self, start: Vector) -> Vector:
         """Units of what is solved for: those of inertia for coordinates and rates, so that none is taken for far."""
@@ -108,7 +122,10 @@ class Balance:
         """Take zeros for what rounding left of numbers that went to zero, where nothing gets worse for it."""
         dust = np.abs(q) < 1e-9 * np.abs(start)
         zeros = np.where(dust, 0.0, q)
-        before, after = (np.linalg.norm(self.equations(point)[0]) for point in (q, zeros))
+        try:
+            before, after = (np.linalg.norm(self.equations(point)[0]) for point in (q, zeros))
+        except EvaluationError:  # a length that is much shorter than the first guess, but not nothing
+            return q
         return zeros if after <= before else q
 
     def _polished(self, q: Vector) -> Vector:
@@ -118,10 +135,10 @@ class Balance:
             columns = slope[:, list(self.free)]
             scale = np.linalg.norm(columns, axis=0)
             scale = np.where(scale > 0.0, scale, 1.0)
-            nearer = q - np.linalg.lstsq(columns / scale, value, rcond=1e-12)[0] / scale
             try:
+                nearer = q - np.linalg.lstsq(columns / scale, value, rcond=1e-12)[0] / scale
                 next_value, slope, _ = self.equations(nearer)
-            except EvaluationError:
+            except _NOWHERE:
                 return q
             if not np.linalg.norm(next_value) < 0.5 * np.linalg.norm(value):
                 return q
@@ -142,9 +159,12 @@ class Balance:
                 break
             step = step * min(2.0, before / left) if step else 0.1 / float(np.linalg.norm(slope) or 1.0)
             before = left
-            q = q + np.linalg.solve(np.eye(n) / step - slope, push) / at.inertia
-            if self.system.h:
-                q = at.model.project(self.t, q, at.v, at.prepared, True)[0]
+            try:
+                q = q + np.linalg.solve(np.eye(n) / step - slope, push) / at.inertia
+                if self.system.h:
+                    q = at.model.project(self.t, q, at.v, at.prepared, True)[0]
+            except _NOWHERE:
+                break
         return q
 
     def satisfied(self, q: Vector, start: Vector) -> bool:
@@ -158,4 +178,6 @@ class Balance:
         most, count = np.maximum(np.maximum(size, here), np.abs(first)), len(self.rows)
         limits = np.repeat([most[:count].max(initial=0.0), most[count:].max(initial=0.0)],
                            [count, len(value) - count])  # fmt: skip
-        return np.asarray(~(np.abs(value) <= _SATISFIED * limits))
+        if value.any() and self.place(q).unresolved:
+            limits = np.zeros_like(limits)
+        return np.asarray(~(np.abs(value) <= _SATISFIED * limits + _LEAST))

@@ -87,8 +87,10 @@ def find_equilibrium(
     Raises
     ------
     ModelError
-        Unknown names. That there is no such state is no error: `Equilibrium.success` is False, and `message` says what
-        could not be satisfied.
+        Unknown names; x0, v0 so large that accelerations there are not finite. That there is no such state is no error:
+        `Equilibrium.success` is False, and `message` says what could not be satisfied.
+    EvaluationError
+        M is singular where the search begins.
 
     Examples
     --------
@@ -100,11 +102,16 @@ def find_equilibrium(
     if not is_system(system):
         raise no_system("find_equilibrium", system)
     balance = _balance(system, x0, free, v0, t, inputs, parameters, constant)
+    with np.errstate(all="ignore"):  # what is not finite has a name of its own
+        return _found(balance, _sought(balance))
+
+
+def _sought(balance: Balance) -> Vector:
     start = balance.start
     solution = balance.solved(start)
     if not balance.satisfied(solution, start) and balance.of_coordinates_alone:
         solution = balance.solved(balance.relaxed(start))
-    return _found(balance, solution)
+    return solution
 
 
 def _balance(system: "System", x0: Any, free: Any, v0: Any, t: Any, inputs: Any, parameters: Any, constant: Any
@@ -141,7 +148,7 @@ def _found(balance: Balance, q: Vector) -> Equilibrium:
     residuals = at.motion[0], phi, A @ at.v + b
     steady = not wrong.any() and _stays(balance, at)
     return Equilibrium(
-        system, steady, _words(balance, at, wrong, steady, residuals), at.x, at.v, balance.t,
+        system, steady, _words(balance, q, wrong, steady, residuals), at.x, at.v, balance.t,
         dict(zip(system.inputs, z[:count], strict=True)), dict(zip(system.parameters, z[count:], strict=True)),
         *residuals,
     )  # fmt: skip
@@ -154,9 +161,9 @@ def _stays(balance: Balance, at: Place) -> bool:
     return balance.system.linearize(at.x, at.v, at.t, at.prepared, at.u).steady
 
 
-def _words(balance: Balance, at: Place, wrong: NDArray[np.bool_], steady: bool, residuals: tuple[Vector, ...]) -> str:
+def _words(balance: Balance, q: Vector, wrong: NDArray[np.bool_], steady: bool, residuals: tuple[Vector, ...]) -> str:
     if steady:
-        return "at rest" if not at.v.any() else "steady"
+        return "at rest" if not balance.place(q).v.any() else "steady"
     if not wrong.any():
         return "accelerations vanish for an instant only: the mechanism moves on, and they do not stay so"
     a, phi, rates = residuals
@@ -165,4 +172,10 @@ def _words(balance: Balance, at: Place, wrong: NDArray[np.bool_], steady: bool, 
     said += [f"the rate of row {k} off by {r:.3g}" for k, r in enumerate(rates)]
     free = ", ".join(balance.names[k] for k in balance.free)
     left = ", ".join(text for text, is_wrong in zip(said, wrong, strict=True) if is_wrong)
-    return f"no equilibrium found by varying {free}; what is left is {left}"
+    return f"no equilibrium found by varying {free}; what is left is {left}{_rounded(balance.place(q))}"
+
+
+def _rounded(at: Place) -> str:
+    if not (names := at.unresolved):
+        return ""
+    return f". So large are {', '.join(names)} that the next number after them is another place: begin nearer to 0"

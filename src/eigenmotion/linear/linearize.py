@@ -52,8 +52,13 @@ def linearize(
         M is singular, or constraint rows contradict each other.
     """
     at = place(self, x, v, t, parameters, inputs)
-    check_consistent(at.model, at.prepared, at.t, at.x, at.v)
-    _check_differentiable(at)
+    with np.errstate(all="ignore"):  # what is not finite has a name of its own
+        check_consistent(at.model, at.prepared, at.t, at.x, at.v)
+        _check_differentiable(at)
+        return _linearized(at)
+
+
+def _linearized(at: Place) -> Linearization:
     basis, steady = _chosen(at)
     full = _full(at)
     Z = np.linalg.qr(basis.Z)[0]
@@ -141,7 +146,7 @@ def _is_steady(at: Place, basis: Tangent) -> bool:
     unit = at.units[numbers]
     rates = (np.concatenate([at.v, at.motion[0]]) * at.units * at.time)[numbers]
     size = np.linalg.norm(at.inertia * at.v) + np.linalg.norm(at.inertia * at.x) / at.time
-    if not np.linalg.norm(rates) <= _STILL * size:
+    if not np.linalg.norm(rates) <= _STILL * size or (rates.any() and at.unresolved):
         return False
     scale = np.linalg.norm(unit[:, None] * here.core / unit)
     for ahead in (0.3 * at.time, at.time):

@@ -15,6 +15,9 @@ from ..runtime import CompiledModel, Prepared, variations
 if TYPE_CHECKING:
     from ..system.system import System
 
+_RESOLVED = 1e-6
+"""How much slopes may change, relative to themselves, from one number to the next that a double can be."""
+
 
 @dataclass(frozen=True)
 class Place:
@@ -66,6 +69,23 @@ class Place:
         by_x, by_v = (unit[:, None] * part / unit for part in np.split(self.motion[2][:, : 2 * n], 2, axis=1))
         rate = max(float(np.sqrt(np.linalg.norm(by_x))), float(np.linalg.norm(by_v)))
         return 1.0 / rate if rate > 0.0 else 1.0
+
+    @cached_property
+    def unresolved(self) -> list[str]:
+        """The coordinates next to whose numbers others have other slopes: angles of 1e16, which nobody knows to a radian.
+
+        What their roundings make of the equations, however small beside |slope| |x|, says nothing then.
+        """
+        n = self.model.n
+        slope = self.motion[2][:, :n]
+        most = _RESOLVED * np.linalg.norm(slope)
+        return [name for k, name in enumerate(self.model.coordinates) if self._change(k, slope) > most]
+
+    def _change(self, k: int, slope: Vector) -> float:
+        """By how much slopes change from coordinate k to the next number."""
+        beside = self.x.copy()
+        beside[k] += np.spacing(beside[k])
+        return float(np.linalg.norm(self.at(self.t, beside, self.v).motion[2][:, : self.model.n] - slope))
 
     @cached_property
     def units(self) -> Vector:
