@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from common.timing import interleaved
+from eigenmotion.codegen.choices import FORMULATIONS
 
 from eigenmotion import System, build
 
@@ -33,7 +34,7 @@ def off(system: System, names: list[str]) -> float:
 
 
 def main() -> None:
-    for formulation in ("lagrange", "eigenfactor"):
+    for formulation in FORMULATIONS:
         system = build(MODEL, formulation=formulation)
         names = [*system.parameters, *system.coordinates, *(f"{name}'" for name in system.coordinates)]
         for method in ("dop853", "ra15"):

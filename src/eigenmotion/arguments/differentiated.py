@@ -36,10 +36,10 @@ def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Different
     """
     if isinstance(asked, str) or not isinstance(asked, Sequence):
         raise OptionError(f"sensitivities is {shown(asked)}: give a list of names")
-    known = names_of(c)
+    known = dict.fromkeys(names_of(c))
     names = tuple(dict.fromkeys(one if isinstance(one, str) and one in known else _name(one) for one in asked))
-    if wrong := set(names) - set(known):
-        raise ModelError(unknown("name in sensitivities", wrong, known))
+    if wrong := set(names) - known.keys():
+        raise ModelError(unknown("name in sensitivities", wrong, tuple(known)))
     quasi = [name for name in names if name in c.quasi_velocities]
     given = set(by_spelling(v0, "v0", rate_name)) if is_named(v0) else set()
     from_quasi = bool(given & set(c.quasi_velocities)) or (v0 is None and c.initial_y is not None)

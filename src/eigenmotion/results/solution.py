@@ -60,7 +60,7 @@ class DenseOutput:
 
     def __init__(self, ts: Vector, rows_at: Callable[[Vector], Vector]) -> None:
         self.ts, self._rows_at = ts, rows_at
-        self.t_min, self.t_max = float(ts.min()), float(ts.max())
+        self.t_min, self.t_max = float(min(ts[0], ts[-1])), float(max(ts[0], ts[-1]))
 
     def __call__(self, t: ArrayLike) -> Vector:
         """Return y (n_state,) at a number t, (n_state, k) at t (k,).
@@ -75,8 +75,12 @@ class DenseOutput:
             raise ModelError(f"t has shape {times.shape}, but must be a number or one-dimensional")
         if times.size and not (self.t_min <= times.min() and times.max() <= self.t_max):
             raise ModelError(f"t is outside the interval of the run, [{self.t_min:.9g}, {self.t_max:.9g}]")
-        rows = self._rows_at(np.atleast_1d(times))
+        rows = self.rows(np.atleast_1d(times))
         return rows.T if times.ndim else rows[0]
+
+    def rows(self, t: Vector) -> Vector:
+        """Return y (k, n_state) at times (k,) that are known to be within."""
+        return self._rows_at(t)
 
 
 class Solution(OptimizeResult):  # type: ignore[misc]

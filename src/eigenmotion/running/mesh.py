@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from itertools import pairwise
+from math import ceil
 from typing import NamedTuple
 
 import numpy as np
@@ -42,10 +43,14 @@ class Mesh(NamedTuple):
         return Mesh(self.stops, after, np.insert(self.start, at + 1, middle[at]), np.insert(self.end, at, middle[at]))
 
 
-def mesh_of(path: Path, steps: Vector, kinks: Vector, together: int) -> Mesh:
+def mesh_of(path: Path, steps: Vector, kinks: Vector, together: float) -> Mesh:
     """Return one step for so many `together` of the run's, which end at times `steps`; none goes across a kink."""
     t = path.t
-    steps, marked = np.sort(steps), np.zeros(len(t), dtype=bool)
+    steps = steps[::-1] if len(steps) and steps[-1] < steps[0] else steps
+    if not (len(path.mark_row) or len(kinks)) and len(t) > 1:  # as most runs are
+        e = _edges(t[0], t[-1], False, False, steps, kinks, together)
+        return Mesh(np.array([0, len(t) - 1]), np.array([len(e) - 1, 0]), e[:-1], e[1:])
+    marked = np.zeros(len(t), dtype=bool)
     marked[path.mark_row] = True
     made = np.append(False, t[1:] == t[:-1])  # by events that act
     stops = marked | made
@@ -59,18 +64,22 @@ def mesh_of(path: Path, steps: Vector, kinks: Vector, together: int) -> Mesh:
                 np.concatenate([nothing, *(one[1:] for one in edges)]))  # fmt: skip
 
 
-def _edges(a: float, b: float, leaves: bool, meets: bool, steps: Vector, kinks: Vector, together: int) -> Vector:
-    """Return where steps between two stops begin and end, (k,)."""
+def _edges(a: float, b: float, leaves: bool, meets: bool, steps: Vector, kinks: Vector, together: float) -> Vector:
+    """Return where steps between two stops begin and end, (k,): as many of the run's in each as in the others."""
     if a == b:
         return np.array([a])
     low, high = min(a, b), max(a, b)
     least = 1e-6 * (high - low)
-    inside = steps[(steps > low + least) & (steps < high - least)]
-    within = inside[together - 1 :: together] if a < b else inside[::-1][together - 1 :: together][::-1]
+    ends = np.concatenate([[low], steps[slice(*steps.searchsorted((low + least, high - least)))], [high]])
+    whole = len(ends) - 1
+    made = ceil(whole / together)
+    place = np.arange(1, made) * (whole / made)
+    before = place.astype(int)
+    within = ends[before] + (place - before) * (ends[before + 1] - ends[before])
     if len(kinks):
         within = np.unique(np.concatenate([within, kinks[(kinks > low) & (kinks < high)]]))
     first, last = a + _BESIDE * (b - a) if leaves else a, b - _BESIDE * (b - a) if meets else b
-    return np.array([first, *(within if a < b else within[::-1]), last])
+    return np.concatenate([[first], within if a < b else within[::-1], [last]])
 
 
 def _lagrange(x: Vector) -> Vector:

@@ -37,6 +37,8 @@ class Path(NamedTuple):
 def path_of(task: Task, solution: Solution) -> Path:
     """Read it off a solution."""
     start, prepared = _start(task)
+    if not any(len(each) for each in solution.t_events or ()):
+        return _undisturbed(task, solution, start, prepared)
     times, states, marks = _happened(task, solution)
     sign = 1.0 if task.t_end >= task.t_start else -1.0
     t = np.concatenate([[task.t_start], solution.t, times])
@@ -58,6 +60,18 @@ def path_of(task: Task, solution: Solution) -> Path:
         [np.array([of_event[event, time] for time in range(count)], dtype=int) for event, count in enumerate(counts)],
         prepared,
     )  # fmt: skip
+
+
+def _undisturbed(task: Task, solution: Solution, start: Vector, prepared: Prepared) -> Path:
+    """Read it off where no event happens."""
+    n, k = task.model.n, len(solution.t) + 1
+    t, y, new = np.empty(k), np.empty((k, task.model.n_state)), np.ones(k, dtype=bool)
+    t[0], t[1:], y[0], y[1:] = task.t_start, solution.t, start, solution.y.T
+    np.not_equal(t[1:], t[:-1], out=new[1:])
+    t, y, none = t[new], y[new], np.empty(0, dtype=int)
+    z = np.empty((len(t), 2 * n))
+    z[:, :n], z[:, n:] = y[:, :n], task.model.velocity_rows(t, y, task.prepared)
+    return Path(t, z, none, none, new.cumsum()[1:] - 1, [none for _ in solution.t_events or ()], prepared)
 
 
 def _start(task: Task) -> tuple[Vector, Prepared]:

@@ -16,8 +16,9 @@ from .mesh import A2, NODES, PLACE, A, Mesh, mesh_of, weights
 from .methods import Method
 from .path import Path, path_of
 
-TOGETHER = {"ra15": 1, "radau5": 1, "radau9": 1, "dop853": 3}
-"""How many steps of a run make one of the equations of variation, whose polynomials are of higher degree."""
+TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
+"""How many steps of a run make one of the equations of variation, whose polynomials are of higher degree. Those of ra15
+are as high, and less exact within a step than at its end: its steps stay what they are, and directions as exact."""
 _WORTH = 1e3
 """By how much, in relative tolerances of a run, the rate of its motion may be off what these equations make of it."""
 _JUMP = 1e-3
@@ -62,21 +63,23 @@ def directions(asked: Differentiated, task: Task) -> Directions:
         raise ModelError(f"{c.name}: sensitivities do not go through a controller (Sampled): differentiate the closed "
                          "loop by a run with its control law in the model's forces")  # fmt: skip
     S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
-    state, given = (*c.coordinates, *rates_of(c)), (*c.inputs, *c.parameters)
+    state = {name: row for row, name in enumerate((*c.coordinates, *rates_of(c)))}
+    given = {name: row for row, name in enumerate((*c.inputs, *c.parameters))}
     for column, name in enumerate(names):
         if name in state:
-            S[state.index(name), column] = 1.0
+            S[state[name], column] = 1.0
         elif name in given:
-            P[given.index(name), column] = 1.0
-            _check_constant(task, name)
+            P[given[name], column] = 1.0
+            if given[name] < c.n_inputs:
+                _check_constant(task, given[name])
     if asked.from_quasi:
         _quasi(task, names, S, P)
     return Directions(names, S, P)
 
 
-def _check_constant(task: Task, name: str) -> None:
-    c = task.model
-    if name in c.inputs and not isinstance(task.inputs.signals[c.inputs.index(name)], int | float):
+def _check_constant(task: Task, k: int) -> None:
+    if not isinstance(task.inputs.signals[k], int | float):
+        name = task.model.inputs[k]
         raise ModelError(f"sensitivities: input {name!r} is sampled; only inputs that are constant can be named")
 
 
@@ -103,58 +106,63 @@ def sensitivity(task: Task, solution: Solution, asked: Directions, method: Metho
         once, or one that only touches zero.
     """
     n, path = task.model.n, path_of(task, solution)
-    found, shifts, fault = _varied(task, solution, asked, path, TOGETHER.get(method.name, 3))
+    found, shifts, fault = _varied(task, solution, asked, path, TOGETHER.get(method.name, 3.0))
     if fault is not None and solution.success:  # else the run has ended for a reason of its own, and says it
         remedy = ("give the model an event whose expression passes through zero where the force jumps, or make it "
                   "smooth" if "jumps" in str(fault) else "end the run before")  # fmt: skip
         raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
-    rows = found[path.of_rows]
-    times = [[shifts[marks, column] for marks in path.of_events] for column in range(len(asked.names))]
+    rows = found[path.of_rows].T  # (columns, 2 n, k)
+    if not task.model.events:
+        return {name: Sensitivity(one[:n], one[n:]) for name, one in zip(asked.names, rows, strict=True)}
     return {
-        name: Sensitivity.of(rows[:, :n, k].T, rows[:, n:, k].T, times[k] if task.model.events else None)
-        for k, name in enumerate(asked.names)
+        name: Sensitivity.of(one[:n], one[n:], [shifts[marks, column] for marks in path.of_events])
+        for column, (name, one) in enumerate(zip(asked.names, rows, strict=True))
     }
 
 
 def _varied(
-    task: Task, solution: Solution, asked: Directions, path: Path, together: int
+    task: Task, solution: Solution, asked: Directions, path: Path, together: float
 ) -> tuple[Vector, Vector, EvaluationError | None]:
     """Return directions (k, 2 n, columns) at all nodes, changes (marks, columns) of event times, and why they end.
 
     They are NaN from there on.
     """
     c, n, columns = task.model, task.model.n, len(asked.names)
-    found = np.full((len(path.t), 2 * n, columns), np.nan)
     try:
         S = tangent(c, path.t[0], path.z[0, :n], path.z[0, n:], path.prepared, task.least_norm, asked.S, asked.P)
     except EvaluationError as error:
-        return found, np.full((len(path.mark_row), columns), np.nan), error
+        return np.full((len(path.t), 2 * n, columns), np.nan), np.full((len(path.mark_row), columns), np.nan), error
     sol = solution.get("sol")
-    kinks = np.array(task.inputs.kinks(*sorted((task.t_start, task.t_end))), dtype=float)
+    kinks = np.empty(0)
+    if c.n_inputs:
+        kinks = np.array(task.inputs.kinks(*sorted((task.t_start, task.t_end))), dtype=float)
     mesh = mesh_of(path, sol.ts if sol is not None else np.empty(0), kinks, together)
-    marks = np.searchsorted(mesh.stops, path.mark_row), path.mark_event
+    marks = mesh.stops.searchsorted(path.mark_row), path.mark_event
     sign = 1.0 if task.t_end >= task.t_start else -1.0
     limit = min(max(_WORTH * task.rtol, 1e-9), 1e-4)
 
     def state(t: Vector) -> Vector:
-        y = np.ascontiguousarray(sol(np.clip(t, sol.t_min, sol.t_max)).T)
-        return np.hstack([y[:, :n], c.velocity_rows(t, y, task.prepared)])
+        y = sol.rows(np.minimum(np.maximum(t, sol.t_min), sol.t_max))
+        z = np.empty((len(t), 2 * n))
+        z[:, :n], z[:, n:] = y[:, :n], c.velocity_rows(t, y, task.prepared)
+        return z
 
     for halving in range(_HALVINGS + 1):
         nodes = mesh.at_nodes(state) if len(mesh.start) else np.empty((0, NODES, 2 * n))
         stops = path.t[mesh.stops], path.z[mesh.stops], mesh.steps_after
         at_stops, shifts, at_steps, K, apart, fault = vary(
             c, path.prepared, task.inputs.compiled, sign, stops, (mesh.start, mesh.end, nodes), marks, (PLACE, A, A2),
-            S, asked.P, task.stabilise, task.least_norm,
+            S, asked.P, task.stabilise, task.least_norm, len(mesh.stops) < len(path.t),
         )  # fmt: skip
-        off = ~(apart <= limit) & ~np.isnan(apart)
+        off = apart > limit
         if not off.any() or halving == _HALVINGS:
             break
         mesh = mesh.halved(off)
+    found = at_stops
     if len(mesh.stops) < len(path.t):
-        found[:] = _within(path.t, mesh, at_steps, K)
-    found[mesh.stops] = at_stops
-    if (apart > _JUMP).any():
+        found = _within(path.t, mesh, at_steps, K)
+        found[mesh.stops] = at_stops
+    if off.any() and (apart > _JUMP).any():
         first = int(np.argmax(apart > _JUMP))
         found[sign * path.t > sign * mesh.start[first]] = np.nan
         words = f"{c.name}: a force jumps at about t = {mesh.end[first]:.9g}"

@@ -48,4 +48,5 @@ def vary(
     P: Vector,
     stabilise: bool,
     least_norm: bool,
+    inside: bool,
 ) -> tuple[Vector, Vector, Vector, Vector, Vector, EvaluationError | None]: ...

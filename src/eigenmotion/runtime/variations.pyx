@@ -3,6 +3,7 @@
 run (em_variations.h)."""
 
 from cpython.exc cimport PyErr_CheckSignals
+from libc.math cimport NAN
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
@@ -155,14 +156,15 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
 
 
 def vary(PointModel model not None, Prepared c not None, tuple inputs, double direction, stops, steps, marks, nodes, S, P,
-         bint stabilise, bint least_norm):
+         bint stabilise, bint least_norm, bint inside):
     """How directions S (2 n, columns) at the first of `stops` go along a motion (em_variation_steps.h).
 
     stops : t (stops,), z (stops, 2 n), how many steps follow each (stops,); steps : from, to (steps,), z at their nodes
     (steps, nodes, 2 n); marks : stop, event (marks,); nodes : place (nodes,), A, A^2 (nodes, nodes)
 
     Returns S (stops, 2 n, columns), dt (marks, columns), and of the steps S (steps, 2 n, columns) where they begin, K (steps,
-    nodes, n, columns) and how far the witness is off (steps,); NaN where a pass did not get; and what ended it, or None.
+    nodes, n, columns), both empty but where what is `inside` them is asked for, and how far the witness is off (steps,);
+    NaN where a pass did not get; and what ended it, or None.
     """
     cdef em_variations pass_
     cdef Py_ssize_t k = len(stops[0]), made = len(steps[0]), happened = len(marks[0]), n = model.n, nodes_of = EM_VARIATION_NODES, j
@@ -174,9 +176,10 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, double di
     cdef Numbers A = given(nodes[1], (nodes_of, nodes_of), "A"), A2 = given(nodes[2], (nodes_of, nodes_of), "A2")
     cdef Numbers rest = given(P, (model.n_arguments - 2 * n, columns), "P")
     cdef Numbers at_stops = _unknown(k, 2 * n, columns), shifts = _unknown(happened, columns)
-    cdef Numbers at_steps = _unknown(made, 2 * n, columns), K = _unknown(made, nodes_of, n, columns), apart = _unknown(made)
-    cdef long[::1] follow = np.append(stops[2], 0).astype(np.int_), at = np.append(marks[0], -1).astype(np.int_)
-    cdef int[::1] happens = np.append(marks[1], -1).astype(np.intc)
+    cdef Py_ssize_t kept = made if inside else 0
+    cdef Numbers at_steps = _unknown(kept, 2 * n, columns), K = _unknown(kept, nodes_of, n, columns), apart = _unknown(made)
+    cdef long[::1] follow = _whole(stops[2], np.int_), at = _whole(marks[0], np.int_)
+    cdef int[::1] happens = _whole(marks[1], np.intc)
     cdef em_signal *signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
     cdef list held = []
     if signals == NULL:
@@ -194,7 +197,8 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, double di
         pass_.n_steps, pass_.start, pass_.to, pass_.nodes = made, start.data, to.data, within.data
         pass_.n_marks, pass_.mark_stop, pass_.mark_event, pass_.dt = happened, &at[0], &happens[0], shifts.data
         pass_.place, pass_.A, pass_.A2, pass_.P = place.data, A.data, A2.data, rest.data
-        pass_.S, pass_.S_from, pass_.K, pass_.apart = at_stops.data, at_steps.data, K.data, apart.data
+        pass_.S, pass_.apart = at_stops.data, apart.data
+        pass_.S_from, pass_.K = at_steps.data if kept else NULL, K.data if kept else NULL
         pass_.poll, pass_.poll_argument, pass_.t_reached = poll, NULL, T.data[0]
         with nogil:
             status = em_vary(&pass_)
@@ -210,4 +214,13 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, double di
 
 
 def _unknown(*shape):
-    return given(np.full(shape, np.nan), shape, "unknown")
+    cdef Numbers made = zeros(shape)
+    made.array.fill(NAN)
+    return made
+
+
+def _whole(numbers, kind):
+    """They, and one more, that there is a first."""
+    made = np.zeros(len(numbers) + 1, dtype=kind)
+    made[:len(numbers)] = numbers
+    return made

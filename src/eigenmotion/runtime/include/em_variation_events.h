@@ -127,7 +127,7 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double besi
     for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
         const int event = w->mark_event[*mark];
         em_event_shift(p, t, event, before, dt);
-        memcpy(w->dt + *mark * (k - 1), dt, (k - 1) * sizeof *dt);
+        memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
         if (w->model->deeds && w->model->deeds[event].acts) {
             if (acting && !em_go_together(p, of_act, dt)) return em_end_pass(w, EM_EVENTS_MEET, first, event);
             for (int j = 0; j < k; ++j)

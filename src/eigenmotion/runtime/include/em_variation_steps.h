@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 
+#include "em_elimination.h"
 #include "em_signals.h"
 
 #define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
@@ -33,7 +34,8 @@ typedef struct em_variations {
     const double *from, *to, *nodes;       /* (n_steps), (n_steps), (n_steps, EM_VARIATION_NODES, 2 n) */
     const double *place, *A, *A2;          /* of the nodes in a step; A, and its square */
     double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 given; (n_marks, columns): of times of events */
-    double *S_from, *K, *apart;            /* (n_steps, 2 n, columns), (n_steps, nodes, n, columns), and how far the witness is off */
+    double *apart;                         /* (n_steps), how far the witness is off */
+    double *S_from, *K;                    /* (n_steps, 2 n, columns), (n_steps, nodes, n, columns); NULL: not asked */
     int (*poll)(void *);
     void *poll_argument;
     em_fault fault;
@@ -41,12 +43,14 @@ typedef struct em_variations {
     double t_reached;
 } em_variations;
 
-/* What a pass works with: S (2 n, columns) of directions, the last the witness; z where it is; J (n, n_arguments) at each
- * node, the linear system L (nodes n) and its right-hand sides K; Y of sums. */
+/* What a pass works with. Directions are rows of `columns` numbers, the last of them the witness's, and zeros before it
+ * that make them a multiple of four: S (2 n, columns) and P (n_given, columns), which is zero but at `places`, (row, column). z is where
+ * the motion is; J (n, n_arguments) at each node, G there what does not hang on K; L the linear system with its right-hand
+ * sides, in `rows`. */
 typedef struct em_pass {
     em_variations *of;
-    int n, m, columns; /* of directions, the witness counted */
-    double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W;
+    int n, m, columns, wide, n_places, (*places)[2];
+    double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
     em_pile *pile;
     long *piece;
 } em_pass;
@@ -99,83 +103,74 @@ static void em_set_witness(em_pass *p, const double *rate) {
     for (int i = 0; i < 2 * p->n; ++i) p->S[i * p->columns + p->columns - 1] = rate[i];
 }
 
-/* to (columns) += factor from */
-static inline void em_add_to(int columns, double factor, const double *restrict from, double *restrict to) {
-    for (int j = 0; j < columns; ++j) to[j] += factor * from[j];
-}
-
 /* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
-static void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
-    for (int i = 0; i < rows; ++i)
-        for (int k = 0; k < inner; ++k)
-            if (D[i * width + k] != 0.0) em_add_to(columns, D[i * width + k], S + k * columns, W + i * columns);
+EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
+    for (int i = 0; i < rows; ++i) {
+        int k = 0;
+        for (; k + 4 <= inner; k += 4)
+            em_add_four(columns, D + i * width + k, S + k * columns, columns, W + i * columns);
+        for (; k < inner; ++k) em_add_to(columns, D[i * width + k], S + k * columns, W + i * columns);
+    }
 }
 
-/* J at node j of a step, and G there: all that does not hang on K. */
-static int em_variation_node(em_pass *p, size_t step, int j) {
+/* G at a node: what does not hang on K. */
+EM_INLINE void em_node_directions(em_pass *p, int j, double h) {
+    const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
+    const double *const J = p->J + j * n * width;
+    double *const G = p->G + j * block;
+    memcpy(p->Y, p->S, 2 * (size_t)block * sizeof *p->Y);
+    em_add_to(block, p->of->place[j] * h, p->S + block, p->Y);
+    memset(G, 0, (size_t)block * sizeof *G);
+    em_add_product(n, 2 * n, width, k, J, p->Y, G);
+    for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
+        const double given = p->P[(*at)[0] * k + (*at)[1]];
+        for (int q = 0; q < n; ++q) G[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * given;
+    }
+}
+
+EM_WIDE static void em_node_wide(em_pass *p, int j, double h) { em_node_directions(p, j, h); }
+static void em_node_narrow(em_pass *p, int j, double h) { em_node_directions(p, j, h); }
+
+/* J at the nodes of a step, and all that does not hang on K: G. */
+static int em_variation_nodes(em_pass *p, size_t step) {
     em_variations *const w = p->of;
-    const int n = p->n, k = p->columns, width = w->model->n_arguments;
-    const double h = w->to[step] - w->from[step], t = j + 1 < EM_VARIATION_NODES ? w->from[step] + w->place[j] * h : w->to[step];
-    const double *const z = w->nodes + (step * EM_VARIATION_NODES + j) * 2 * n;
-    double *const J = p->J + j * n * width, *const G = p->G + j * n * k;
-    em_pass_inputs(p, t);
-    if (w->model->motion_derivatives(t, z, z + n, p->c, p->u, w->least_norm, p->a, p->lambda, J, p->dlambda, &w->fault))
-        return -1;
-    memcpy(p->Y, p->S, (size_t)n * k * sizeof *p->Y);
-    em_add_to(n * k, w->place[j] * h, p->S + n * k, p->Y);
-    memset(G, 0, (size_t)n * k * sizeof *G);
-    em_add_product(n, n, width, k, J, p->Y, G);
-    em_add_product(n, n, width, k, J + n, p->S + n * k, G);
-    em_add_product(n, w->n_given, width, k, J + 2 * n, p->P, G);
-    return 0;
-}
-
-/* K <- L^-1 K by elimination, rows of the largest pivot first. 0, or -1: singular. */
-static int em_eliminate_all(int size, int columns, double *L, double *K) {
-    for (int i = 0; i < size; ++i) {
-        int best = i;
-        for (int r = i + 1; r < size; ++r)
-            if (fabs(L[r * size + i]) > fabs(L[best * size + i])) best = r;
-        if (!(fabs(L[best * size + i]) > 0.0)) return -1;
-        for (int j = i; j < size && best != i; ++j) {
-            const double kept = L[best * size + j];
-            L[best * size + j] = L[i * size + j], L[i * size + j] = kept;
-        }
-        for (int j = 0; j < columns && best != i; ++j) {
-            const double kept = K[best * columns + j];
-            K[best * columns + j] = K[i * columns + j], K[i * columns + j] = kept;
-        }
-        for (int r = i + 1; r < size; ++r) {
-            const double part = L[r * size + i] / L[i * size + i];
-            if (part == 0.0) continue;
-            em_add_to(size - i - 1, -part, L + i * size + i + 1, L + r * size + i + 1);
-            em_add_to(columns, -part, K + i * columns, K + r * columns);
-        }
-    }
-    for (int i = size - 1; i >= 0; --i) {
-        for (int r = i + 1; r < size; ++r) em_add_to(columns, -L[i * size + r], K + r * columns, K + i * columns);
-        for (int j = 0; j < columns; ++j) K[i * columns + j] /= L[i * size + i];
+    const int n = p->n, width = w->model->n_arguments;
+    const double h = w->to[step] - w->from[step];
+    for (int j = 0; j < EM_VARIATION_NODES; ++j) {
+        const double t = j + 1 < EM_VARIATION_NODES ? w->from[step] + w->place[j] * h : w->to[step];
+        const double *const z = w->nodes + (step * EM_VARIATION_NODES + j) * 2 * n;
+        em_pass_inputs(p, t);
+        if (w->model->motion_derivatives(t, z, z + n, p->c, p->u, w->least_norm, p->a, p->lambda, p->J + j * n * width,
+                                         p->dlambda, &w->fault)) return -1;
+        (p->wide ? em_node_wide : em_node_narrow)(p, j, h);
     }
     return 0;
 }
 
-static int em_solve_nodes(em_pass *p, double h) {
+/* K <- by elimination, of unknowns and equations in the order of coordinates, and then nodes. 0, or -1: singular. */
+EM_INLINE int em_solve_nodes(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES };
-    const int n = p->n, size = NODES * n, width = p->of->model->n_arguments;
-    for (int i = 0; i < NODES; ++i)
-        for (int row = 0; row < n; ++row)
-            for (int j = 0; j < NODES; ++j) {
-                const double by_x = -h * h * p->of->A2[i * NODES + j], by_v = -h * p->of->A[i * NODES + j];
-                const double *const J = p->J + (i * n + row) * width;
-                double *const at = p->L + (i * n + row) * size + j * n;
-                for (int q = 0; q < n; ++q) at[q] = by_x * J[q] + by_v * J[n + q] + (i == j && row == q);
+    const int n = p->n, size = NODES * n, k = p->columns, width = p->of->model->n_arguments;
+    for (int row = 0; row < n; ++row)
+        for (int i = 0; i < NODES; ++i) {
+            const double *const J = p->J + (i * n + row) * width;
+            const double *const A = p->of->A + i * NODES, *const A2 = p->of->A2 + i * NODES;
+            double *const at = p->rows[row * NODES + i] = p->L + (row * NODES + i) * (size + k);
+            for (int q = 0; q < n; ++q) {
+                const double by_x = -h * h * J[q], by_v = -h * J[n + q];
+                for (int j = 0; j < NODES; ++j) at[q * NODES + j] = by_x * A2[j] + by_v * A[j];
             }
-    memcpy(p->K, p->G, (size_t)size * p->columns * sizeof *p->K);
-    return em_eliminate_all(size, p->columns, p->L, p->K);
+            at[row * NODES + i] += 1.0;
+            memcpy(at + size, p->G + (i * n + row) * k, k * sizeof *at);
+        }
+    if (em_eliminate(size, k, p->rows)) return -1;
+    for (int i = 0; i < size; ++i)
+        memcpy(p->K + (i % NODES * n + i / NODES) * k, p->rows[i] + size, k * sizeof *p->K);
+    return 0;
 }
 
 /* K <- by iteration from G. 0, or -1: does not converge. */
-static int em_iterate_nodes(em_pass *p, double h) {
+EM_INLINE int em_iterate_nodes(em_pass *p, double h) {
     enum { NODES = EM_VARIATION_NODES, MOST = 25 };
     const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
     double before = INFINITY;
@@ -216,36 +211,60 @@ static double em_check_witness(em_pass *p, double h, const double *z) {
     return apart > 0.0 ? apart / size : 0.0;
 }
 
+/* K, and S at the end of a step. 0, or -1: singular. */
+EM_INLINE int em_step_directions(em_pass *p, double h) {
+    enum { NODES = EM_VARIATION_NODES };
+    const int block = p->n * p->columns;
+    const double *const A = p->of->A + (NODES - 1) * NODES, *const A2 = p->of->A2 + (NODES - 1) * NODES;
+    const int iterated = NODES * p->n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
+    if (!iterated && em_solve_nodes(p, h)) return -1;
+    em_add_to(block, h, p->S + block, p->S);
+    for (int j = 0; j < NODES; j += 4) {
+        const double once[4] = {h * A[j], h * A[j + 1], h * A[j + 2], h * A[j + 3]};
+        const double twice[4] = {h * h * A2[j], h * h * A2[j + 1], h * h * A2[j + 2], h * h * A2[j + 3]};
+        em_add_four(block, twice, p->K + j * block, block, p->S);
+        em_add_four(block, once, p->K + j * block, block, p->S + block);
+    }
+    return 0;
+}
+
+EM_WIDE static int em_step_wide(em_pass *p, double h) { return em_step_directions(p, h); }
+static int em_step_narrow(em_pass *p, double h) { return em_step_directions(p, h); }
+
+/* What rows of a step follow from: S where it begins, and K. */
+static void em_keep_step(const em_pass *p, size_t step, const double *from, int count, double *to) {
+    const int asked = p->of->columns;
+    for (int i = 0; i < count && to; ++i)
+        memcpy(to + (step * count + i) * asked, from + i * p->columns, asked * sizeof *to);
+}
+
+static int em_is_finite(size_t count, const double *a) {
+    for (size_t i = 0; i < count; ++i)
+        if (!isfinite(a[i])) return 0;
+    return 1;
+}
+
 /* S <- at the end of a step. */
 static int em_variation_step(em_pass *p, size_t step) {
-    enum { NODES = EM_VARIATION_NODES };
     em_variations *const w = p->of;
-    const int n = p->n, k = p->columns, block = n * k;
+    const int n = p->n;
     const double h = w->to[step] - w->from[step];
-    const double *const z = w->nodes + (step * NODES + NODES - 1) * 2 * n;
+    const double *const z = w->nodes + (step * EM_VARIATION_NODES + EM_VARIATION_NODES - 1) * 2 * n;
     if (em_pass_pieces(p, w->from[step])) {
         double rate[2 * n];
         if (em_motion_rate(p, w->from[step], p->z, rate)) return -1;
         em_set_witness(p, rate);
     }
-    for (int j = 0; j < NODES; ++j)
-        if (em_variation_node(p, step, j)) return -1;
-    const int iterated = NODES * n > EM_BY_ELIMINATION && em_iterate_nodes(p, h) == 0;
-    if (!iterated && em_solve_nodes(p, h)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
-    for (int i = 0; i < 2 * n; ++i) memcpy(w->S_from + (step * 2 * n + i) * (k - 1), p->S + i * k, (k - 1) * sizeof *p->S);
-    for (int i = 0; i < NODES * n; ++i) memcpy(w->K + (step * NODES * n + i) * (k - 1), p->K + i * k, (k - 1) * sizeof *p->K);
-    em_add_to(block, h, p->S + block, p->S);
-    for (int j = 0; j < NODES; ++j) {
-        em_add_to(block, h * h * w->A2[(NODES - 1) * NODES + j], p->K + j * block, p->S);
-        em_add_to(block, h * w->A[(NODES - 1) * NODES + j], p->K + j * block, p->S + block);
-    }
+    if (em_variation_nodes(p, step)) return -1;
+    em_keep_step(p, step, p->S, 2 * n, w->S_from);
+    if ((p->wide ? em_step_wide : em_step_narrow)(p, h)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    em_keep_step(p, step, p->K, EM_VARIATION_NODES * n, w->K);
     w->t_reached = w->to[step];
     w->apart[step] = em_check_witness(p, h, z);
     memcpy(p->z, z, 2 * n * sizeof *z);
-    for (int i = 0; i < 2 * block; ++i)
-        if (!isfinite(p->S[i])) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
+    if (!em_is_finite((size_t)2 * n * p->columns, p->S)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
     if (!w->stabilise || !w->model->m) return 0;
-    return w->model->tangent(w->to[step], z, z + n, p->c, w->least_norm, k, p->S, p->P, &w->fault);
+    return w->model->tangent(w->to[step], z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault);
 }
 
 #endif

@@ -11,9 +11,7 @@
 #include "em_variation_events.h"
 
 static void em_keep_directions(const em_pass *p, size_t stop) {
-    const int n = p->n, k = p->columns;
-    for (int i = 0; i < 2 * n; ++i)
-        memcpy(p->of->S + (stop * 2 * n + i) * (k - 1), p->S + i * k, (k - 1) * sizeof *p->S);
+    em_keep_step(p, stop, p->S, 2 * p->n, p->of->S);
 }
 
 /* The steps between two stops, which keep `beside` of them if events happen there. */
@@ -62,16 +60,16 @@ static int em_variation_stops(em_pass *p) {
 static int em_pass_open(em_pass *p, em_variations *w) {
     enum { NODES = EM_VARIATION_NODES };
     const em_model *const model = w->model;
-    const int n = model->n, m = model->m, k = w->columns + 1;
-    *p = (em_pass){.of = w, .n = n, .m = m, .columns = k};
+    const int n = model->n, m = model->m, k = w->columns / 4 * 4 + 4, size = NODES * n;
+    *p = (em_pass){.of = w, .n = n, .m = m, .columns = k, .wide = EM_IS_WIDE};
     const struct {
         double **part;
         size_t count;
     } parts[] = {
         {&p->S, 2 * n * k}, {&p->z, 2 * n}, {&p->P, w->n_given * k}, {&p->u, model->n_inputs}, {&p->a, n}, {&p->lambda, m},
-        {&p->dlambda, m * model->n_arguments}, {&p->c, model->n_prepared}, {&p->J, NODES * n * model->n_arguments},
-        {&p->L, (size_t)NODES * n * NODES * n}, {&p->K, NODES * n * k}, {&p->G, NODES * n * k}, {&p->Y, 2 * n * k},
-        {&p->W, (NODES * n + m) * k},
+        {&p->dlambda, m * model->n_arguments}, {&p->c, model->n_prepared}, {&p->J, size * model->n_arguments},
+        {&p->L, (size_t)size * (size + k)}, {&p->K, size * k}, {&p->G, size * k}, {&p->Y, 2 * n * k},
+        {&p->W, (size + m) * k},
     };
     enum { PARTS = sizeof parts / sizeof *parts };
     size_t numbers = 1;
@@ -79,8 +77,10 @@ static int em_pass_open(em_pass *p, em_variations *w) {
     double *next = calloc(numbers, sizeof *next);
     p->piece = calloc(model->n_inputs + 1, sizeof *p->piece);
     p->pile = calloc(model->n_events + 1, sizeof *p->pile);
+    p->rows = calloc(size, sizeof *p->rows);
+    p->places = calloc(w->n_given * k, sizeof *p->places);
     p->S = next;
-    if (!next || !p->piece || !p->pile) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
+    if (!next || !p->piece || !p->pile || !p->rows || !p->places) return em_fail(&w->fault, EM_OUT_OF_MEMORY, -1, -1, 0.0);
     for (int i = 0; i < PARTS; ++i) *parts[i].part = next, next += parts[i].count;
     return 0;
 }
@@ -89,6 +89,18 @@ static void em_pass_close(em_pass *p) {
     free(p->S);
     free(p->piece);
     free(p->pile);
+    free(p->rows);
+    free(p->places);
+}
+
+/* Where directions of what is given are not zero: where it was said so, and the witness, which goes with inputs and time. */
+static void em_find_places(em_pass *p) {
+    for (int i = 0; i < p->of->n_given; ++i)
+        for (int j = 0; j < p->columns; ++j) {
+            const int input_of_witness = j == p->columns - 1 && i < p->of->model->n_inputs;
+            if (p->P[i * p->columns + j] == 0.0 && !input_of_witness) continue;
+            p->places[p->n_places][0] = i, p->places[p->n_places++][1] = j;
+        }
 }
 
 /* S and K <- at all stops and steps. 0, or -1 and w->fault, w->why; what was not reached is untouched. */
@@ -98,12 +110,13 @@ static int em_vary(em_variations *w) {
     w->why = EM_BY_FAULT;
     int status = em_pass_open(&pass, w);
     if (status == 0) {
-        const int n = pass.n, k = pass.columns;
+        const int n = pass.n, k = pass.columns, asked = w->columns;
         memcpy(pass.c, w->c, w->model->n_prepared * sizeof *w->c);
         memcpy(pass.z, w->z, 2 * n * sizeof *w->z);
-        for (int i = 0; i < w->n_given; ++i) memcpy(pass.P + i * k, w->P + i * (k - 1), (k - 1) * sizeof *w->P);
-        pass.P[(w->n_given - 1) * k + k - 1] = 1.0; /* the witness goes with the time */
-        for (int i = 0; i < 2 * n; ++i) memcpy(pass.S + i * k, w->S + i * (k - 1), (k - 1) * sizeof *w->S);
+        for (int i = 0; i < w->n_given; ++i) memcpy(pass.P + i * k, w->P + i * asked, asked * sizeof *w->P);
+        pass.P[(w->n_given - 1) * k + k - 1] = 1.0; 
+        em_find_places(&pass);
+        for (int i = 0; i < 2 * n; ++i) memcpy(pass.S + i * k, w->S + i * asked, asked * sizeof *w->S);
         em_pass_pieces(&pass, w->t[0]);
         status = em_variation_stops(&pass);
     }
