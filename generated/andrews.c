@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:02e694a446da9046e530569188b6192ba12f95b145f312e2916c9930a02081e2 */
+/* body sha256:4ca146ada4da75867a3c05fa8f3fe5c83b68a74469e627ce9cbc2b5524f704bb */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -792,6 +792,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+__attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -807,8 +808,37 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    real v1[N1] = { e[0], e[1] };
+    if (mode) em_backward(N1, memory + 0, memory + 4, v1);
+    else em_velocity_of_eta(N1, y + 14, y + 26, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    real v2[N2] = { e[2] };
+    em_velocity_of_eta(N2, c + 42, c + 43, v2);
+    v[2] = v2[0];
+    real v3[N3] = { e[3], e[4] };
+    if (mode) em_backward(N3, memory + 6, memory + 10, v3);
+    else em_velocity_of_eta(N3, y + 18, y + 28, v3);
+    v[3] = v3[0];
+    v[4] = v3[1];
+    real v4[N4] = { e[5], e[6] };
+    if (mode) em_backward(N4, memory + 12, memory + 16, v4);
+    else em_velocity_of_eta(N4, y + 22, y + 30, v4);
+    v[5] = v4[0];
+    v[6] = v4[1];
+}
+
+#define EM_VELOCITY velocity_by_roots
+
+#include "em_flock.h"
+
 extern em_lanes andrews_lanes;
-em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2, N_PREPARED};
+em_lanes andrews_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -2643,6 +2673,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#include "em_member.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -2767,6 +2798,9 @@ const em_model andrews_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &andrews_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 13,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:272712260e8391456002a3e137af97b8b86c215f6c2f5e87c2b1038ce552c1af */
+/* body sha256:012d66a2ee0404d71916a712fc41fae8edaaa1f178df4082be0204b3cb5b81b9 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -2110,6 +2110,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+__attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -2125,8 +2126,30 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    real v1[N1] = { e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7] };
+    if (mode) em_backward(N1, memory + 0, memory + 64, v1);
+    else em_velocity_of_eta(N1, y + 16, y + 80, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+    v[4] = v1[4];
+    v[5] = v1[5];
+    v[6] = v1[6];
+    v[7] = v1[7];
+}
+
+#define EM_VELOCITY velocity_by_roots
+
+#include "em_flock.h"
+
 extern em_lanes bicycle_lanes;
-em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2, N_PREPARED};
+em_lanes bicycle_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -10841,6 +10864,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#include "em_member.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -10955,6 +10979,9 @@ const em_model bicycle_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &bicycle_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 8,
     .dimension = 3,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
-/* input sha256:ac73d42a09fcdb4332239e098a87547c7cf5f3d2866ca283d20d795ed0a5ef6a */
-/* body sha256:47cc5e2e2207b8e8d0971daa8d5a6e6b4f85edf58e51955ca387724e711ed3ae */
+/* input sha256:c26f72922a994b4dc497d7af21797b6854d219ac767e75b231b2ab6b2c43140a */
+/* body sha256:b93a7342389b5593d0bd06fd8b5b6198aa4e94b1c962a9928728efc2c6c31eed */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -285,21 +285,22 @@ EM_ACROSS void forcing_partials(double t, const double *restrict x, const double
     const double g = c[1];
     const double alpha = c[2];
     const double sin_alpha = em_sin(alpha);
-    const double cos_alpha = em_cos(alpha);
     const double friction_slides = c[5];
-    const double mu = c[3];
-    const double z_2 = friction_slides*mu;
-    const double z_3 = cos_alpha*z_2;
-    D[0] = s_ddot + g*sin_alpha + g*z_3;
     const double m = c[0];
-    D[1] = m*sin_alpha + m*z_3;
-    const double z_4 = m*g;
-    const double z_5 = cos_alpha*z_4;
-    D[2] = z_5 - sin_alpha*z_4*z_2;
-    D[3] = friction_slides*z_5;
+    const double z_1 = m*g;
+    const double mu = c[3];
+    const double cos_alpha = em_cos(alpha);
+    const double z_3 = mu*cos_alpha;
+    const double z_4 = z_1*z_3;
+    const double z_5 = em_not_above(z_4, 0.0);
+    D[0] = s_ddot + g*sin_alpha + friction_slides*em_select(z_5, 0.0, g*z_3);
+    D[1] = m*sin_alpha + friction_slides*em_select(z_5, 0.0, m*z_3);
+    const double z_6 = cos_alpha*z_1;
+    D[2] = z_6 + friction_slides*em_select(z_5, 0.0, -mu*sin_alpha*z_1);
+    D[3] = friction_slides*em_select(z_5, 0.0, z_6);
     const double lambda_0 = lambda[0];
     D[4] = lambda_0;
-    D[5] = mu*z_5;
+    D[5] = em_greatest(0.0, z_4);
     D[11] = s_ddot;
 }
 
@@ -360,18 +361,19 @@ EM_ACROSS void level_partials(double t, const double *restrict x, const double *
                               const double *restrict c, const double *restrict u, double *restrict D)
 {
     memset(D, 0, sizeof *D * N_SWITCHES * 2 * N_ARGUMENTS);
+    const double m = c[0];
     const double g = c[1];
+    const double z_0 = m*g;
     const double mu = c[3];
     const double alpha = c[2];
     const double cos_alpha = em_cos(alpha);
-    const double z_1 = mu*cos_alpha;
-    D[2] = g*z_1;
-    const double m = c[0];
-    D[3] = m*z_1;
+    const double z_2 = mu*cos_alpha;
+    const double z_3 = em_not_above(z_0*z_2, 0.0);
+    D[2] = em_select(z_3, 0.0, g*z_2);
+    D[3] = em_select(z_3, 0.0, m*z_2);
     const double sin_alpha = em_sin(alpha);
-    const double z_3 = m*g;
-    D[4] = -mu*sin_alpha*z_3;
-    D[5] = cos_alpha*z_3;
+    D[4] = em_select(z_3, 0.0, -mu*sin_alpha*z_0);
+    D[5] = em_select(z_3, 0.0, cos_alpha*z_0);
     D[10] = 1.0;
 }
 
@@ -400,14 +402,14 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     const double m = parameters[0];
     M1[0][0] = m;
     const double friction_slides = parameters[5];
-    const double g = parameters[1];
-    const double z_0 = m*g;
     const double mu = parameters[3];
     const double alpha = parameters[2];
     const double cos_alpha = em_cos(alpha);
-    const double z_2 = z_0*(mu*cos_alpha);
+    const double g = parameters[1];
+    const double z_1 = m*g;
+    const double z_2 = em_greatest(0.0, mu*cos_alpha*z_1);
     const double sin_alpha = em_sin(alpha);
-    const double z_4 = sin_alpha*z_0;
+    const double z_4 = sin_alpha*z_1;
     prepared[10] = -(friction_slides*z_2 + z_4); /* c_0 */
     prepared[11] = 0.5*m; /* c_1 */
     prepared[12] = z_4; /* c_2 */

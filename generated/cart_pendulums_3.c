@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:11d42fbc05ac58dcb13505d56d46ec08ac262fcec818538caf9ccc9a6eb97a66 */
+/* body sha256:643a5a9d4d0e14f4a93eec264c625db0c6b762bb5ebc1418e84070171cb772ef */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -444,8 +444,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], shared[6];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[4], y[5], y[6], y[7] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:21dd100276ba129abcb3b30321218478fa2cd68a78a4f85e57ffd37e011eddaa */
+/* body sha256:1c0ef8a1f497f85fc4bcd7adce3943649bb9d8c869bf6779b642ccc569590071 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -590,8 +590,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], shared[10];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[5], y[6], y[7], y[8], y[9] };

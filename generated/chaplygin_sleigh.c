@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:0b9bf63964fe4bcaa7e728f80638bde042bf5f7c2ce366d829d1f9aaff81d944 */
+/* body sha256:f4d299efb4493182025af47907a517ae85a9db563cbcb971bebf497308edee2d */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -366,8 +366,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[2];
     settled_masses(y, c, M1, A1, b, shared);
     real eta1[N1] = { y[3], y[4], y[5] };

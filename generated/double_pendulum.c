@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:614dc9ed501ccc2cb02db51cde642beb6bb12f5581274e96c9584662d345d1b7 */
+/* body sha256:64d69d9da27af5d96f86bb5a83c20d6f0d865775475bd69e7462c992c2d3cf83 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -316,8 +316,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], shared[4];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[2], y[3] };

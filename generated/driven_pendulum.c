@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:43574793089809e5c5bdc10af7288de1f78dcd18aa5f9a7d94ebd342e9b6d321 */
+/* body sha256:c25fe461c7a0697a26f7ccdb4d639673f53404400ded14a5ce9dc7dcee23cdbe */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -190,6 +190,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+__attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -205,8 +206,25 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    real v1[N1] = { e[0] };
+    em_velocity_of_eta(N1, c + 5, c + 6, v1);
+    v[0] = v1[0];
+    real v2[N2] = { e[1] };
+    em_velocity_of_eta(N2, c + 9, c + 10, v2);
+    v[1] = v2[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+
+#include "em_flock.h"
+
 extern em_lanes driven_pendulum_lanes;
-em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED};
+em_lanes driven_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1, N_PREPARED};
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -645,6 +663,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#include "em_member.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -753,6 +772,9 @@ const em_model driven_pendulum_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &driven_pendulum_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 5,
     .dimension = 2,
     .shapes = shapes,

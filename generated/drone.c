@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:d3a5357610ee9ea92fb3e1a57b1e84cbb5f99e4f215b67846a47a7abd3e6b0b6 */
+/* body sha256:0f9d6da21aec914bf2ce690c5734586a905de9ccad0fbdd052ae77b5208ec65e */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -678,8 +678,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], M2[N2][N2], shared[10];
     settled_masses(y, c, M1, M2, shared);
     real eta1[N1] = { y[8], y[9], y[10], y[14], y[15] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:51105a3c2657d2f04578b1b344a11d26c91c4805bdc543fad1275ab01df50fb5 */
+/* body sha256:d780502ea5cd1e46e20e2533ecc5e2f2ab4eb17f5763b9c393bd93177b7307fb */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -494,8 +494,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], A1[N_ROWS][N1], b[N_ROWS], shared[4];
     settled_masses(y, c, M1, A1, b, shared);
     real eta1[N1] = { y[4], y[5], y[6] };

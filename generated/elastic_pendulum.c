@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:bf78f9a21a210a609f86393ff6d65d51c038b845672d4c03b5adfff0070b0466 */
+/* body sha256:0034024f1b5125958081887d4e6f009d143132f41effb1b5ba5fdd071cdfa17f */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -229,8 +229,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1];
     settled_masses(y, c, M1);
     em_cholesky(N1, M1[0], memory + 0, memory + 1, 0.0);

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:f55c09a52cc32c5e7211410b9a36eed5b3695db2e4fadda8db523434e22ebc5c */
+/* body sha256:f674ffec8a7c779986d017b53493c3fa2f76259eecb37182444c064dd0812e1e */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -506,6 +506,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+__attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -521,8 +522,32 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    real v1[N1] = { e[0], e[3] };
+    if (mode) em_backward(N1, memory + 0, memory + 4, v1);
+    else em_velocity_of_eta(N1, y + 10, y + 18, v1);
+    v[0] = v1[0];
+    v[3] = v1[1];
+    real v2[N2] = { e[1], e[4] };
+    if (mode) em_backward(N2, memory + 6, memory + 10, v2);
+    else em_velocity_of_eta(N2, y + 14, y + 20, v2);
+    v[1] = v2[0];
+    v[4] = v2[1];
+    real v3[N3] = { e[2] };
+    em_velocity_of_eta(N3, c + 3, c + 4, v3);
+    v[2] = v3[0];
+}
+
+#define EM_VELOCITY velocity_by_roots
+
+#include "em_flock.h"
+
 extern em_lanes four_bars_2_lanes;
-em_lanes four_bars_2_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2, N_PREPARED};
+em_lanes four_bars_2_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -1465,6 +1490,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#include "em_member.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1582,6 +1608,9 @@ const em_model four_bars_2_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &four_bars_2_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 12,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:652730bfbf7dc600f2a81d8e39c90309649361263c5c61fb450253f45fe3a9aa */
+/* body sha256:2139e0d76e6b2e96385033293109cc96a1d064ab63209ab7630157a510478f0a */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -302,8 +302,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], shared[2];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[2], y[3] };

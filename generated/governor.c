@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:8b127f3c254e1d802b5f8adf18058456df8b8cc3876c303bdc02eb4dd4993c91 */
+/* body sha256:ada833465c11026d06544428f3eb573047b68bc388b9c6f66078d485ad61e7f5 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -335,8 +335,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1];
     settled_masses(y, c, M1);
     em_cholesky(N1, M1[0], memory + 0, memory + 1, 0.0);

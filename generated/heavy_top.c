@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:44c2af872f3ffd12162727cec5ccd2fd23052cab3d902fc3bc28ada4c8a8392e */
+/* body sha256:de5ec4e33c1576a80e1fea7365edf231ae0d9e54d9660060ba3691360dac8e81 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -338,8 +338,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], shared[2];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[3], y[5] };

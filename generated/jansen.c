@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:1d8eb4d8ce2272a584dbefab632151b4d125a9966be7b6d874424b27da0fc88b */
+/* body sha256:8512e5760bbc5d75896e19254ca96e1d26221326b1e88426149e58597264ef93 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -774,6 +774,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #ifdef EM_ON_LANES
 
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
+__attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
                          double *dy)
 {
@@ -789,8 +790,29 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#include "em_lane_factors.h"
+
+/* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
+static void velocity_by_roots(int mode, const real *y, const real *c, const real *memory, const real *e, real *v)
+{
+    real v1[N1] = { e[0], e[1], e[2], e[3], e[4], e[5], e[6] };
+    if (mode) em_backward(N1, memory + 0, memory + 49, v1);
+    else em_velocity_of_eta(N1, y + 14, y + 63, v1);
+    v[0] = v1[0];
+    v[1] = v1[1];
+    v[2] = v1[2];
+    v[3] = v1[3];
+    v[4] = v1[4];
+    v[5] = v1[5];
+    v[6] = v1[6];
+}
+
+#define EM_VELOCITY velocity_by_roots
+
+#include "em_flock.h"
+
 extern em_lanes jansen_lanes;
-em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 2, N_PREPARED};
+em_lanes jansen_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -3575,6 +3597,7 @@ static int jacobian(double t, const double *y, const double *c, const double *u,
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#include "em_member.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -3699,6 +3722,9 @@ const em_model jansen_model = {
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
     .lanes = &jansen_lanes,
+    .enter = em_member_enter,
+    .board = em_member_board,
+    .look = em_member_look,
     .n_shapes = 16,
     .dimension = 2,
     .shapes = shapes,

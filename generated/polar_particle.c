@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:5048d5ff38ed17672444ed8748f03feb4a7cb7f268ffba7758163b522f7ffcba */
+/* body sha256:7eda01f59c742e62cd47a1472d61f46c0b254ad32e14b0883cd3af7409f1f127 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -228,8 +228,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M2[N2][N2];
     settled_masses(y, c, M2);
     em_cholesky(N2, M2[0], memory + 0, memory + 1, 0.0);

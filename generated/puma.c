@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:059d10e5809773aa4a44cc1dbb5463840f8c6584ac300e039ab82ec0af0e8219 */
+/* body sha256:2bdbe9b02de6c895697ddfe7f0aa4e85e01fd294d1859e13f6a22acbb7234489 */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -1377,8 +1377,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1], shared[50];
     settled_masses(y, c, M1, shared);
     real eta1[N1] = { y[6], y[7], y[8], y[9], y[10], y[11] };

@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:750bc99e19390707b084a3c0785cc5007d4811bb7e13ecab2642b93e102aea57 */
+/* body sha256:9fcf3672689515686c62457636057bee48df43615d30bd6ae84799a00db516c4 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -338,8 +338,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS];
     settled_masses(y, c, A1, A2, A3, b);
 

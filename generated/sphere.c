@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:43da319b4249e89d452ce0691233d8289073a6c4209a7da938246cbf6e5cb589 */
+/* body sha256:2ac0242fbe7da2d3cb38db15ac14a39be9514e3cc8685d97b3799a2700cd9af9 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -620,8 +620,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M3[N3][N3], A1[N_ROWS][N1], A2[N_ROWS][N2], A3[N_ROWS][N3], b[N_ROWS], shared[8];
     settled_masses(y, c, M3, A1, A2, A3, b, shared);
     real eta3[N3] = { y[7], y[8], y[9] };

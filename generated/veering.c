@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:2312f8bc9de924da2afa563608dd9b6c6b0f717f666e0c6f6447d32d3abb85c5 */
+/* body sha256:43021e2ef9cdf8e40e02c2d316d73ecd2b8ffe951cdd90c02a3a1113e7bdddda */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -271,8 +271,8 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
  * instead, as where the mode changes; what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
-    em_fault whole, *const fault = &whole;
-    const int flags = 0;
+    EM_UNUSED em_fault whole, *const fault = &whole;
+    EM_UNUSED const int flags = 0;
     real M1[N1][N1];
     settled_masses(y, c, M1);
     real eta1[N1] = { y[2], y[3] };
