@@ -140,7 +140,9 @@ def test_what_does_not_press_does_not_rub(press):
     N = dynamicsymbols("N")
     system = system_for(
         Model(name="pressed", coordinates=[x], kinetic_energy=m * x.diff() ** 2 / 2, inputs={N: 1.0},
-              contacts={"pad": Friction(x.diff(), limit=mu * N)}, parameters={m: 1.0, mu: 0.5}), "lagrange")  # fmt: skip
+              contacts={"pad": Friction(x.diff(), limit=mu * N)}, parameters={m: 1.0, mu: 0.5}),
+        "lagrange",
+    )  # fmt: skip
     run = system.simulate((0.0, 3.0), v0=[1.0], inputs={"N": press}, rtol=1e-9, atol=1e-11)
     impulse = 0.5 * 0.5 / 2 if isinstance(press, tuple) else 0.0  # until the force is gone at t = 1/2
     assert run.v[0, -1] == pytest.approx(1.0 - impulse, rel=1e-8)

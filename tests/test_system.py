@@ -230,6 +230,9 @@ def test_labels_of_pandas_are_names_whatever_their_order():
     np.testing.assert_array_equal(system.mass_matrix(x, parameters=pandas.Series({"m": 3.0})), 3.0 * np.eye(2))
     np.testing.assert_array_equal(system.signals(pandas.Series({"push": 2.0}), 0.0), [2.0])
     np.testing.assert_array_equal(system.start(pandas.Series(x))[0], x)  # by numbers: an array
-    starts = {"x0": pandas.DataFrame({"y": [x[1], -L], "x": [x[0], 0.0]}), "v0": pandas.DataFrame({"y": [v[1], 0.0], "x": [v[0], 1.0]})}
+    starts = {
+        "x0": pandas.DataFrame({"y": [x[1], -L], "x": [x[0], 0.0]}),
+        "v0": pandas.DataFrame({"y": [v[1], 0.0], "x": [v[0], 1.0]}),
+    }
     runs = simulate_ensemble(system, (0.0, 0.0), **starts).x[:, :, 0]
     np.testing.assert_array_equal(runs, [x, (0.0, -L)])

@@ -135,6 +135,8 @@ def _unknown(model: Mechanism, what: str, symbol: sympy.Expr) -> str:
             f"name differ by their assumptions or by being a function of time. {SAME_OBJECT}"
         )
     if isinstance(symbol, AppliedUndef) and symbol.args != (t,):
-        return f"{what} contains {shown(symbol)}, a function that is not declared: nothing says what it is. Write it out."
+        return (
+            f"{what} contains {shown(symbol)}, a function that is not declared: nothing says what it is. Write it out."
+        )
     where = "coordinates, quasi_velocities or inputs" if isinstance(symbol, AppliedUndef) else "parameters"
     return f"{what} contains {name!r}, which is not declared. Add it to {where}.{nearest(name, kinds)}"

@@ -1,6 +1,6 @@
 """What motions are to be differentiated by, as users name it."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from ..codegen.model.normalise import ModelError, shown

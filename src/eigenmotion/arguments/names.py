@@ -38,7 +38,7 @@ def unknown(what: str, names: Iterable[str], known: Sequence[str], elsewhere: Ma
 
 
 def is_named(given: object) -> TypeGuard[Mapping[Any, Any]]:
-    """Say whether values come by name: in a mapping, or in what labels them by texts, as pandas' Series and DataFrame."""
+    """Say whether values come by name: in a mapping, or in what labels them by texts (pandas' Series, DataFrame)."""
     if isinstance(given, Mapping):
         return True
     if not (hasattr(given, "keys") and hasattr(given, "items")):
