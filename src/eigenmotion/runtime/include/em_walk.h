@@ -104,6 +104,12 @@ typedef struct em_implicit {
     int own;                                         /* for how many steps to come stages have slopes of their own */
 } em_implicit;
 
+/* The pivots of M where a step has ended, with which the next one begins (em_chart.h). */
+typedef struct em_seen_pivots {
+    double t, x[N], pivots[N];
+    int known;
+} em_seen_pivots;
+
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
 struct em_walk {
     double K[EM_STAGES][EM_WIDTH];             /* K[0] = f(t, y); the others are the method's */
@@ -136,6 +142,7 @@ struct em_walk {
     long next_witness;                         /* the number of right-hand sides at which these are looked at again */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
+    em_seen_pivots seen_pivots;
     int starts_near;                           /* whether the start is near a singularity of the chart */
     int retries;                               /* how many rejected ones the step under way follows */
     int near;                                  /* whether stages are settled: a singular position is near */
