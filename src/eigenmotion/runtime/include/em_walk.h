@@ -80,6 +80,7 @@ typedef struct em_nodes {
     em_bundle c[N_PREPARED > 0 ? N_PREPARED : 1];
 #endif
     double weight[N_STATE];                  /* what a rate counts */
+    double size[EM_NODE_COUNT], before_size[EM_NODE_COUNT]; /* of each term of these series, so weighed */
     double t, t_new, h, before_h, before_t_new; /* of the step that `series` is of, and `before` */
     double aimed;                            /* the error after as many iterations as a step is made for */
     int mode, before_mode, converged, known, blind, on_lanes, prepared; /* converged: there is a series; known: a step before */
