@@ -8,13 +8,14 @@ from numpy.typing import ArrayLike
 from scipy.optimize import OptimizeResult
 
 from ..arguments.names import Vector, vector
+from ..arguments.options import Task
 from ..codegen.model.normalise import ModelError
 from ..pages.figures import has_matplotlib
 from ..pages.notebook import image, table
 from ..runtime import CompiledModel, StopReason
 from .animation import FRAMES_A_SECOND, animation, frame_times, still
 from .drawing import Drawing, require_drawing
-from .trajectory import Trajectory
+from .trajectory import Leg, Trajectory
 
 __all__ = ["DenseOutput", "Solution", "StopReason"]
 
@@ -128,12 +129,22 @@ class Solution(OptimizeResult):  # type: ignore[misc]
     (2, 2)
     """
 
-    __slots__ = ("_rows",)
-    _rows: Trajectory | None
+    __slots__ = ("_source",)
+    _source: Trajectory | tuple[Task, tuple[Leg, ...]] | None
 
-    def __init__(self, rows: Trajectory | None, fields: dict[str, Any]) -> None:
-        dict.__init__(self, fields)
-        object.__setattr__(self, "_rows", rows)
+    def __init__(self, rows: Trajectory | tuple[Task, tuple[Leg, ...]] | None, fields: dict[str, Any]) -> None:
+        """A run's task and legs say enough of its rows: many a run is asked for t and y alone."""
+        dict.update(self, fields)
+        _keep(self, rows)
+
+    @property
+    def _rows(self) -> Trajectory | None:
+        source = self._source
+        if isinstance(source, tuple):
+            task, legs = source
+            source = Trajectory(task, self["t"], self["y"].T, legs)
+            _keep(self, source)
+        return source
 
     @property
     def model(self) -> CompiledModel | None:
@@ -262,6 +273,9 @@ class Solution(OptimizeResult):  # type: ignore[misc]
         if self._rows is not None and self._rows.model.recipe is None:
             fields["sol"] = None
         return _restored, (fields,)
+
+
+_keep = Solution.__dict__["_source"].__set__  # attributes of a Solution are its fields, but for this one
 
 
 def _restored(fields: dict[str, Any]) -> Solution:

@@ -4,7 +4,6 @@ from contextlib import suppress
 
 from ..arguments.options import Task
 from ..results.solution import DenseOutput, Solution
-from ..results.trajectory import Trajectory
 from ..runtime import Run, RunInParts, StopReason
 from .methods import Method
 from .sampled import as_held, drive, opened
@@ -38,4 +37,4 @@ def solution_of(task: Task, method: Method, run: Run, counts: tuple[int | None, 
     fields = run.fields(method.name, counts)
     if run.n_dense:
         fields["sol"] = DenseOutput(run.step_times, run.interpolate)
-    return Solution(Trajectory(task, fields["t"], fields["y"].T, run.legs), fields)
+    return Solution((task, run.legs), fields)

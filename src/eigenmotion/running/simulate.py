@@ -142,7 +142,8 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", 
     chosen, why = automatic_of_run(task) if named == AUTO else (METHODS[named], "")
     if task.inputs.sampled:
         _check_sampled(task, chosen, estimate_error)
-    check_direction(task.model, task.t_start, task.t_end)
+    if task.t_end < task.t_start:
+        check_direction(task.model, task.t_start, task.t_end)
     asked = None
     if sensitivities is not None:
         check_method(chosen)

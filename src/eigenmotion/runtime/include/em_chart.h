@@ -24,6 +24,25 @@ static void em_pivots(const em_walk *w, double t, const double *x, double *pivot
     }
 }
 
+/* The same at the start of the step under way, where the step before has ended as a rule. */
+static void em_pivots_at_start(const em_walk *w, double *pivots) {
+    const em_seen_pivots *const seen = &w->seen_pivots;
+    double diagonal[N];
+    if (seen->known && seen->t == w->t && !memcmp(seen->x, w->y, sizeof seen->x))
+        memcpy(pivots, seen->pivots, sizeof seen->pivots);
+    else em_pivots(w, w->t, w->y, pivots, diagonal);
+}
+
+/* and at its end. */
+static void em_pivots_at_end(em_walk *w, double *pivots, double *diagonal) {
+    em_seen_pivots *const seen = &w->seen_pivots;
+    em_pivots(w, w->t_new, w->y_new, pivots, diagonal);
+    seen->known = 1;
+    seen->t = w->t_new;
+    memcpy(seen->x, w->y_new, sizeof seen->x);
+    memcpy(seen->pivots, pivots, sizeof seen->pivots);
+}
+
 /* The first coordinate whose pivot changes by more than it may from `before` to `after`, or -1. */
 static int em_first_unresolved(const double *before, const double *after, double most) {
     for (int k = 0; k < N; ++k)
@@ -53,16 +72,17 @@ static void em_within(const em_walk *w, double s, double *x) {
 }
 
 /* The first coordinate whose pivot changes by more than `most` within one of so many equal parts of the step, or -1. */
-static int em_unresolved_within(const em_walk *w, int parts, double most) {
+static int em_unresolved_within(em_walk *w, int parts, double most) {
     double x[N], pivots[2][N], diagonal[N];
-    int first = -1;
-    em_pivots(w, w->t, w->y, pivots[0], diagonal);
-    for (int j = 1; j <= parts && first < 0; ++j) {
+    em_pivots_at_start(w, pivots[0]);
+    for (int j = 1; j < parts; ++j) {
         em_within(w, (double)j / parts, x);
         em_pivots(w, w->t + w->h * j / parts, x, pivots[j % 2], diagonal);
-        first = em_first_unresolved(pivots[(j + 1) % 2], pivots[j % 2], most);
+        const int first = em_first_unresolved(pivots[(j + 1) % 2], pivots[j % 2], most);
+        if (first >= 0) return first;
     }
-    return first;
+    em_pivots_at_end(w, pivots[parts % 2], diagonal);
+    return em_first_unresolved(pivots[(parts + 1) % 2], pivots[parts % 2], most);
 }
 
 /* The first coordinate whose pivot rounding leaves with fewer digits than rtol asks for, or -1. */

@@ -54,6 +54,7 @@ static void em_forget(em_walk *w) {
     memset(w->memory, 0, sizeof w->memory);
     w->longest_step = w->strongest = w->farthest = w->fastest = w->energy_tolerance = w->last_error = 0.0;
     w->rank = w->near = w->has_interpolant = w->mode = w->run->kept = 0;
+    w->seen_pivots.known = 0;
     w->next_witness = 0;
     w->fresh = EM_NEXT_LEG;
 }

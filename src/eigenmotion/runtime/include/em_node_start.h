@@ -26,11 +26,29 @@ EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT
     }
 }
 
+#define EM_GROWN 100.0 /* beside the least of them, what the last term is where a polynomial is not to be gone on with */
+
+/* The terms of the series with which to go on behind the step before, P_l(end) there: all, but where they grow, as behind
+ * steps that left as much of an error as they might, those up to the least, as of any series that does not converge. Where
+ * stability keeps steps short they are all wanted: how slowly an iteration converges that begins close tells so. */
+static int em_terms_to_continue(const em_walk *w, double (*P)[EM_NODE_COUNT]) {
+    if (w->nodes.slow) return EM_NODE_COUNT;
+    double least = INFINITY, last = 0.0;
+    int terms = EM_NODE_COUNT;
+    for (int l = 1; l < EM_NODE_COUNT; ++l) {
+        last = w->nodes.before_size[l] * fabs(P[l][EM_NODE_COUNT - 1]);
+        if (last <= least) least = last, terms = l + 1;
+    }
+    return last > EM_GROWN * least ? terms : EM_NODE_COUNT;
+}
+
 /* a <- the polynomial of `series` at start + ratio nodes, in units of its step, moved so that it begins with the rate there. */
 static void em_continue(em_walk *w, em_bundle (*series)[N_STATE], double start, double ratio) {
     double P[EM_NODE_COUNT][EM_NODE_COUNT] EM_ALIGNED, jump[N_STATE];
     const int end = em_rates_end(w);
     em_legendre(start, ratio, P);
+    const int terms = start > 0.0 ? em_terms_to_continue(w, P) : EM_NODE_COUNT;
+    if (terms < EM_NODE_COUNT) memset(P[terms], 0, (size_t)(EM_NODE_COUNT - terms) * sizeof *P);
     for (int k = EM_FIRST_RATE; k < end; ++k) {
         jump[k] = w->K[0][k];
         for (int l = 0; l < EM_NODE_COUNT; ++l) jump[k] -= P[l][0] * em_number_at(series, k, l);
@@ -44,6 +62,7 @@ static void em_remember(em_walk *w) {
     em_nodes *q = &w->nodes;
     if (!q->converged || q->t_new != w->t || q->mode != w->mode) return;
     memcpy(q->before, q->series, sizeof q->before);
+    memcpy(q->before_size, q->size, sizeof q->before_size);
     q->before_h = q->h;
     q->before_t_new = q->t_new;
     q->before_mode = q->mode;

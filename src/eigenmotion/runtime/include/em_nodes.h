@@ -212,8 +212,8 @@ static int em_nodes_step(em_walk *w) {
 /* The error of the polynomial: its last coefficients and how far it misses the rate at the end, f, and how fast these fall
  * off. A kink behind the last node shows there alone; one at 0.64 of the step hardly shows in either of both, so that
  * they are added. By pairs of coefficients, for one of them may vanish by chance, or for symmetry. */
-static double em_truncation(const em_walk *w, const double *f) {
-    const em_nodes *const q = &w->nodes;
+static double em_truncation(em_walk *w, const double *f) {
+    em_nodes *const q = &w->nodes;
     em_bundle squares[EM_BUNDLES] = {{0.0}};
     const int behind = em_rates_end(w);
     double missed = 0.0;
@@ -228,6 +228,7 @@ static double em_truncation(const em_walk *w, const double *f) {
         missed += miss * miss;
     }
     const double *const square = (const double *)squares;
+    for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
     const double before = sqrt(square[4] + square[5]), last = sqrt(square[6] + square[7]) + sqrt(missed);
     const double falls = em_min(1.0, last / (before + DBL_MIN));
     return fabs(w->h) * last * falls * falls * falls * sqrt(falls) / sqrt(em_rates_count(w));

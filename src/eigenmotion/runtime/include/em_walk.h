@@ -83,6 +83,7 @@ typedef struct em_nodes {
     em_bundle series[EM_BUNDLES][N_STATE], before[EM_BUNDLES][N_STATE]; /* Legendre's, of this step and the one before */
     em_bundle times[EM_BUNDLES], u[EM_BUNDLES][EM_SOME_INPUTS];
     double weight[N_STATE];                  /* what a rate counts */
+    double size[EM_NODE_COUNT], before_size[EM_NODE_COUNT]; /* of each term of these series, so weighed */
     double t, t_new, h, before_h, before_t_new; /* of the step that `series` is of, and `before` */
     double aimed;                            /* the error after as many iterations as a step is made for */
     int mode, before_mode, converged, known, blind, on_lanes; /* converged: there is a series; known: a step before */
@@ -106,6 +107,12 @@ typedef struct em_implicit {
     int iterations, sloped, outdated, known, accepted, averaged;
     int own;                                         /* for how many steps to come stages have slopes of their own */
 } em_implicit;
+
+/* The pivots of M where a step has ended, with which the next one begins (em_chart.h). */
+typedef struct em_seen_pivots {
+    double t, x[N], pivots[N];
+    int known;
+} em_seen_pivots;
 
 /* Everything a run carries from step to step. `_new` belongs to the end of the step under way. */
 struct em_walk {
@@ -139,6 +146,7 @@ struct em_walk {
     long next_witness;                         /* the number of right-hand sides at which these are looked at again */
     em_fault reason;                           /* why the last attempt at a step failed */
     int rank;                                  /* of the constraint rows, at the start */
+    em_seen_pivots seen_pivots;
     int starts_near;                           /* whether the start is near a singularity of the chart */
     int retries;                               /* how many rejected ones the step under way follows */
     int near;                                  /* whether stages are settled: a singular position is near */
