@@ -7,6 +7,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 from eigenmotion import ModelError
+from eigenmotion.runtime import EvaluationError
 
 from .generation import system_for, system_of
 from .test_linearize import cart, top
@@ -141,6 +142,28 @@ def test_a_loop_that_cannot_be_closed():
         em.assemble(system_of("four_bar", "lagrange"), v0={"q1": 1.0, "q2": 1.0})
     with pytest.raises(ModelError, match="'q7'"):
         em.assemble(system_of("four_bar", "lagrange"), keep=["q7"])
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(("x0", "v0", "why"), [
+    ([1e16, 1e16, 1.0], None, "is so large that"), ([1e308, 0.25, 1.13], None, "is so large that"),
+    ([1e150] * 3, [1.0] * 3, "is so large that"), ([-1.7e308] * 3, None, "is so large that|cannot be closed"),
+    (None, [-1.7e308] * 3, "contradict the constraints, row 0 by nan|not finite at 'theta'"),
+])  # fmt: skip
+def test_loops_of_numbers_that_nobody_knows_are_refused(x0, v0, why):
+    """phi is off by no more than rounding there, which is as much as the loop is long."""
+    system = system_of("slider_crank", "lagrange")
+    with pytest.raises(ModelError, match=why):
+        em.assemble(system, x0, v0)
+    x, v = (start if given is None else given for given, start in zip((x0, v0), system.initial, strict=True))
+    with pytest.raises((ModelError, EvaluationError), match=f"{why}|did not bring"):
+        system.project_initial_state(x, v)
+
+
+def test_a_method_of_scipy_says_what_is_not_finite():
+    system = system_of("slider_crank", "lagrange")
+    run = system.simulate((0.0, 0.1), v0=[-1.7e308] * 3, method="BDF")
+    assert "not finite at coordinate 'theta'" in run.message
 
 
 def test_a_spin_that_is_asked_for_stays():

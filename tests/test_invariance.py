@@ -44,9 +44,6 @@ AT_THE_START = {"rolling_disk": {"theta": 0.5}, "chain_5": {f"theta_{k}": 0.5 fo
 motion: a velocity that stays at 0 is off by what atol lets it, which another unit of time changes; and of the
 triangular roots of M that of one order of coordinates makes all that is integrated constant, that of another nothing,
 which is three times the cost. The chain's are all 0: its first steps, an eighth of all, are a matter of atol alone."""
-AT_REST = {"bricard", "cart_pendulums_3"}
-"""Nothing moves at the start, and how long the first step is made is a matter of atol and of where x is counted from:
-between 1e-9 s and 0.04 s for Bricard's mechanism, where that is half of all steps. Here it is given."""
 MOVING = {"origins", "far origins", "units of each"}
 AUGMENTED = {"quaternion_top": MOVING, "jansen": MOVING | {"small unit of length", "large unit of length"}}
 """The weights W of M + A^T W A are of the start that a model has when it is compiled, and numbers there: in frames that
@@ -82,15 +79,13 @@ def differences(system: System, scene: Scenario, frames: dict[str, Frame], metho
     """Say which frames change the motion by more than its error, or its cost by more than a quarter."""
     span, tolerance = span_of(scene), TOLERANCE if method == "dop853" else (1e-10, 1e-6)
 
-    first = FIRST_STEP if scene.name in AT_REST else None
-
     def one(frame: str) -> System:
         anew = frame in AUGMENTED.get(scene.name, ())
         return system_written_in(frame, scene.name, system.formulation) if anew else system
 
-    own = Frame().run(system, span, *tolerance, method=method, first_step=first)
+    own = Frame().run(system, span, *tolerance, method=method)
     error = np.abs(own.x - Frame().run(system, span, 1e-13, 1e-13).x).max()
-    runs = {name: frame.run(one(name), span, *tolerance, initial=system.initial, method=method, first_step=first)
+    runs = {name: frame.run(one(name), span, *tolerance, initial=system.initial, method=method)
             for name, frame in frames.items()}  # fmt: skip
     return [f"{name}: {words}" for name, run in runs.items() if (words := compared(run, own, error))]
 
@@ -116,6 +111,19 @@ def frames_for(formulation: str) -> dict[str, Frame]:
 def test_another_frame_is_the_same_motion_at_the_same_cost(name, formulation):
     system = system_in_frames(name, formulation)
     assert not differences(system, BY_NAME[name], frames_for(formulation))
+
+
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau5"])
+@pytest.mark.parametrize("name", ["pendulum", "four_bar"])
+def test_the_first_step_from_rest_knows_no_origin(name, method):
+    """Where every coordinate starts at 0, its size says nothing of the motion's: the first step was 1e-6 s there."""
+    system = system_in_frames(name, QUICK[name])
+    frames = [Frame(), Frame(origins=system.initial[0]), *FRAMES.values()]
+    given = {"initial": system.initial, "method": method, "max_steps": 1}
+    moving = [frame for frame in frames if QUICK[name] != "eigenfactor" or frame is not FRAMES["units of each"]]
+    first = [np.ptp(frame.run(system, 2.0, *TOLERANCE, **given).solution.t) for frame in moving]
+    np.testing.assert_allclose(first, first[0], rtol=0.02)
+    assert first[0] > 1e-4
 
 
 def test_weights_far_from_their_start_are_named():

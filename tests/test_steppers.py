@@ -145,12 +145,13 @@ def test_factors_count_where_the_published_equations_run(build: Build, stabilise
 
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_the_first_step_is_sized_by_the_norm_of_all_others(build: Build, method: str) -> None:
-    """Over 2 n numbers where factors are added to the norm, and over all where they count like others: d0, d1 and d2
-    differ by sqrt(3 / 2), and with them the first step by the root of the order of that."""
+    """Over 2 n numbers where factors are added to the norm, and over all where they count like others: d1 and d2
+    differ by sqrt(3 / 2), and with them the first step by the root of the order of that, but for how far is looked
+    ahead for the rate at which the motion varies."""
     compiled = build(Mechanism(rhs="dy[0] = y[1]; dy[1] = -y[0]; dy[2] = cos(t);", n_c=1))
     options = {"rtol": 1e-6, "atol": 1e-6, "method": method}
     added, counted = (simulate(compiled, [1.0, 0.5, 0.5], (0.0, 3.0), stabilise=on, **options).t[1] for on in (1, 0))
-    assert added / counted == pytest.approx(1.5 ** (-0.5 / COMPILED[method].order), rel=1e-9)
+    assert added / counted == pytest.approx(1.5 ** (-0.5 / COMPILED[method].order), rel=1e-4)
 
 
 def test_roots_of_eigenvalues_count_relative_to_themselves(build: Build) -> None:

@@ -11,7 +11,7 @@ from ..arguments.names import Vector, is_named, rate_name, spelled, unknown
 from ..arguments.options import is_system, no_system
 from ..codegen.model import ModelError
 from ..codegen.model.normalise import number
-from ..running.consistent import ConsistentState, Projection, length
+from ..running.consistent import ConsistentState, Projection, check_resolved, length
 from ..runtime import CompiledModel, EvaluationError, Prepared
 from .place import Place
 from .tangent import solved
@@ -82,10 +82,12 @@ def assemble(
     c, prepared, t = system.compiled, system.prepare(parameters), number(t, "t")
     x, v = system.start(x0, v0, t, prepared)
     held = _indices(keep, c.coordinates, "keep")
-    closed = _closed(c, prepared, t, x, v, held)
-    rates = _given_rates(v0, c.coordinates)
-    moving = _moving(c, prepared, t, closed, v, rates)
-    return _assembly(c, prepared, t, (x, v), (closed, moving))
+    with np.errstate(all="ignore"):  # what is not finite has a name of its own
+        closed = _closed(c, prepared, t, x, v, held)
+        check_resolved(c, prepared, t, closed)
+        rates = _given_rates(v0, c.coordinates)
+        moving = _moving(c, prepared, t, closed, v, rates)
+        return _assembly(c, prepared, t, (x, v), (closed, moving))
 
 
 def _indices(names: object, known: tuple[str, ...], what: str) -> list[int]:
@@ -161,10 +163,13 @@ class _Loop:
 
         if not self.free:
             return self.x
+        if not (np.isfinite(phi(q)).all() and np.isfinite(slope(q)).all()):
+            return self._whole(q)
         found = least_squares(phi, q, slope, x_scale="jac", xtol=1e-15, ftol=1e-15, gtol=1e-15)
         q = np.asarray(found.x)
         for _ in range(3):
-            q = q - np.linalg.lstsq(slope(q), phi(q), rcond=1e-9)[0]
+            if np.isfinite(slope(q)).all() and np.isfinite(phi(q)).all():
+                q = q - np.linalg.lstsq(slope(q), phi(q), rcond=1e-9)[0]
         return self._whole(q)
 
     def _is_closed(self, x: Vector) -> bool:
@@ -201,7 +206,7 @@ def _moving(c: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector
         change = np.linalg.lstsq(B * unit[:, None], -(A @ v + b) * unit, rcond=1e-9)[0]
         v[free] += np.linalg.solve(L.T, change)
     left, terms = np.abs(A @ v + b), np.abs(A) @ np.abs(v) + np.abs(b)
-    if (wrong := left > _CONTRADICTS * terms).any():
+    if (wrong := ~(left <= _CONTRADICTS * terms)).any():
         rows = ", ".join(f"row {k} by {left[k]:.3g}" for k in np.flatnonzero(wrong))
         names = ", ".join(c.coordinates[k] for k in given) or "none"
         raise ModelError(f"{c.name}: the rates that v0 gives ({names}) contradict the constraints, {rows}. Give fewer")

@@ -72,7 +72,7 @@ class Place:
 
     @cached_property
     def unresolved(self) -> list[str]:
-        """Coordinates next to whose numbers others have other slopes: angles of 1e16, which nobody knows to a radian.
+        """Coordinates next to whose numbers others have other slopes: angles of 1e16, that nobody knows to a radian.
 
         What their roundings make of the equations, however small beside |slope| |x|, says nothing then.
         """

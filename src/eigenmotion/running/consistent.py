@@ -6,8 +6,11 @@ from math import sqrt
 import numpy as np
 
 from ..arguments.names import Vector
+from ..codegen.model import ModelError
 from ..runtime import CompiledModel, Prepared
 
+_RESOLVED = 1e-6
+"""How much the rows A may change, relative to themselves, from one number to the next that a double can be."""
 _ENOUGH = 100
 """Sweeps along the constraints; each reduces what is left by about (distance x curvature)."""
 
@@ -70,7 +73,13 @@ class Projection:
         ------
         EvaluationError
             phi = 0 is not reached, constraint rows depend on each other, or M is singular; names the row.
+        ModelError
+            What is nearest is not finite, or so large that nobody can tell whether it is on the constraints.
         """
+        with np.errstate(all="ignore"):  # what is not finite has a name of its own
+            return self._checked(self._nearest(x0, v0))
+
+    def _nearest(self, x0: Vector, v0: Vector) -> ConsistentState:
         M = self._mass(x0)
         x, v = self._reached(x0, v0)
         for _ in range(_ENOUGH if self.model.h else 0):
@@ -86,6 +95,15 @@ class Projection:
         moved = {"dx": dx, "dv": dv, "distance": length(M, dx), "velocity_distance": length(self._mass(x), dv)}
         return ConsistentState(x, v, **moved)
 
+    def _checked(self, found: ConsistentState) -> ConsistentState:
+        names = self.model.coordinates
+        if not np.isfinite(found).all():
+            k = int(np.argmin(np.isfinite(found).all(axis=0)))
+            raise ModelError(f"{self.model.name}: what is nearest to x0, v0 on the constraints is not finite at "
+                             f"{names[k]!r}. Give smaller numbers")  # fmt: skip
+        check_resolved(self.model, self.prepared, self.t, found.x)
+        return found
+
     def _reached(self, x: Vector, v: Vector) -> tuple[Vector, Vector]:
         return self.model.project(self.t, x, v, self.prepared, self.least_norm)
 
@@ -100,6 +118,27 @@ class Projection:
         units = 1.0 / np.where(lengths > 0.0, lengths, 1.0)  # rows of length one: which depend is no matter of units
         A, W = units[:, None] * A, W * units
         return np.asarray(d - W @ np.linalg.lstsq(A @ W, A @ d, rcond=1e-12)[0])
+
+
+def check_resolved(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
+    """Refuse positions next to which, one number on, the holonomic rows are others: angles of 1e16, that nobody knows.
+
+    phi is nowhere off by more than rounding there, whatever it is.
+
+    Raises
+    ------
+    ModelError
+        Names the coordinate.
+    """
+    A = model.pfaffian(t, x, prepared)[0][: model.h]
+    for k, name in enumerate(model.coordinates if model.h else ()):
+        beside = x.copy()
+        beside[k] += np.spacing(beside[k])
+        if not np.linalg.norm(model.pfaffian(t, beside, prepared)[0][: model.h] - A) <= _RESOLVED * np.linalg.norm(A):
+            raise ModelError(
+                f"{model.name}: {name} = {x[k]:.6g} is so large that from it to the next number the constraints are "
+                "others: nobody can tell whether they hold. Give an angle nearer to 0, or a length in another unit"
+            )
 
 
 def length(M: Vector, d: Vector) -> float:

@@ -160,7 +160,7 @@ class _Start:
         remedy = "system.project_initial_state(x0, v0, t, parameters) returns the nearest consistent start"
         try:
             x, v = Projection(self.model, self.prepared, self.t, least_norm=True)(self.x, self.v)
-        except EvaluationError:
+        except (EvaluationError, ModelError):
             return f"em.assemble(system, x0) closes loops from guesses as rough as this; {remedy} from a closer one."
         return f"{remedy}: x0 = {_listed(x)}, v0 = {_listed(v)}."
 

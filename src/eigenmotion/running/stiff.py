@@ -64,7 +64,10 @@ def _follow(task: Task, method: Method, run: RunInParts, tally: _Tally) -> None:
     for start, end in pairwise([task.t_start, *(kinks if forward else kinks[::-1]), task.t_end]):
         u = _inputs(task, start, end)
         while run.t != end:
-            solver = _solver(_in_its_mode(task, run), method, u, (run.t, end), np.concatenate(run.now()), tally)
+            z = np.concatenate(run.now())
+            if not np.isfinite(z).all():
+                raise _not_finite(task, z)
+            solver = _solver(_in_its_mode(task, run), method, u, (run.t, end), z, tally)
             try:
                 if not _tell(run, solver, tally):
                     return

@@ -142,7 +142,7 @@ static double em_power(double base, int times) {
 /* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
  * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates. */
 static double em_solve_nodes(em_walk *w, int most, double *aimed) {
-    double first = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
+    double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
     *aimed = EM_DIVERGES;
     for (int k = 1; k <= most; ++k) {
         const double change = em_iterate(w), factor = k == 1 ? 1.0 : before > 0.0 ? change / before : 0.0;
@@ -154,8 +154,8 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
         if (k >= 2 && left < EM_LEFT) return left;
         if (k == EM_AIMED) rounding = EM_ITERATED * em_rates_size(w);
         if (k >= EM_AIMED && change <= rounding) return EM_ROUNDED;
-        if (k > 2 && factor > 1.0) return EM_DIVERGES;
-        before = change;
+        if (k > 2 && change > em_max(before, earlier)) return EM_DIVERGES; /* x and v may change in turns */
+        earlier = before, before = change;
     }
     return EM_DIVERGES;
 }

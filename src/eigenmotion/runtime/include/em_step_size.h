@@ -1,7 +1,7 @@
 /* em_step_size.h: how long the first step is, and how long the next.
  *
- * As in scipy.integrate (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.4), with the error
- * measured in x and v.
+ * Errors are measured in x and v. The first step is a matter of the tolerances and of how rates change, never of how
+ * large coordinates are: those of another origin are others.
  */
 #ifndef EM_STEP_SIZE_H
 #define EM_STEP_SIZE_H
@@ -21,42 +21,118 @@ static double em_size_factor(const em_walk *w, int failed) {
 
 #define EM_LEAST_ERROR -9.2 /* log 1e-4: a step by chance without error says nothing of the next */
 
-/* Root mean square, in tolerances, of a vector (n_state) that is a state's rate, */
+/* --- the first step --- */
+
+#define EM_TOO_NEAR 1e-4 /* of the time in which a motion varies: second differences over less are rounding, */
+#define EM_TOO_FAR 0.5   /* and those over more another motion's */
+
+/* How a motion sets out, looked at over a time h: d1, d2, sizes in tolerances of the state's first two derivatives; V, A, sums
+ * of squares of xdot and its rate, both in tolerances of x; and the rate [1 / time] at which the motion goes through them, 0
+ * where it shows none. */
+typedef struct em_outset {
+    double h, d1, d2, V, A, rate;
+} em_outset;
+
+/* Root mean square, in tolerances, of a vector (n_state) that is a state's rate. */
 static double em_rate_norm(em_walk *w, const double *rate) {
     memcpy(w->error, rate, sizeof w->error);
     return sqrt(em_squares_of_error(w, w->error) / em_count(w));
 }
 
-/* and of the state itself. */
-static double em_state_norm(em_walk *w) {
-    memcpy(w->error, w->y, sizeof w->error);
-    memcpy(w->error + N, w->K[0], N * sizeof *w->error);
-    return sqrt(em_squares(w, w->error) / em_count(w));
+/* places, speeds <- sums of squares of what a rate of the state makes of x (and of factors that count) and of v; both in
+ * tolerances of x, so that their ratio is a time squared. */
+static void em_split_rate(em_walk *w, const double *rate, double *places, double *speeds) {
+    memcpy(w->error, rate, sizeof w->error);
+    em_velocity_error(w, rate + N, w->error + N);
+    *places = em_weighted_squares(N, w->error, w->weight);
+    if (em_counts_factors(w)) *places += em_weighted_squares(N_STATE - 2 * N, w->error + 2 * N, w->weight + 2 * N);
+    *speeds = 0.0;
+    for (int k = 0; k < N; ++k) {
+        const double r = w->error[N + k] * (w->weight[k] > 0.0 ? w->weight[k] : w->weight[N + k]);
+        *speeds += r * r;
+    }
 }
 
-/* |f(t + h, y + h f) - f| / h, the size of the second derivative; a fault on the way counts as none. */
-static double em_second_derivative(em_walk *w, double h) {
-    for (int k = 0; k < EM_WIDTH; ++k) w->argument[k] = w->y[k] + w->direction * h * w->K[0][k];
-    if (em_rhs(w, w->mode, w->t + w->direction * h, w->argument, w->memory, w->K[1])) return 0.0;
-    for (int k = 0; k < EM_WIDTH; ++k) w->K[2][k] = w->K[1][k] - w->K[0][k];
-    const double norm = em_rate_norm(w, w->K[2]) / h;
-    return isfinite(norm) ? norm : 0.0;
+/* K[1], K[2] <- f at h / 2 and h (Kutta's method of third order). 0, or -1. */
+static int em_look_ahead(em_walk *w, double h) {
+    const double step = w->direction * h;
+    for (int k = 0; k < EM_WIDTH; ++k) w->argument[k] = w->y[k] + 0.5 * step * w->K[0][k];
+    if (em_stage_rate(w, w->t + 0.5 * step, w->argument, w->K[1])) return -1;
+    for (int k = 0; k < EM_WIDTH; ++k) w->argument[k] = w->y[k] + step * (2.0 * w->K[1][k] - w->K[0][k]);
+    if (em_stage_rate(w, w->t + step, w->argument, w->K[2])) return -1;
+    return em_all_finite(w->K[1]) && em_all_finite(w->K[2]) ? 0 : -1;
 }
 
-/* The first step's size, after Hairer, Norsett & Wanner, II.4, in whatever unit the time is: d0, d1, d2, the sizes of
- * the state and its derivatives in tolerances, tell the rate at which the motion varies, and a step h is off by about
- * d1 h (rate h)^p. A state smaller than its tolerance says as little as one of that size, and a span on which the motion
- * is less than a tolerance as little as a hundredth of it. */
+/* z with z^2 (a z + b) = c z + d, none of them negative; not a finite positive number where there is none. */
+static double em_balance(double a, double b, double c, double d) {
+    double z = 1.0;
+    for (int i = 0; i < 10; ++i) z = sqrt((c * z + d) / (a * z + b)); /* at least halves the error of log z */
+    return z;
+}
+
+/* d2 and rate over `at->h`: with the sizes V, A, J, S of the first four derivatives of x, rate^2 is the ratio of (J, S /
+ * rate) to (V, A / rate). At rest that is S / A, where the motion passes its middle J / V, and at any phase of an
+ * oscillation its frequency squared: without |x|, which another origin makes another number. 0, or -1. */
+static int em_measure(em_walk *w, em_outset *at) {
+    double J, S;
+    const double h = at->h;
+    at->d2 = at->rate = 0.0;
+    if (em_look_ahead(w, h)) return -1;
+    for (int k = 0; k < EM_WIDTH; ++k) {
+        const double first = w->K[1][k] - w->K[0][k];
+        w->K[2][k] = w->K[2][k] - w->K[1][k] - first;
+        w->K[1][k] = first;
+    }
+    em_split_rate(w, w->K[2], &J, &S);
+    const double d2 = em_rate_norm(w, w->K[1]) * 2.0 / h;
+    const double rate = J + S > 0.0 ? sqrt(em_balance(at->V, at->A * h * h, J, S * h * h)) / h : 0.0;
+    if (!isfinite(rate) || !isfinite(d2)) return -1;
+    at->d2 = d2, at->rate = rate;
+    return 0;
+}
+
+/* How far to look first: as long as it takes to move by far more than a tolerance and far less than by what rtol is a
+ * part of, at the speed there is or from rest. */
+static double em_first_look(const em_walk *w, const em_outset *at, double span) {
+    const double far = 1.0 / sqrt(w->rtol), h = em_min(far / sqrt(at->V), sqrt(far / sqrt(at->A)));
+    return h < span ? h : 0.01 * span;
+}
+
+/* How far to look next, after a look over at->h that showed at->rate, or failed. */
+static double em_next_look(const em_outset *at, int failed, double span) {
+    const double part = at->h * at->rate;
+    if (failed) return 0.01 * at->h;
+    if (part > EM_TOO_FAR) return em_max(1e-4 * at->h, 0.1 * EM_TOO_FAR / at->rate);
+    if (part < EM_TOO_NEAR) return em_max(at->h, em_min(em_min(1e3 * at->h, 0.01 / at->rate), span));
+    return at->h;
+}
+
+static em_outset em_set_out(em_walk *w, double span) {
+    em_outset at = {.d1 = em_rate_norm(w, w->K[0])};
+    em_split_rate(w, w->K[0], &at.V, &at.A);
+    double next = em_first_look(w, &at, span);
+    for (int looks = 0; looks < 3 && next != at.h; ++looks) {
+        at.h = next;
+        next = em_next_look(&at, em_measure(w, &at), span);
+    }
+    return at;
+}
+
+/* Where a motion shows no rate, as in a fall, what has not set in may do so later. After an impact it may be soon: a step
+ * far longer than what slows down takes for that is too coarse for the flight. */
+static double em_size_without_rate(const em_walk *w, const em_outset *at, double span) {
+    const double part = at->d1 * span > 1.0 ? 0.1 : at->d1 > 0.0 ? 1.0 : 0.01, size = em_min(100.0 * at->h, part * span);
+    return w->fresh == EM_NEXT_LEG ? em_min(size, em_max(sqrt(at->V / at->A), 1.0 / at->d1)) : size;
+}
+
+/* The first step's size, as Hairer, Norsett & Wanner's (II.4) in whatever unit the time is: a motion that goes at a `rate`
+ * through what is `size` tolerances is off by about size (rate h)^(order + 1) after a step h. */
 static double em_first_size(em_walk *w) {
-    const em_run *run = w->run;
-    const double d0 = em_state_norm(w), d1 = em_rate_norm(w, w->K[0]);
-    const double span = fabs(w->t_goal - w->t), order = w->scheme.error_order;
-    const double h0 = d1 * span > 1.0 ? em_min(0.01 * em_max(d0, 1.0) / d1, span) : 0.01 * span;
-    const double d2 = em_second_derivative(w, h0), slope = em_max(d1, d2 * h0);
-    if (!(d2 > 0.0)) return em_min(h0, run->max_step); /* at rest: something may set in later */
-    const double rate = em_max(sqrt(d2 / em_max(d0, 1.0)), d2 / slope);
-    const double h1 = pow(0.01 * rate / slope, 1.0 / (order + 1)) / rate;
-    return em_min(em_min(100.0 * h0, h1), em_min(span, run->max_step));
+    const double span = fabs(w->t_goal - w->t), longest = em_min(span, w->run->max_step);
+    const em_outset at = em_set_out(w, span);
+    if (!(at.rate * at.h >= EM_TOO_NEAR)) return em_min(em_size_without_rate(w, &at, span), longest);
+    const double size = em_max(at.d1, at.d2 / at.rate) / at.rate, far = em_max(100.0 * at.h, 1.0 / at.rate);
+    return em_min(em_min(pow(0.01 / size, 1.0 / (w->scheme.error_order + 1)) / at.rate, far), longest);
 }
 
 #endif
