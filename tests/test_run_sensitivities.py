@@ -62,6 +62,17 @@ def test_closed_form(method, end):
         np.testing.assert_allclose(run.sensitivity[name].dx[0], expected, atol=1e-8)
 
 
+@pytest.mark.parametrize("method", ["rk34", "dopri5", "dop853", "ra15", "radau5", "radau9"])
+def test_what_a_member_does_is_the_same_bits_with_derivatives(method):
+    """Members that end early included: most methods run them once, which keeps what is between rows."""
+    system = system_for(oscillator(), "lagrange")
+    asked = {"x0": {"x": [0.0, 0.1, 1.0]}, "t_eval": [1.0, 3.0], "method": method, "max_steps": 12} | TIGHT
+    with_them, without = (em.simulate_ensemble(system, (0, 3), **asked, **by) for by in ({"sensitivities": ["k"]}, {}))
+    for name in ("x", "v", "t_end", "nfev", "nsteps", "success"):
+        np.testing.assert_array_equal(getattr(with_them, name), getattr(without, name))
+    assert [with_them.message(k) for k in range(3)] == [without.message(k) for k in range(3)]
+
+
 def test_units_change_nothing():
     system = system_for(oscillator(), "lagrange")
     here = system.simulate((0, 3), t_eval=[3.0], sensitivities=["x", "k"], **TIGHT).sensitivity

@@ -14,7 +14,7 @@ from ..running.simulate import run_task
 from ..runtime import COUNTS, EvaluationError, StopReason
 from ..runtime.ensemble import Chunk, Stop
 from .start import task_of
-from .vary import vary_members
+from .vary import Shifts, in_one_run, together, vary, vary_members
 
 _REFUSED, _INTERRUPTED = (REASONS.index(stop) for stop in (StopReason.START_REFUSED, StopReason.INTERRUPTED))
 _OF_CHUNK = ("y", "t_end", "status", "first", "second", "size", "event_times", "events", "event_counts")
@@ -33,20 +33,22 @@ def run_chunk(asked: Asked, members: Members, stop: Stop) -> Found:
         doubtful = np.flatnonzero(found.status == _REFUSED).tolist()
         if model.formulation == "eigenfactor" and model.close_eigenvalues == "extrapolate":
             doubtful = list(range(members.count))  # eigenvalues that coincide at the start are looked at in Python
+    shifts: Shifts = {}
     for k in doubtful:
         if not stop:
-            _look_again(asked, members, k, found, stop)
+            _look_again(asked, members, k, found, stop, shifts)
     if asked.differentiated is not None:
-        vary_members(asked, asked.differentiated, members, found, stop)
+        shifts = shifts if in_one_run(asked) else vary_members(asked, members, found, stop)
+        found.dt_events = together(found, shifts, len(asked.differentiated.names))
     return found
 
 
 def _one_by_one(asked: Asked) -> bool:
-    """Whether each run is one of `simulate`: its method is not compiled, or its modes are its own."""
-    return asked.method is None or bool(asked.model.switches)
+    """Whether each run is one of `simulate`: of a method in Python, with modes of its own, or with derivatives."""
+    return asked.method is None or bool(asked.model.switches) or in_one_run(asked)
 
 
-def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop) -> None:
+def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop, shifts: Shifts) -> None:
     """Start a member as `simulate` does, in words where it cannot; and run it unless that is done."""
     try:
         task = task_of(asked, members, k)
@@ -55,7 +57,11 @@ def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop
         found.y[k], found.t_end[k] = np.nan, asked.t_start
         return
     if _one_by_one(asked) or found.status[k] == _REFUSED:
-        _keep(asked, k, run_task(task, METHODS[asked.name]), found)
+        task = task._replace(dense=in_one_run(asked))
+        solution = run_task(task, METHODS[asked.name])
+        _keep(asked, k, solution, found)
+        if task.dense:
+            vary(asked, k, task, solution, found, shifts)
         if found.status[k] == _INTERRUPTED:
             stop.set()
 
@@ -92,6 +98,8 @@ def _reached(asked: Asked, solution: Solution) -> float:
     """Return where a run came to, as far as its rows tell."""
     if solution.stop is StopReason.FINISHED:
         return asked.t_end
+    if solution.get("sol") is not None:
+        return float(solution["sol"].ts[-1])
     times = [solution.t, *(solution.t_events or [])]
     sign = 1.0 if asked.t_end >= asked.t_start else -1.0
     return sign * max((sign * float(each[-1]) for each in times if len(each)), default=sign * asked.t_start)

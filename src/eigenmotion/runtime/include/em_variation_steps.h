@@ -44,9 +44,9 @@ typedef struct em_variations {
 } em_variations;
 
 /* What a pass works with. Directions are rows of `columns` numbers, the last of them the witness's, and zeros before it
- * that make them a multiple of four: S (2 n, columns) and P (n_given, columns), which is zero but at `places`, (row, column). z is where
- * the motion is; J (n, n_arguments) at each node, G there what does not hang on K; L the linear system with its right-hand
- * sides, in `rows`. */
+ * that make them a multiple of four: S (2 n, columns) and P (n_given, columns), zero but at `places`, (row, column). z is
+ * where the motion is; J (n, n_arguments) at each node, G there what does not hang on K; L the linear system with its
+ * right-hand sides, in `rows`. */
 typedef struct em_pass {
     em_variations *of;
     int n, m, columns, wide, n_places, (*places)[2];
