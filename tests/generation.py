@@ -23,7 +23,7 @@ from eigenmotion.building.toolchain import INCLUDE, toolchain
 MODELS = Path(__file__).parents[1] / "models"
 NAMES = tuple(sorted(path.stem for path in MODELS.glob("*.py") if path.stem != "__init__"))
 STRICT = ("-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
-FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC", "-shared")
+FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC")
 COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 """Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
@@ -106,15 +106,33 @@ def _library(sources: Sources, flags: tuple[str, ...], lanes: bool) -> Path:
 
 
 def compile_into(folder: Path, sources: Sources, flags: tuple[str, ...], lanes: bool = False) -> None:
-    """Write NAME.c, NAME.h and compile NAME.so in a folder."""
+    """Write NAME.c, NAME.h and compile NAME.so in a folder, in a hurry with the stepper of any model of its shape."""
     for file in sources.files:
         (folder / file.name).write_text(file.text)
-    cc = [*_compiler(flags), *FLAGS, *flags, f"-I{INCLUDE}"]
-    commands = [[*cc, "-DEM_ON_LANES", "-c", f"{sources.name}.c", "-o", "lanes.o"]] if lanes else []
-    commands += [[*cc, f"{sources.name}.c", *["lanes.o"] * lanes, "-lm", "-o", f"{sources.name}.so"]]
-    for command in commands:
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stderr
+    source, cc = f"{sources.name}.c", [*_compiler(flags), *FLAGS, *flags, f"-I{INCLUDE}"]
+    others = []
+    if lanes:
+        _run([*cc, "-DEM_ON_LANES", "-c", source, "-o", "lanes.o"], folder)
+        others = ["lanes.o"]
+    elif "-O0" in flags:
+        others = ["-DEM_UNIT=EM_MODEL|EM_ASIDE|EM_DERIVATIVES", _stepper(folder, cc, source)]
+    _run([*cc, "-shared", source, *others, "-lm", "-o", f"{sources.name}.so"], folder)
+
+
+def _stepper(folder: Path, cc: list[str], source: str) -> str:
+    """Return the path of the stepper's object, which another model may have left."""
+    unit = [*cc, "-DEM_UNIT=EM_STEPPER", source]
+
+    def fill(kept: Path) -> None:
+        _run([*unit, "-c", "-o", str(kept / "stepper.o")], folder)
+
+    return str(entry("tests", key(*unit[:-1], _run([*unit, "-E", "-P"], folder)), fill) / "stepper.o")
+
+
+def _run(command: list[str], folder: Path) -> str:
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
 
 
 def states(system: System, count: int, seed: int = 1) -> Iterator[tuple[np.ndarray, np.ndarray, float]]:

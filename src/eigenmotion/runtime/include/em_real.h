@@ -19,15 +19,15 @@
 #define EM_WEAK __attribute__((weak))
 #define EM_RARE __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
 
-/* What an object file holds of NAME.c: all of it, or the unit that -DEM_UNIT=... names (docs/architecture.md). What goes
+/* What an object file holds of NAME.c: all of it, or the units that -DEM_UNIT=... names (docs/architecture.md). What goes
  * across is not static then; what is linked shows nothing of it (-fvisibility=hidden). */
 #define EM_MODEL 1       /* what every step calls */
 #define EM_ASIDE 2       /* what none calls */
-#define EM_DERIVATIVES 3 /* partial derivatives, and what events do */
-#define EM_STEPPER 4     /* runs: of a model it knows the shape */
+#define EM_DERIVATIVES 4 /* partial derivatives, and what events do */
+#define EM_STEPPER 8     /* runs: of a model it knows the shape */
 #ifdef EM_UNIT
-#define EM_ALONE(unit) (EM_UNIT == (unit))
-#define EM_HOLDS(unit) EM_ALONE(unit)
+#define EM_ALONE(unit) ((EM_UNIT) == (unit))
+#define EM_HOLDS(unit) ((EM_UNIT) & (unit))
 #define EM_ACROSS
 #else
 #define EM_ALONE(unit) 0
