@@ -37,7 +37,7 @@ def test_a_plank_rattles_and_lies_down(options):
     run = box((-1, 1)).simulate((0.0, 5.0), **options)
     assert run.success, run.message
     assert run.x[:, -1] == pytest.approx([5.0, 0.0, 0.0], abs=1e-9)
-    assert np.diff(run.energy).max() < 1e-9
+    assert np.diff(run.energy).max() < 1e-8  # a short flight may be one step, good to rtol of its velocities
     assert run.multipliers[:, -1] == pytest.approx([-G / 2, -G / 2])
 
 

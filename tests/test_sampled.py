@@ -139,7 +139,7 @@ def test_a_run_that_ends_early_asks_no_more():
     run = system.simulate((0, 50), inputs={"u": Sampled(lambda t, x, v: asked.append(t) or 0.0, PERIOD)}, max_steps=60)
     assert run.stop is StopReason.TOO_MANY_STEPS
     assert run.nsteps == 60
-    assert len(asked) < 60
+    assert asked[-1] <= run.t[-1]
 
     def interrupt(t, x, v):
         signal.raise_signal(signal.SIGINT)

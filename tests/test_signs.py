@@ -5,6 +5,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from eigenmotion.codegen import compiler
+from eigenmotion.codegen.choices import Choices
 from eigenmotion.codegen.graph.derivatives import gradient
 from eigenmotion.codegen.physics.terms import Terms
 from sympy import Rational, symbols
@@ -12,7 +14,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from eigenmotion import Model, System, t
 
-from .generation import FORMULATIONS, model_of, system_for, system_of
+from .generation import FORMULATIONS, loaded, model_of, system_for, system_of
 from .oracles import Lagrange, elementary
 
 TIGHT = {"rtol": 1e-11, "atol": 1e-13}
@@ -36,6 +38,11 @@ def printed_sign(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(Terms, "_force", printed)
 
 
+def generated_now(model: Model, formulation: str = "eigenfactor") -> System:
+    """By the generator as it is patched here; what is kept goes by the files of the generator."""
+    return loaded(compiler.generate(model, Choices(formulation)), "-O0")
+
+
 def error_in_rotating_frame(system: System) -> float:
     right = elementary.rotating_spring(model_of("rotating_spring"), 10.0)
     found = system.simulate((0, 10), **TIGHT)
@@ -50,7 +57,7 @@ def test_the_rotating_frame_passes_with_ours(formulation):
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.usefixtures("printed_sign")
 def test_the_rotating_frame_fails_with_the_one_printed(formulation):
-    system = system_for(model_of("rotating_spring"), formulation)
+    system = generated_now(model_of("rotating_spring"), formulation)
     assert error_in_rotating_frame(system) > 0.1
     # the Coriolis force is gone altogether: accelerations do not depend on velocities
     x = [0.3, 0.8]
@@ -81,7 +88,7 @@ def test_it_is_ours_with_everything_depending_on_time_too():
 
 @pytest.mark.usefixtures("printed_sign")
 def test_and_not_the_one_printed():
-    _agree(system_for(turning_cart()), Lagrange(turning_cart()), right=False)
+    _agree(generated_now(turning_cart()), Lagrange(turning_cart()), right=False)
 
 
 def _agree(system: System, oracle: Lagrange, right: bool) -> None:

@@ -151,7 +151,7 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
         em_point here = {s->t[k], s->g[k][i]};
         const double side = w->side_new[i];
         const int node = k - s->near - 1; /* before this one */
-        if (node >= (s->near > 0) && side * here.g > 0.0 && side * s->g[k - 1][i] > 0.0 &&
+        if (node >= (s->near > 0) && side != 0.0 && side * here.g >= 0.0 && side * s->g[k - 1][i] >= 0.0 &&
             em_lowest(a, node, side, &theta, &low) && low < 0.05 * size) {
             em_point dip;
             const int dips = em_dips(w, i, side, &theta, &dip.g);
