@@ -5,6 +5,7 @@ import shutil
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
+from zlib import crc32
 
 import pytest
 from eigenmotion.codegen.choices import FORMULATIONS
@@ -14,6 +15,7 @@ from eigenmotion.building.toolchain import FLAGS
 
 from . import generation
 from .expressions import Bench
+from .generation import COMPILERS
 from .models_table import DAILY, HEAVY, Scenario
 
 SCENE = """\
@@ -49,13 +51,23 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def _daily(item: pytest.Item) -> bool:
-    """Whether no heavy model takes part, and no model in a formulation that is not its own by day."""
+    """Whether no heavy model takes part, and no formulation or compiler that is not the case's own by day."""
     given = list(_given(item))
+    if not _is_its_compiler(item.nodeid, {*COMPILERS}.intersection(one for one in given if isinstance(one, str))):
+        return False
     models = {_model_of(one) for one in given}
     formulations = set(FORMULATIONS).intersection(one for one in given if isinstance(one, str))
     if models & HEAVY:
         return item.path.stem == "test_gallery"
     return all(formulations <= DAILY[name] for name in models & DAILY.keys())
+
+
+def _is_its_compiler(case: str, asked: set[str]) -> bool:
+    """Whether a case that every compiler there is takes at night takes the one asked for by day, too."""
+    for compiler in asked if len(COMPILERS) > 1 else ():
+        others = case.replace(compiler, "")
+        return compiler == COMPILERS[crc32(others.encode()) % len(COMPILERS)]
+    return True
 
 
 def _given(item: pytest.Item) -> Iterable[object]:
