@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:c26f72922a994b4dc497d7af21797b6854d219ac767e75b231b2ab6b2c43140a */
-/* body sha256:b93a7342389b5593d0bd06fd8b5b6198aa4e94b1c962a9928728efc2c6c31eed */
+/* body sha256:89d2b1564b9fcb4dc5eee205ba290fe02d74a663ebb4c6c383bdfd7671330147 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -139,8 +139,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* dy <- f(t, y). */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -165,7 +165,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes block_on_incline_lanes;
-em_lanes block_on_incline_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED};
+em_lanes block_on_incline_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -500,7 +500,7 @@ EM_INLINE void settled_masses(const real *restrict c, real A1[N_ROWS][N1], real 
 /* After an accepted step, and at the start: constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     const int changed = flags & EM_STABILISE;
     real A1[N_ROWS][N1], b[N_ROWS];
@@ -536,15 +536,15 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:bb3390577904febcb30096cd6f871009e8da7720111db7c7d38f6f26cea6d7a4 */
+/* body sha256:9dfeb31c90e9d4d554138d55c31c1a7ab46df4c0e789f991d36f026dfbd7085b */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -165,8 +165,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* dy <- f(t, y). */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -191,7 +191,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes bouncing_ball_lanes;
-em_lanes bouncing_ball_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED};
+em_lanes bouncing_ball_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -492,7 +492,7 @@ EM_INLINE void settled_masses(const double *restrict c, double A2[N_ROWS][N2], d
 /* After an accepted step, and at the start: constraints on positions, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     const int changed = flags & EM_STABILISE;
     if ((flags & EM_STABILISE) && em_newton(t, y, c, 3, flags & EM_ABOUT_ROWS, fault) < 0) return -1;
@@ -530,8 +530,8 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
     em_velocity_kept(&block2, 0, e, y, c, memory, ev);
@@ -539,7 +539,7 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 
 /* row (n_state): a state, as a row of the solution. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:2ea5f4b615432fb8fc3f39fcea9fbb9fc7138abb75dd59361dc22896a4eaef30 */
+/* body sha256:2021d8f9ebe4b14bacaa6a70e5a98fba87eebc65d3a1d0ac454e41080cb25c4a */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1237,8 +1237,8 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
@@ -1284,7 +1284,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #include "em_flock.h"
 
 extern em_lanes bricard_lanes;
-em_lanes bricard_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
+em_lanes bricard_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -5820,7 +5820,7 @@ EM_INLINE void settled_rates(const double *restrict v, const double *restrict c,
 /* After an accepted step, and at the start: constraints on positions, C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
@@ -5877,15 +5877,15 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;

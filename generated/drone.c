@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:0f9d6da21aec914bf2ce690c5734586a905de9ccad0fbdd052ae77b5208ec65e */
+/* body sha256:59a6906cad401a06720bfd784ea0031fcf1047ce63615d6fddae794b519b1ecb */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -493,8 +493,8 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
@@ -674,8 +674,9 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 #define EM_VELOCITY velocity_by_roots
 
-/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
- * instead, as where the mode changes; what is singular leaves NaN. */
+/* After an accepted step: C and s.
+ * *done becomes 0 in lanes that are settled number by number instead, as where the mode changes;
+ * what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     EM_UNUSED em_fault whole, *const fault = &whole;
@@ -715,7 +716,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 #include "em_flock.h"
 
 extern em_lanes drone_lanes;
-em_lanes drone_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
+em_lanes drone_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -1567,7 +1568,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
@@ -1609,8 +1610,8 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
     em_velocity_kept(&block2, mode, e, y, c, memory, ev);
@@ -1618,7 +1619,7 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 
 /* row (n_state): a state in the published meaning. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;

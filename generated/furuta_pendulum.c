@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:2139e0d76e6b2e96385033293109cc96a1d064ab63209ab7630157a510478f0a */
+/* body sha256:e276840f299d39a2aa8747225fbe91a8613aaa5dcdf1e7bde81965890b94daff */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -214,8 +214,8 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
@@ -298,8 +298,9 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 #define EM_VELOCITY velocity_by_roots
 
-/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
- * instead, as where the mode changes; what is singular leaves NaN. */
+/* After an accepted step: C and s.
+ * *done becomes 0 in lanes that are settled number by number instead, as where the mode changes;
+ * what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     EM_UNUSED em_fault whole, *const fault = &whole;
@@ -328,7 +329,8 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 #include "em_flock.h"
 
 extern em_lanes furuta_pendulum_lanes;
-em_lanes furuta_pendulum_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
+em_lanes furuta_pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2,
+    N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -631,7 +633,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
@@ -667,15 +669,15 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:c0501577519381e7aff571e5590d2a631d1494951e5c97a819cc9c1ae34aa90b */
+/* body sha256:a2f60466a269da8384edcc504ff08cb1622e63fd0ee51bc98269e9d007548de0 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -198,8 +198,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* dy <- f(t, y). */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -224,7 +224,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes newtons_cradle_4_lanes;
-em_lanes newtons_cradle_4_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED};
+em_lanes newtons_cradle_4_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -635,7 +635,7 @@ EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1} };
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     return 0;
 }
@@ -651,8 +651,8 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
     em_velocity_kept(&block2, 0, e, y, c, memory, ev);
@@ -662,7 +662,7 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 
 /* row (n_state): a state, as a row of the solution. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:1e68dc50e16a51c991a53a80b7c6f3333a248dea23e14ccd1a0d0242edf4b203 */
+/* body sha256:7d23a8932c56d5c2ad6abe610ca469f541beef093073e1208abc9bb1b836bf11 */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -118,8 +118,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* dy <- f(t, y). */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
@@ -144,7 +144,7 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
 }
 
 extern em_lanes rimless_wheel_lanes;
-em_lanes rimless_wheel_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED};
+em_lanes rimless_wheel_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL, 0, 1, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -478,7 +478,7 @@ EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1} };
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     return 0;
 }
@@ -491,15 +491,15 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, 0, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state, as a row of the solution. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:2ac0242fbe7da2d3cb38db15ac14a39be9514e3cc8685d97b3799a2700cd9af9 */
+/* body sha256:ca027115a52b05f180e361776746047d6bfc053cb101ff27b2dd03f93fca3958 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -468,8 +468,8 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
@@ -616,8 +616,9 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 #define EM_VELOCITY velocity_by_roots
 
-/* After an accepted step: C and s, constraints on velocities. *done becomes 0 in lanes that are settled number by number
- * instead, as where the mode changes; what is singular leaves NaN. */
+/* After an accepted step: C and s, constraints on velocities.
+ * *done becomes 0 in lanes that are settled number by number instead, as where the mode changes;
+ * what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     EM_UNUSED em_fault whole, *const fault = &whole;
@@ -682,7 +683,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 #include "em_flock.h"
 
 extern em_lanes sphere_lanes;
-em_lanes sphere_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
+em_lanes sphere_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -1465,7 +1466,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 /* After an accepted step, and at the start: C and s, constraints on velocities.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
@@ -1539,8 +1540,8 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
     em_velocity_kept(&block2, mode, e, y, c, memory, ev);
@@ -1549,7 +1550,7 @@ EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, 
 
 /* row (n_state): a state in the published meaning. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:43021e2ef9cdf8e40e02c2d316d73ecd2b8ffe951cdd90c02a3a1113e7bdddda */
+/* body sha256:a30fa06359e6caae61d0e8df181123e7caea48bd5a58009f969ca94a1b3b07ec */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -195,8 +195,8 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
 }
 
 /* dy <- f(t, y): the published equations, or in mode 1 those of the triangular root. */
-EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags, real *dy,
-                     em_fault *fault)
+EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const real *u, double *memory, int flags,
+                        real *dy, em_fault *fault)
 {
     if (mode) return rhs_cholesky(t, y, c, u, flags, dy, fault);
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
@@ -267,8 +267,9 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 #define EM_VELOCITY velocity_by_roots
 
-/* After an accepted step: C and s. *done becomes 0 in lanes that are settled number by number
- * instead, as where the mode changes; what is singular leaves NaN. */
+/* After an accepted step: C and s.
+ * *done becomes 0 in lanes that are settled number by number instead, as where the mode changes;
+ * what is singular leaves NaN. */
 static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memory, real pace, em_truth *done)
 {
     EM_UNUSED em_fault whole, *const fault = &whole;
@@ -297,7 +298,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 #include "em_flock.h"
 
 extern em_lanes veering_lanes;
-em_lanes veering_lanes = {EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED};
+em_lanes veering_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -482,7 +483,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
 EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace,
-                        em_fault *fault)
+                           em_fault *fault)
 {
     const int rested = *mode; /* so did the eigenfactors */
     int changed = rested || (flags & EM_STABILISE);
@@ -518,15 +519,15 @@ EM_ACROSS int model_velocity(int mode, double t, const double *y, const double *
 }
 
 /* ev (n): the error of xdot that an error e (n) of eta makes. */
-EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory,
-                                 const double *e, double *ev)
+EM_ACROSS void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e,
+                                    double *ev)
 {
     em_velocity_kept(&block1, mode, e, y, c, memory, ev);
 }
 
 /* row (n_state): a state in the published meaning. */
 EM_ACROSS int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row,
-                         em_fault *fault)
+                            em_fault *fault)
 {
     memcpy(row, y, N_STATE * sizeof *row);
     if (mode == 0) return 0;

@@ -53,21 +53,18 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def _daily(item: pytest.Item) -> bool:
     """Whether no heavy model takes part, and no formulation or compiler that is not the case's own by day."""
     given = list(_given(item))
-    if not _is_its_compiler(item.nodeid, {*COMPILERS}.intersection(one for one in given if isinstance(one, str))):
+    words = {one for one in given if isinstance(one, str)}
+    if not all(_is_its_compiler(item.nodeid, compiler) for compiler in words.intersection(COMPILERS)):
         return False
-    models = {_model_of(one) for one in given}
-    formulations = set(FORMULATIONS).intersection(one for one in given if isinstance(one, str))
+    models, formulations = {_model_of(one) for one in given}, words.intersection(FORMULATIONS)
     if models & HEAVY:
         return item.path.stem == "test_gallery"
     return all(formulations <= DAILY[name] for name in models & DAILY.keys())
 
 
-def _is_its_compiler(case: str, asked: set[str]) -> bool:
-    """Whether a case that every compiler there is takes at night takes the one asked for by day, too."""
-    for compiler in asked if len(COMPILERS) > 1 else ():
-        others = case.replace(compiler, "")
-        return compiler == COMPILERS[crc32(others.encode()) % len(COMPILERS)]
-    return True
+def _is_its_compiler(case: str, compiler: str) -> bool:
+    """Whether it is the one by which a case that goes by all at night goes by day, too."""
+    return compiler == COMPILERS[crc32(case.replace(compiler, "").encode()) % len(COMPILERS)]
 
 
 def _given(item: pytest.Item) -> Iterable[object]:

@@ -81,7 +81,7 @@ def test_what_differs_is_built_apart_and_nothing_twice(own_cache, monkeypatch):
 
 
 def test_models_of_one_shape_share_the_stepper(own_cache):
-    """That is more than half of a build; what they run is their own."""
+    """That is about half of a build; what they run is their own."""
     for gravity in (9.81, 1.62):
         acceleration, _ = em.build(swing(gravity=gravity)).acceleration([0.3], [0.0])
         assert acceleration == pytest.approx([-gravity / 0.5 * np.sin(0.3)], rel=1e-14)

@@ -28,6 +28,12 @@ def test_no_file_is_longer_than_300_lines():
     assert not {str(file.relative_to(ROOT)): length for file, length in lengths.items() if length > 300}
 
 
+def test_generated_c_is_no_wider_than_120_columns():
+    lines = {path.name: path.read_text(encoding="utf-8").splitlines() for path in (ROOT / "generated").glob("*.[ch]")}
+    assert len(lines) > 70
+    assert not {name: line for name, text in lines.items() for line in text if len(line) > 120}
+
+
 def test_no_function_is_longer_than_a_screen():
     """50 lines, without what it takes and what its docstring says."""
     long = {}

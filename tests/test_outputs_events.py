@@ -195,7 +195,7 @@ def test_a_model_without_events_has_none():
 @pytest.mark.parametrize("method", COMPILED)
 @pytest.mark.parametrize("apart", [1e-2, 1e-5])
 def test_two_passages_close_together_fire_wherever_in_a_long_step(method, apart):
-    """Uniform motion, which every interpolant holds exactly: q = t, in a last step of some six seconds."""
+    """Uniform motion, which every interpolant holds exactly, in steps of seconds: q = t. Some lie at nodes."""
     q, (first, gap) = dynamicsymbols("q"), symbols("first gap")
     at = q - first
     system = system_for(

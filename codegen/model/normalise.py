@@ -195,11 +195,9 @@ def _real(value: sympy.Expr) -> sympy.Expr:
 
 def _in_other_functions(value: sympy.Expr) -> sympy.Expr:
     """Write functions that C has not in those that it has: Mod(a, b) as a - b floor(a / b), sec(a) as 1 / cos(a)."""
-    return (
-        value.replace(lambda part: type(part) in _IN_OTHERS, lambda part: _IN_OTHERS[type(part)](*part.args))
-        if (value.has(*_IN_OTHERS))
-        else value
-    )
+    if not value.has(*_IN_OTHERS):
+        return value
+    return value.replace(lambda part: type(part) in _IN_OTHERS, lambda part: _IN_OTHERS[type(part)](*part.args))
 
 
 def _carried_out(value: sympy.Expr) -> sympy.Expr:

@@ -10,13 +10,11 @@ from numpy.typing import ArrayLike
 
 from ..arguments.names import Vector
 from ..codegen.model.normalise import number
+from ..running.consistent import RESOLVED, next_to
 from ..runtime import CompiledModel, Prepared, variations
 
 if TYPE_CHECKING:
     from ..system.system import System
-
-_RESOLVED = 1e-6
-"""How much slopes may change, relative to themselves, from one number to the next that a double can be."""
 
 
 @dataclass(frozen=True)
@@ -78,14 +76,12 @@ class Place:
         """
         n = self.model.n
         slope = self.motion[2][:, :n]
-        most = _RESOLVED * np.linalg.norm(slope)
+        most = RESOLVED * np.linalg.norm(slope)
         return [name for k, name in enumerate(self.model.coordinates) if self._change(k, slope) > most]
 
     def _change(self, k: int, slope: Vector) -> float:
         """By how much slopes change from coordinate k to the next number."""
-        beside = self.x.copy()
-        beside[k] += np.spacing(beside[k])
-        return float(np.linalg.norm(self.at(self.t, beside, self.v).motion[2][:, : self.model.n] - slope))
+        return float(np.linalg.norm(self.at(self.t, next_to(self.x, k), self.v).motion[2][:, : self.model.n] - slope))
 
     @cached_property
     def units(self) -> Vector:

@@ -9,8 +9,8 @@ from ..arguments.names import Vector
 from ..codegen.model import ModelError
 from ..runtime import CompiledModel, Prepared
 
-_RESOLVED = 1e-6
-"""How much the rows A may change, relative to themselves, from one number to the next that a double can be."""
+RESOLVED = 1e-6
+"""How much rows and slopes may change, relative to themselves, from one number to the next that a double can be."""
 _ENOUGH = 100
 """Sweeps along the constraints; each reduces what is left by about (distance x curvature)."""
 
@@ -132,13 +132,19 @@ def check_resolved(model: CompiledModel, prepared: Prepared, t: float, x: Vector
     """
     A = model.pfaffian(t, x, prepared)[0][: model.h]
     for k, name in enumerate(model.coordinates if model.h else ()):
-        beside = x.copy()
-        beside[k] += np.spacing(beside[k])
-        if not np.linalg.norm(model.pfaffian(t, beside, prepared)[0][: model.h] - A) <= _RESOLVED * np.linalg.norm(A):
+        beside = model.pfaffian(t, next_to(x, k), prepared)[0][: model.h]
+        if not np.linalg.norm(beside - A) <= RESOLVED * np.linalg.norm(A):
             raise ModelError(
                 f"{model.name}: {name} = {x[k]:.6g} is so large that from it to the next number the constraints are "
                 "others: nobody can tell whether they hold. Give an angle nearer to 0, or a length in another unit"
             )
+
+
+def next_to(x: Vector, k: int) -> Vector:
+    """Return x with the next number that a double can be in place of x_k."""
+    beside = x.copy()
+    beside[k] += np.spacing(beside[k])
+    return beside
 
 
 def length(M: Vector, d: Vector) -> float:

@@ -246,15 +246,15 @@ EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
 
 /* x, v (n) and c, the mode, after the events `fired` (n_events) at t, in the order of the model; none fired: at the start
  * of a run. `fired` grows by events whose number jumps then; pile (n_events) is of the run. 0, or -1 and *fault. */
-EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
-                   em_fault *fault) {
+EM_ACROSS int em_act(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
+                     em_pile *pile, em_fault *fault) {
     em_acting a = {t, x, v, c, u, least_norm, fired, fault, NULL, 0, {0}};
     return em_act_on_all(&a, pile);
 }
 
 /* em_model.act_along: the same, and what becomes of directions. */
 EM_ACROSS int em_act_along(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired,
-                         em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
+                           em_pile *pile, int columns, double *S, const double *P, em_fault *fault) {
     const em_directions along = {columns, S, P};
     em_acting a = {t, x, v, c, u, least_norm, fired, fault, &along, 0, {0}};
     if (em_act_on_all(&a, pile)) return -1;
@@ -274,7 +274,8 @@ EM_ACROSS void em_watched(double t, const double *x, const double *v, const doub
 }
 
 /* em_model.event_partials: D (n_events, n_arguments), likewise */
-EM_ACROSS void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D) {
+EM_ACROSS void em_watched_partials(double t, const double *x, const double *v, const double *c, const double *u,
+                                   double *D) {
     event_partials(t, x, v, c, u, D);
     if (em_watch_partials(t, x, v, c, u, D))
         for (int k = 0; k < N_EVENTS * N_ARGUMENTS; ++k) D[k] = NAN;

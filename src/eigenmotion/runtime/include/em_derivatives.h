@@ -105,7 +105,7 @@ EM_COLD int em_motion_at(double t, const double *x, const double *v, const doubl
 
 /* J (2 n, 2 n) of z = (x, v) -> (v, xddot), constraints included. */
 EM_ACROSS int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J,
-                               em_fault *fault) {
+                                 em_fault *fault) {
     em_factors factors;
     double a[N], lambda[EM_SOME_ROWS], W[(N + N_ROWS) * 2 * N];
     if (em_motion_at(t, z, z + N, c, u, least_norm, &factors, a, lambda, fault)) return -1;
@@ -119,8 +119,8 @@ EM_ACROSS int em_motion_jacobian(double t, const double *z, const double *c, con
 
 /* da (n, n_arguments), dlambda (m, n_arguments): by x, v, inputs, parameters, time; a (n), lambda (m). */
 EM_ACROSS int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u,
-                                  int least_norm, double *a, double *lambda, double *da, double *dlambda,
-                                  em_fault *fault) {
+                                    int least_norm, double *a, double *lambda, double *da, double *dlambda,
+                                    em_fault *fault) {
     em_factors factors;
     double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
     if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
@@ -146,8 +146,8 @@ EM_COLD void em_add_products(int rows, int inner, int columns, const double *D, 
 /* Along `columns` directions, S (2 n, columns) of x, v and P (n_given, columns) of inputs, parameters, time:
  * W (n + m, columns) <- the changes of a and lambda; a (n), lambda (m). */
 EM_ACROSS int em_motion_along(double t, const double *x, const double *v, const double *c, const double *u,
-                            int least_norm, int columns, const double *S, const double *P, double *a, double *lambda,
-                            double *W, em_fault *fault) {
+                              int least_norm, int columns, const double *S, const double *P, double *a, double *lambda,
+                              double *W, em_fault *fault) {
     em_factors factors;
     double by_state[(N + N_ROWS) * 2 * N], by_given[(N + N_ROWS) * N_GIVEN];
     if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;

@@ -34,8 +34,8 @@ EM_COLD int em_hold(const em_switch *s, double *c, int holds, em_fault *fault) {
 }
 
 /* g (n_events) <- with what switches that hold watch: how far the multiplier is from letting go. 0, or -1 and *fault. */
-EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
-                           double *g, em_fault *fault) {
+EM_ACROSS int em_watch_modes(double t, const double *x, const double *v, const double *c, const double *u,
+                             int least_norm, double *g, em_fault *fault) {
     double a[N], lambda[EM_SOME_ROWS], level[2 * EM_SOME_SWITCHES];
     int some = 0;
     for (int k = 0; k < N_SWITCHES; ++k) some |= em_holds(&switches[k], c);

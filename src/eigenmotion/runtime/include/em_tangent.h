@@ -24,7 +24,7 @@ EM_COLD void em_correct_along(const em_factors *f, int rows, int columns, double
 
 /* S (2 n, columns) <- the nearest directions, in the mass metric, along which the constraints stay satisfied. */
 EM_ACROSS int em_tangent(double t, const double *x, const double *v, const double *c, int least_norm, int columns,
-                       double *S, const double *P, em_fault *fault) {
+                         double *S, const double *P, em_fault *fault) {
     enum { ALL = N_POSITIONS + N_ROWS };
     em_factors f;
     double D[ALL * N_ARGUMENTS], by_state[ALL * 2 * N], by_given[ALL * N_GIVEN], E[EM_SOME_ROWS * columns];
