@@ -1,8 +1,9 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:85105e0f18ab15646afa8be2922f47c540b4b763314ef19a04c4034d01250e7a */
+/* body sha256:6d62745e2b590e152ea0837984683a760f1543ed4a63f39bac6be8a166d8ec2c */
 /* bricard: 5 coordinates, 4 constraint rows, 40 states.
- * Link bricard.c with a program of your own, or import the Python module built from bricard.pyx. */
+ * Link bricard.c with a program of your own,
+ * or import the Python module built from bricard.pyx. */
 #ifndef EM_MODEL_bricard_H
 #define EM_MODEL_bricard_H
 

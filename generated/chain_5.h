@@ -1,8 +1,9 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:86e4968f6409227f7cb63a5f3044c20e4fa021082d0f99972460d16e7814e57c */
+/* body sha256:229cac2b5571948018f2a28a266584e4fe7b605050fe3eaefacc5ed910d1cff4 */
 /* chain_5: 5 coordinates, 0 constraint rows, 40 states.
- * Link chain_5.c with a program of your own, or import the Python module built from chain_5.pyx. */
+ * Link chain_5.c with a program of your own,
+ * or import the Python module built from chain_5.pyx. */
 #ifndef EM_MODEL_chain_5_H
 #define EM_MODEL_chain_5_H
 

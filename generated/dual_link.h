@@ -1,8 +1,9 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:d266cd900acba69ba16ca8b0be640259eecf81889940ef5f92faf68dc2f762f9 */
+/* body sha256:1b658da0787374067a525439e97bffeca60ccda930973cf8f9a41dad0c4a0676 */
 /* dual_link: 4 coordinates, 1 constraint rows, 20 states.
- * Link dual_link.c with a program of your own, or import the Python module built from dual_link.pyx. */
+ * Link dual_link.c with a program of your own,
+ * or import the Python module built from dual_link.pyx. */
 #ifndef EM_MODEL_dual_link_H
 #define EM_MODEL_dual_link_H
 

@@ -1,8 +1,9 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:7a0abc21d5740e44ad7250e719b725f4a3ce79eb8e9797bcb9c4f13e2b4fa80c */
+/* body sha256:dd0eec6eb8ef090499cbf5942f179bc167a55186a405e45a62d1569eff5cfa39 */
 /* furuta_pendulum: 2 coordinates, 0 constraint rows, 10 states.
- * Link furuta_pendulum.c with a program of your own, or import the Python module built from furuta_pendulum.pyx. */
+ * Link furuta_pendulum.c with a program of your own,
+ * or import the Python module built from furuta_pendulum.pyx. */
 #ifndef EM_MODEL_furuta_pendulum_H
 #define EM_MODEL_furuta_pendulum_H
 

@@ -1,8 +1,9 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:085998b087cf39eabd2367f631307cdca924f879c424e30d07f57096368fbdf2 */
+/* body sha256:b06b6f5346fcddc45540c1c84d56b047496b513b8ebe3eb69b6beecc5cd729f7 */
 /* heavy_top: 3 coordinates, 0 constraint rows, 12 states.
- * Link heavy_top.c with a program of your own, or import the Python module built from heavy_top.pyx. */
+ * Link heavy_top.c with a program of your own,
+ * or import the Python module built from heavy_top.pyx. */
 #ifndef EM_MODEL_heavy_top_H
 #define EM_MODEL_heavy_top_H
 

@@ -1,8 +1,9 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:b61ea70abea65a473b8dcc4d32b13977cf9fba731f3816783f4aded8e378a3b5 */
+/* body sha256:748ff52b28c87e04d360db12fd8d29c68639207bed59fc89f303e1026bc14c2c */
 /* newtons_cradle_4: 4 coordinates, 0 constraint rows, 8 states.
- * Link newtons_cradle_4.c with a program of your own, or import the Python module built from newtons_cradle_4.pyx. */
+ * Link newtons_cradle_4.c with a program of your own,
+ * or import the Python module built from newtons_cradle_4.pyx. */
 #ifndef EM_MODEL_newtons_cradle_4_H
 #define EM_MODEL_newtons_cradle_4_H
 

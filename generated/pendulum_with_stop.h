@@ -1,8 +1,9 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:db36fdcf078a36133fefac8056eba56c63d9acb6126b7c42ec41544a61c3f404 */
+/* body sha256:68650445c1724ce61a17df42d126f2bccf56bc0192388495065575ab1180f695 */
 /* pendulum_with_stop: 1 coordinates, 1 constraint rows, 2 states.
- * Link pendulum_with_stop.c with a program of your own, or import the Python module built from pendulum_with_stop.pyx. */
+ * Link pendulum_with_stop.c with a program of your own,
+ * or import the Python module built from pendulum_with_stop.pyx. */
 #ifndef EM_MODEL_pendulum_with_stop_H
 #define EM_MODEL_pendulum_with_stop_H
 

@@ -1,8 +1,9 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:c65353425fc431e6e5d839bf1d273ee1ddc6688ba77510fbd289db8ab48f76f4 */
+/* body sha256:3965b10b6e13e8b32f5dda501f1fe7da70a48abec8b68a36bb42f829a42dfbd1 */
 /* polar_particle: 2 coordinates, 0 constraint rows, 4 states.
- * Link polar_particle.c with a program of your own, or import the Python module built from polar_particle.pyx. */
+ * Link polar_particle.c with a program of your own,
+ * or import the Python module built from polar_particle.pyx. */
 #ifndef EM_MODEL_polar_particle_H
 #define EM_MODEL_polar_particle_H
 
