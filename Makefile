@@ -53,9 +53,9 @@ $(SHOWN): docs/made/%.done: models/%.py docs/making/exhibit.py $(wildcard src/ei
 	$(BIN)/python docs/making/exhibit.py $*
 	touch $@
 
-# Side by side, each with its words in one piece
+# Side by side, and all that there is to say
 check: $(READY)
-	$(MAKE) --no-print-directory --jobs=2 --output-sync=target lint types generated
+	$(MAKE) --no-print-directory --jobs=2 --keep-going lint types generated
 
 lint: $(READY)
 	$(BIN)/ruff check .
