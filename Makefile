@@ -31,7 +31,7 @@ fuzz: $(READY)
 
 # Longer sweeps, and the whole suite with every compiler there is
 nightly: fuzz
-	$(BIN)/pytest -n auto -m nightly $(PYTEST_ARGS)
+	EIGENMOTION_CFLAGS=-O1 $(BIN)/pytest -n auto -m nightly $(PYTEST_ARGS)
 	for compiler in gcc clang; do \
 	    command -v $$compiler > /dev/null || { echo "skipped: the suite with $$compiler, which is not here"; continue; }; \
 	    CC=$$compiler $(BIN)/pytest -n auto $(PYTEST_ARGS) || exit 1; \
@@ -53,7 +53,9 @@ $(SHOWN): docs/made/%.done: models/%.py docs/making/exhibit.py $(wildcard src/ei
 	$(BIN)/python docs/making/exhibit.py $*
 	touch $@
 
-check: lint types generated
+# Side by side, and all that there is to say
+check: $(READY)
+	$(MAKE) --no-print-directory --jobs=2 --keep-going lint types generated
 
 lint: $(READY)
 	$(BIN)/ruff check .

@@ -37,7 +37,7 @@ def driven(**options) -> Model:
 
 @cache
 def in_lanes():
-    return em.build(driven(), formulation="lagrange", flags="-O1")
+    return em.build(driven(), formulation="lagrange")
 
 
 @cache

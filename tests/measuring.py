@@ -10,9 +10,8 @@ import pytest
 
 @contextmanager
 def undisturbed() -> Iterator[pytest.MonkeyPatch]:
-    """Quick to compile; and time is what this process computes, which does not grow where others use the machine."""
+    """Time is what this process computes, which does not grow where others use the machine."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("EIGENMOTION_CFLAGS", "-O1")
         for module in ("measure", "peers"):
             patch.setattr(f"eigenmotion.report.{module}.time", SimpleNamespace(perf_counter=time.process_time))
         yield patch

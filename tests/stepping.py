@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline, PPoly
 from scipy.special import ellipj, ellipk
 
+from eigenmotion.building.toolchain import FLAGS
 from eigenmotion.running.methods import COMPILED
 
 from .mechanism_in_c import RUNGE_KUTTA as RUNGE_KUTTA
@@ -34,7 +35,7 @@ Array = NDArray[np.float64]
 Build = Callable[[Mechanism], "Compiled"]
 
 STRICT = "-std=c11 -Wall -Wextra -Wpedantic -Werror".split()
-FAST = "-O1 -march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math".split()
+FAST = f"-march=native -ffp-contract=fast -fno-math-errno -fno-trapping-math {os.environ.get(FLAGS, '-O1')}".split()
 COMPILER = shlex.split(os.environ.get("CC", "cc"))
 
 METHODS = tuple(COMPILED)

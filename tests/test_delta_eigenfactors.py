@@ -76,7 +76,7 @@ def model(name: str) -> Model:
 def system(name: str, formulation: str = "eigenfactor", **options: str) -> System:
     if name not in MODELS:
         return system_of(name, formulation, **options)
-    return loaded(compiler.generate(model(name), Choices(formulation, **options)), "-O1")
+    return loaded(compiler.generate(model(name), Choices(formulation, **options)), "-O0")
 
 
 # --- at an accepted step ----------------------------------------------------------------------------------------------
@@ -113,7 +113,7 @@ def called(function: Callable[..., int], *arguments: np.ndarray | float | None) 
 def settling(name: str, folder: Path) -> Settling:
     sources = compiler.generate(model(name), Choices(**EXTRAPOLATE))
     files = [replace(f, text=f.text + SETTLE) if f.name.endswith(".c") else f for f in sources.files]
-    compile_into(folder, Sources(sources.name, tuple(files)), ("-O1",))
+    compile_into(folder, Sources(sources.name, tuple(files)), ())
     program = compiler.program(model(name), Choices(**EXTRAPOLATE))
     return Settling(ct.CDLL(str(folder / f"{sources.name}.so")), program)
 
@@ -169,7 +169,7 @@ void remember(const double *s, const double *mu, double elapsed, double *kept) {
 
 def test_omega_goes_on_linearly_where_eigenvalues_are_close(tmp_path):
     """From the difference quotient of the last two steps; 0 where there were none; (32) wherever they are apart."""
-    compile_into(tmp_path, Sources("omega", (SourceFile("omega.c", CONTINUATION),)), ("-O1",))
+    compile_into(tmp_path, Sources("omega", (SourceFile("omega.c", CONTINUATION),)), ())
     library = ct.CDLL(str(tmp_path / "omega.so"))
     apart, close = np.array([1.0, 2.0, 3.0]), np.array([1.0, 2.0, 2.0 + 1e-7])
     first, second = (np.array([[9.0, 3, 8], [3, 9, rate], [8, rate, 9]]) for rate in (5.0, 7.0))

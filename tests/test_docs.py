@@ -3,8 +3,6 @@
 import doctest
 import importlib.util
 import io
-import os
-import shutil
 import sys
 from pathlib import Path
 
@@ -35,14 +33,11 @@ def with_snippets(night: bool) -> list:
 
 
 @pytest.fixture
-def folder(tmp_path, tmp_path_factory, monkeypatch):
+def folder(tmp_path, tmp_path_factory, monkeypatch, hurried):
     """A clone as a reader has it, and a cache that all pages share; compiled in a hurry."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "models").symlink_to(ROOT / "models")
     monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "docs-cache"))
-    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
-    if shutil.which("clang") and "CC" not in os.environ:
-        monkeypatch.setenv("CC", "clang")
     return tmp_path
 
 

@@ -29,7 +29,7 @@ def pendulum(tmp_path_factory):
     """A System whose workers find it in a cache of this file's own."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield em.build(Path(__file__).parents[1] / "models" / "pendulum.py", formulation="lagrange", flags="-O1")
+        yield em.build(Path(__file__).parents[1] / "models" / "pendulum.py", formulation="lagrange")
 
 
 @pytest.fixture

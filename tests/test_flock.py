@@ -23,25 +23,25 @@ SPEEDS = np.linspace(0.0, 9.0, COUNT)
 
 @pytest.fixture(scope="module")
 def swing() -> em.System:
-    return em.build(SWING, formulation="lagrange", flags="-O1")
+    return em.build(SWING, formulation="lagrange")
 
 
 @pytest.fixture(scope="module")
 def link() -> em.System:
     """One with a constraint on velocities, which steps are settled on."""
-    return em.build(MODELS / "dual_link.py", formulation="inverse", flags="-O1")
+    return em.build(MODELS / "dual_link.py", formulation="inverse")
 
 
 @pytest.fixture(scope="module")
 def turning() -> em.System:
     """The same by its eigenfactors, with runs that change their mode on the way."""
-    return em.build(MODELS / "dual_link.py", formulation="eigenfactor", flags="-O1")
+    return em.build(MODELS / "dual_link.py", formulation="eigenfactor")
 
 
 @pytest.fixture(scope="module")
 def loop() -> em.System:
     """One with constraints on positions, on which numbers put every step."""
-    return em.build(MODELS / "four_bar.py", formulation="inverse", flags="-O1")
+    return em.build(MODELS / "four_bar.py", formulation="inverse")
 
 
 def check_alike(one: em.Solution, other: em.Solution) -> None:

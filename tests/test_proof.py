@@ -189,7 +189,7 @@ def test_steps_that_a_compiler_spoilt_are_found(own_cache, tmp_path, monkeypatch
     model = em.Model(name="four_rows", coordinates=x, kinetic_energy=sum(one.diff() ** 2 for one in x),
                      holonomic_constraints=rows, initial=dict.fromkeys(x, 0.5**0.5))  # fmt: skip
     with pytest.raises(ProofError, match="ends at the start"):
-        em.build(model, formulation="lagrange", flags="-O1")
+        em.build(model, formulation="lagrange")
     sys.modules["eigenmotion.building.build"]._abi.cache_clear()
 
 

@@ -24,6 +24,10 @@ PATTERNS = {
     "mixed": lambda i, j, n: i <= j < 2 or i == j == 2,  # two coordinates coupled, one alone, one constant
 }
 TERMS = 2
+DAILY = {number: (FORMULATIONS[0], FORMULATIONS[1 + number % 3]) for number in range(len(SHAPES))}
+"""The formulations of a shape by day, two of them in turn; the others at night."""
+SEEDS_BY_DAY = (0, 1, 2, 3, 4, 6, 7, 9, 14, 15, 16, 17)
+"""Every formulation three times, mechanisms of every size among them; the other seeds at night, as thousands more."""
 
 
 @dataclass(frozen=True)
@@ -147,8 +151,23 @@ def system(number: int, formulation: str) -> System:
 POINTS = st.tuples(st.integers(0, 2**32 - 1), st.floats(0, 3))
 
 
-@pytest.mark.parametrize("formulation", FORMULATIONS)
-@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}_{}".format(*SHAPES[number]))
+def named(number: int) -> str:
+    return "n{}m{}_{}".format(*SHAPES[number])
+
+
+def at_night(condition: bool) -> tuple[pytest.MarkDecorator, ...]:
+    return (pytest.mark.nightly,) if condition else ()
+
+
+EACH = [pytest.param(number, one, id=f"{named(number)}-{one}", marks=at_night(one not in DAILY[number]))
+        for number in DAILY for one in FORMULATIONS]  # fmt: skip
+TOGETHER = [
+    pytest.param(DAILY, id="day"),
+    pytest.param(dict.fromkeys(DAILY, FORMULATIONS), id="night", marks=at_night(True)),
+]
+
+
+@pytest.mark.parametrize(("number", "formulation"), EACH)
 def test_every_formulation_agrees_with_numpy(number, formulation):
     compiled, right = system(number, formulation), mechanism(number)
 
@@ -178,10 +197,11 @@ def closest(compiled: System, x: np.ndarray, time: float) -> float:
     return min(1.0, float(np.diff(eigenvalues).min(initial=1.0)))
 
 
-@pytest.mark.parametrize("number", range(len(SHAPES)), ids=lambda number: "n{}m{}_{}".format(*SHAPES[number]))
-def test_every_formulation_moves_alike(number):
+@pytest.mark.parametrize("formulations", TOGETHER)
+@pytest.mark.parametrize("number", DAILY, ids=named)
+def test_every_formulation_moves_alike(number, formulations):
     ends = []
-    for formulation in FORMULATIONS:
+    for formulation in formulations[number]:
         one = system(number, formulation)
         x, v = one.project_initial_state(np.zeros(one.n), np.linspace(0.3, 1, one.n))
         run = one.simulate((0, 1.5), x0=x, v0=v, rtol=1e-11, atol=1e-12)
@@ -193,7 +213,7 @@ def test_every_formulation_moves_alike(number):
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # NumPy passes through the roots a Piecewise does not choose
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", [pytest.param(k, marks=at_night(k not in SEEDS_BY_DAY)) for k in range(20)])
 def test_mechanisms_with_roots_and_absolute_values_agree_with_lagranges_equations(seed):
     """One formulation each; `make fuzz` takes all of them, and thousands of mechanisms."""
     counts = mechanism_checks.Counts()

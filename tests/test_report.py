@@ -264,7 +264,6 @@ def test_the_command_sets_parameters_and_starts(found, monkeypatch, tmp_path):
 
 def test_settings_reach_every_run_and_the_reference(monkeypatch):
     """A pendulum of another length let go elsewhere: every measurement agrees with its closed form."""
-    monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O1")
     monkeypatch.setattr("eigenmotion.report.subject.FORMULATIONS", ("eigenfactor",))
     monkeypatch.setattr("eigenmotion.report.peers.DECADES", (1e-8,))
     monkeypatch.setattr("eigenmotion.report.peers._TAYLOR_TOLERANCES", (1e-8,))

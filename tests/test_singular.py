@@ -4,6 +4,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 from sympy import cos, sin
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -149,6 +150,12 @@ def test_gimbal_lock_is_passed_rightly_or_named(method, formulation):
     assert found.stop in allowed
 
 
+def euler(_: float, w: np.ndarray) -> np.ndarray:
+    """Rates of body rates, of a free body with J = 1, 2, 3: J wdot = (J w) x w."""
+    J = np.array([1.0, 2.0, 3.0])
+    return np.cross(J * w, w) / J
+
+
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_close_by_gimbal_lock_the_motion_is_right(formulation):
     """theta comes as near as 1e-4; Euler's equations do not know of it."""
@@ -157,8 +164,7 @@ def test_close_by_gimbal_lock_the_motion_is_right(formulation):
     found = system.simulate((0, 2), x0=[0, 0.5, 0.1], v0=v0, rtol=1e-10, atol=1e-10)
     check_honest(found)
     if found.success:
-        plain = system_of("rigid_body", "cholesky").simulate((0, 2), x0=[0, 0.5, 0.1], v0=v0, rtol=1e-12, atol=1e-12)
-        for name, rate in found.quasi_velocities.items():
-            assert rate[-1] == pytest.approx(plain.quasi_velocities[name][-1], abs=1e-6)
+        right = solve_ivp(euler, (0, 2), list(v0.values()), "DOP853", rtol=1e-12, atol=1e-13).y[:, -1]
+        assert [found.quasi_velocities[name][-1] for name in v0] == pytest.approx(right, abs=1e-6)
     else:
         assert found.stop in (StopReason.SINGULAR_MASS_MATRIX, StopReason.STEP_SIZE_UNDERFLOW)

@@ -87,7 +87,7 @@ def compiled(folder: Path, program: str, *flags: str) -> list[str]:
     for file in compiler.generate(model_of("furuta_pendulum")).files:
         (folder / file.name).write_text(file.text)
     (folder / "control.c").write_text(program)
-    command = [*toolchain().command, *STRICT, "-O1", "-ffp-contract=fast", f"-I{INCLUDE}", *flags]
+    command = [*toolchain().command, *STRICT, "-O0", "-ffp-contract=fast", f"-I{INCLUDE}", *flags]
     subprocess.run([*command, "control.c", "furuta_pendulum.c", "-lm", "-o", "plain"], cwd=folder, check=True)
     done = subprocess.run(["./plain"], cwd=folder, capture_output=True, text=True, check=True, env={})
     return done.stdout.splitlines()

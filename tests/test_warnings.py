@@ -26,10 +26,14 @@ OPTIONS = [{"formulation": name} for name in FORMULATIONS] + [
 ]
 EVERY_DAY = SHAPES[::2]
 """Every n and m, and, as `test_models_of_every_small_shape` pairs them, every choice."""
-CASES = [
-    pytest.param(n, m, seed, marks=() if seed == 0 and (n, m) in EVERY_DAY else pytest.mark.nightly)
+WITH_STEPPER = SHAPES[::4]
+"""Every n again: by day with the stepper, too, more than half of what a compiler reads, which knows shapes alone."""
+CASES = [pytest.param(n, m, 0, (n, m) in WITH_STEPPER) for n, m in EVERY_DAY]
+CASES += [
+    pytest.param(n, m, seed, True, marks=pytest.mark.nightly)
     for n, m in SHAPES
     for seed in range(2 * len(OPTIONS))
+    if (n, m, seed) not in [(*shape, 0) for shape in EVERY_DAY if shape in WITH_STEPPER]
 ]
 q, r = dynamicsymbols("q r")
 
@@ -74,14 +78,15 @@ KNOWN = {  # each once gave a warning
 }  # fmt: skip
 
 
-def warnings_of(model: em.Model, folder: Path, compiler: str, **options: str) -> str:
+def warnings_of(model: em.Model, folder: Path, compiler: str, stepper: bool = True, **options: str) -> str:
     """What a compiler says, of numbers and of lanes. GCC finds what may be unset where it optimises, Clang before."""
     sources = generate(model, Choices(**options))
     for file in sources.files:
         (folder / file.name).write_text(file.text)
     aim = ("-fsyntax-only",) if compiler == "clang" else ("-c", "-o", os.devnull)
     command = (compiler, *STRICT, *toolchain(compiler).optimised, f"-I{INCLUDE}", *aim, f"{sources.name}.c")
-    both = (command, (*command, "-DEM_ON_LANES"))
+    numbers = () if stepper else ("-DEM_UNIT=EM_MODEL|EM_ASIDE|EM_DERIVATIVES",)
+    both = ((*command, *numbers), (*command, "-DEM_ON_LANES"))
     return "".join(subprocess.run(one, cwd=folder, capture_output=True, text=True, check=False).stderr for one in both)
 
 
@@ -101,8 +106,8 @@ def test_our_models(name, formulation, compiler, tmp_path):
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize(("n", "m", "seed"), CASES)
-def test_models_of_every_small_shape(n, m, seed, compiler, tmp_path):
+@pytest.mark.parametrize(("n", "m", "seed", "stepper"), CASES)
+def test_models_of_every_small_shape(n, m, seed, stepper, compiler, tmp_path):
     """Every choice in turn: each once here, all of them for every shape with `make nightly`."""
     options = OPTIONS[(SHAPES.index((n, m)) + seed) % len(OPTIONS)]
-    assert not warnings_of(shapeless(n, m, seed), tmp_path, compiler, **options)
+    assert not warnings_of(shapeless(n, m, seed), tmp_path, compiler, stepper, **options)
