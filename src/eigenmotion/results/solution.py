@@ -38,7 +38,7 @@ _DERIVED: dict[str, Callable[[Trajectory], Any]] = {
 
 _UNSAID: dict[str, Any] = {
     "sol": None, "t_events": None, "y_events": None, "y_after_events": None, "modes": (), "error_estimate": None,
-    "error_cost": None,
+    "error_cost": None, "njev": 0, "nlu": 0, "n_bounded": 0, "n_stiff": 0,
 }  # fmt: skip
 """What a run that says nothing of it says: most do not, and a table of twice as many fields takes twice the time."""
 

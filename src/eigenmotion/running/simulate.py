@@ -121,10 +121,10 @@ def simulate(
     >>> sol.x.round(6)
     array([[ 1.      ,  0.104258, -0.980067]])
     """
-    if positional or misspelt or not is_system(system):
+    compiled = getattr(system, "compiled", None)
+    if positional or misspelt or not isinstance(compiled, CompiledModel):
         raise refused("simulate", system, positional, misspelt, _OPTIONS)
-    named = choice(method, NAMES, "method", SCIPY_METHODS)
-    compiled = system.compiled
+    named = method if type(method) is str and method in METHODS else choice(method, NAMES, "method", SCIPY_METHODS)
     task = None if not (inputs is None and start is None) else plain.task(
         Task, compiled, system.prepare(), system.bind(), t_span, x0, v0, parameters, rtol, atol, t_eval, dense_output,
         first_step, max_step, max_steps, stabilisation, STABILISATIONS, dependent_constraints, options.DEPENDENT,

@@ -12,6 +12,7 @@ cdef class Numbers:
     cdef Py_ssize_t width
 
     cdef int hold(self, object array, int flags) except -1
+    cdef bint read(self, object array) noexcept
     cdef bint borrow(self, object a, tuple shape) except -1
     cdef bint overlaps(self, Numbers other) noexcept
 
@@ -22,6 +23,7 @@ cdef class Numbers:
 
 cdef Numbers given(object a, tuple shape, str name)
 cdef bint takes(object out, tuple shape) except -1
+cdef Numbers unset(tuple shape)
 cdef Numbers zeros(tuple shape)
 
 

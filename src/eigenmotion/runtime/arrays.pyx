@@ -2,12 +2,39 @@
 """Arrays as the ABI takes them: float64, C-contiguous, of the shape that a model has."""
 
 cimport cython
-from cpython.buffer cimport PyBUF_FULL_RO, PyBUF_ND
+from cpython.buffer cimport PyBUF_FULL_RO
 from cpython.buffer cimport PyBuffer_IsContiguous, PyBuffer_Release, PyObject_CheckBuffer, PyObject_GetBuffer
+from libc.string cimport memset
 
 import numpy as np
 
-_zeros = np.zeros
+cdef extern from *:
+    """
+    /* What NumPy's headers compile into every extension as PyArrayObject_fields, which is therefore part of its ABI. */
+    typedef struct {
+        PyObject_HEAD
+        char *data;
+        int nd;
+        Py_ssize_t *dimensions, *strides;
+        PyObject *base, *descr;
+        int flags;
+    } em_ndarray;
+    """
+    ctypedef struct em_ndarray:
+        char *data
+        int nd
+        Py_ssize_t *dimensions
+        Py_ssize_t *strides
+        void *descr
+        int flags
+
+cdef enum:
+    C_CONTIGUOUS = 0x1
+    ALIGNED = 0x100
+    WRITEABLE = 0x400
+    AS_IT_IS = C_CONTIGUOUS | ALIGNED
+
+cdef object _array = np.ndarray, _double = np.dtype(np.float64), _empty = np.empty
 
 
 @cython.final
@@ -26,14 +53,37 @@ cdef class Numbers:
             self.width *= self.view.shape[axis]
         return 0
 
+    cdef bint read(self, object array) noexcept:
+        """As `hold`, of NumPy's own arrays of float64 in C's order, whose buffers take longer to be asked for than to be used."""
+        cdef em_ndarray *fields = <em_ndarray *> array
+        cdef int axis
+        if not _LAYOUT_IS_KNOWN or type(array) is not _array or fields.descr != <void *> _double:
+            return False
+        if fields.flags & AS_IT_IS != AS_IT_IS:
+            return False
+        self.view.buf, self.view.ndim, self.view.shape = fields.data, fields.nd, fields.dimensions
+        self.view.readonly, self.view.len = not fields.flags & WRITEABLE, sizeof(double)
+        self.array, self.data, self.width = array, <double *> fields.data, 1
+        for axis in range(fields.nd):
+            self.view.len *= fields.dimensions[axis]
+            if axis > 0:
+                self.width *= fields.dimensions[axis]
+        return True
+
     cdef bint borrow(self, object a, tuple shape) except -1:
         """Hold a, if it is such an array, and of that shape."""
         cdef int axis
+        cdef bint fits
+        if self.read(a):
+            fits = self.view.ndim == len(shape)
+            for axis in range(self.view.ndim if fits else 0):
+                fits = fits and self.view.shape[axis] == <Py_ssize_t> shape[axis]
+            return fits
         if not PyObject_CheckBuffer(a):
             return False
         self.hold(a, PyBUF_FULL_RO)
-        cdef bint fits = (self.view.ndim == len(shape) and self.view.format[0] == c"d" and self.view.format[1] == 0
-                          and PyBuffer_IsContiguous(&self.view, b"C"))
+        fits = (self.view.ndim == len(shape) and self.view.format[0] == c"d" and self.view.format[1] == 0
+                and PyBuffer_IsContiguous(&self.view, b"C"))
         for axis in range(self.view.ndim if fits else 0):
             fits = fits and self.view.shape[axis] == <Py_ssize_t> shape[axis]
         if not fits:
@@ -64,8 +114,41 @@ cdef bint takes(object out, tuple shape) except -1:
     return isinstance(out, np.ndarray) and out.dtype.kind == "f" and out.shape == shape and out.flags.writeable
 
 
+cdef Numbers unset(tuple shape):
+    """A new array, of which every number is to be written."""
+    cdef Numbers made = Numbers.__new__(Numbers)
+    array = _empty(shape)
+    if not made.read(array):
+        made.hold(array, PyBUF_FULL_RO)
+    return made
+
+
 cdef Numbers zeros(tuple shape):
     """A new array of zeros."""
-    cdef Numbers made = Numbers.__new__(Numbers)
-    made.hold(_zeros(shape), PyBUF_ND)
+    cdef Numbers made = unset(shape)
+    memset(made.data, 0, made.view.len)
     return made
+
+
+cdef bint layout_is_known() except -1:
+    """Whether the fields of an array are where this module reads them, by what their buffers say."""
+    cdef Py_buffer view
+    cdef em_ndarray *fields
+    cdef bint known = True
+    cdef int axis
+    for array, flags in ((np.zeros((2, 3)), AS_IT_IS | WRITEABLE), (np.zeros((2, 3))[:, 1:], ALIGNED | WRITEABLE)):
+        for writes in (True, False):
+            array.flags.writeable = writes
+            fields = <em_ndarray *> array
+            PyObject_GetBuffer(array, &view, PyBUF_FULL_RO)
+            known = known and fields.data == <char *> view.buf and fields.nd == view.ndim == 2
+            for axis in range(2 if known else 0):
+                known = known and fields.dimensions[axis] == view.shape[axis] and fields.strides[axis] == view.strides[axis]
+            known = known and fields.descr == <void *> array.dtype and fields.descr == <void *> _double
+            known = known and fields.flags & (AS_IT_IS | WRITEABLE) == (flags if writes else flags & ~WRITEABLE)
+            PyBuffer_Release(&view)
+    return known
+
+
+cdef bint _LAYOUT_IS_KNOWN = False
+_LAYOUT_IS_KNOWN = layout_is_known()

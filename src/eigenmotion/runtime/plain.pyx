@@ -10,6 +10,8 @@ made of it.
 from cpython.exc cimport PyErr_Clear, PyErr_Occurred
 from cpython.float cimport PyFloat_AS_DOUBLE, PyFloat_Check
 from cpython.long cimport PyLong_CheckExact
+from cpython.ref cimport Py_INCREF
+from cpython.tuple cimport PyTuple_SET_ITEM
 from libc.math cimport fabs, floor, isfinite
 from libc.string cimport memcpy
 
@@ -22,11 +24,11 @@ import numpy as np
 
 cdef extern from *:
     double PyLong_AsDouble(object) noexcept  # the exception is looked at below
+    object PyType_GenericAlloc(type, Py_ssize_t)
 
 MOST_STEPS = 10**15
 """Each of them counted exactly as a double; at a nanosecond a step, twelve days."""
-_array, _double = np.ndarray, np.dtype(np.float64)
-_new = tuple.__new__
+cdef object _array = np.ndarray, _double = np.dtype(np.float64)
 cdef double _MOST_STEPS = MOST_STEPS
 
 
@@ -211,6 +213,17 @@ cdef Numbers read_start(PointModel model, object x0, object v0, double t, const 
     return y if em_start(model.model, t, x.data, v.data, c, rtol, atol.data, y.data) else None
 
 
+cdef object named(type kind, tuple fields):
+    """tuple.__new__(kind, fields), of a kind of named tuples."""
+    cdef Py_ssize_t k
+    made = PyType_GenericAlloc(kind, len(fields))
+    for k in range(len(fields)):
+        field = fields[k]
+        Py_INCREF(field)
+        PyTuple_SET_ITEM(made, k, field)
+    return made
+
+
 def task(type Task not None, PointModel model not None, Prepared defaults not None, inputs, t_span, x0, v0, parameters,
          rtol, atol, t_eval, dense, first_step, max_step, max_steps, stabilisation, dict stabilisations not None,
          dependent, dict dependents not None):
@@ -235,6 +248,6 @@ def task(type Task not None, PointModel model not None, Prepared defaults not No
     y = read_start(model, x0, v0, start, c, relative, absolute)
     if y is None:
         return None
-    return _new(Task, (model, defaults if parameters is None else parameters, inputs, start, end, y.array, relative,
-                       absolute.array, None if times is None else times.array, dense, first, longest, <long> most,
-                       stabilise, least_norm))
+    return named(Task, (model, defaults if parameters is None else parameters, inputs, start, end, y.array, relative,
+                        absolute.array, None if times is None else times.array, dense, first, longest, <long> most,
+                        stabilise, least_norm))

@@ -14,10 +14,17 @@ cpdef dict record(t, y, t_events, y_events, stop, message, str method, tuple cou
     nfev, nsteps, nrejected, n_bounded, n_stiff, njev, nlu = counts
     cdef int status = 0 if stop is _FINISHED else 1 if stop is _TERMINAL_EVENT else -1
     cdef dict fields = {
-        "t": t, "y": y, "nfev": nfev, "njev": njev, "nlu": nlu, "status": status, "message": message,
-        "success": status >= 0, "nsteps": nsteps, "nrejected": nrejected, "n_bounded": n_bounded, "n_stiff": n_stiff,
-        "stop": stop, "method": method,
+        "t": t, "y": y, "nfev": nfev, "status": status, "message": message, "success": status >= 0, "nsteps": nsteps,
+        "nrejected": nrejected, "stop": stop, "method": method,
     }
+    if njev != 0:
+        fields["njev"] = njev
+    if nlu != 0:
+        fields["nlu"] = nlu
+    if n_bounded != 0:
+        fields["n_bounded"] = n_bounded
+    if n_stiff != 0:
+        fields["n_stiff"] = n_stiff
     if sol is not None:
         fields["sol"] = sol
     if t_events is not None:

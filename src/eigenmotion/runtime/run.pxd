@@ -14,7 +14,7 @@ cdef class Run:
     cdef object pending  # what a signal's handler raised
 
     cdef begin(self, task, int method)
-    cdef const double *hold(self, array, Py_ssize_t count, str name) except NULL
+    cdef const double *hold(self, array, tuple shape, str name) except NULL
     cdef hold_inputs(self, tuple inputs)
     cdef table(self, em_rows *rows)
     cdef events(self, em_rows *tables)

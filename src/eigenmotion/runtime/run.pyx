@@ -7,7 +7,7 @@ from libc.string cimport memcpy
 
 from .abi cimport EM_DENSE_COEFFICIENTS, EM_RA15
 from .abi cimport em_dense_step, em_method, em_rows, em_run, em_signal, em_signal_kind
-from .arrays cimport Numbers, blank, given, zeros
+from .arrays cimport Numbers, blank, given, unset, zeros
 from .point cimport PointModel, Prepared
 from .record cimport modes_of, record
 
@@ -15,8 +15,9 @@ import numpy as np
 
 from .faults import StopReason, explain, stiffness
 
-_REASONS = tuple(StopReason)
-_FINISHED = explain(StopReason.FINISHED, ())
+cdef tuple _REASONS = tuple(StopReason)
+cdef object _FINISHED = StopReason.FINISHED
+cdef str _CAME_TO_ITS_END = explain(StopReason.FINISHED, ())
 
 
 cdef int poll(void *argument) noexcept with gil:
@@ -52,7 +53,7 @@ cdef class Run:
         if task is not None:
             self.begin(task, method)
 
-    def __init__(self, task, int method):
+    def __init__(self, *_):
         cdef int status
         with nogil:
             status = self.run.model.simulate(&self.run)
@@ -68,12 +69,12 @@ cdef class Run:
          run.max_step, run.max_steps, run.stabilise, run.least_norm) = <tuple> task
         self.model, self.held = model, [prepared]
         run.model, run.prepared, run.method = model.model, prepared.c, <em_method> method
-        run.y_start, run.atol = self.hold(y, model.n_state, "y"), self.hold(atol, model.n, "atol")
+        run.y_start, run.atol = self.hold(y, (model.n_state,), "y"), self.hold(atol, model.vector, "atol")
         run.event_direction, run.event_terminal = model.model.event_direction, model.model.event_terminal
         run.poll, run.poll_argument = poll, <void *> self
         if t_eval is not None:
             run.n_t_eval = len(t_eval)
-            run.t_eval = self.hold(t_eval, run.n_t_eval, "t_eval")
+            run.t_eval = self.hold(t_eval, (run.n_t_eval,), "t_eval")
         if model.n_inputs > 0:
             self.hold_inputs(inputs.compiled)
 
@@ -82,9 +83,9 @@ cdef class Run:
             self.run.model.release(&self.run)
         free(self.signals)
 
-    cdef const double *hold(self, array, Py_ssize_t count, str name) except NULL:
+    cdef const double *hold(self, array, tuple shape, str name) except NULL:
         """The numbers of an array, which is to live as long as the run."""
-        cdef Numbers kept = given(array, (count,), name)
+        cdef Numbers kept = given(array, shape, name)
         self.held.append(kept)
         return kept.data
 
@@ -96,14 +97,14 @@ cdef class Run:
         for k, (kind, times, values) in enumerate(inputs):
             self.signals[k].kind = <em_signal_kind> (<int> kind)
             self.signals[k].count = len(times)
-            self.signals[k].times = self.hold(times, len(times), "times")
-            self.signals[k].values = self.hold(values, len(values), "values")
+            self.signals[k].times = self.hold(times, (len(times),), "times")
+            self.signals[k].values = self.hold(values, (len(values),), "values")
         self.run.inputs = self.signals
 
     cdef table(self, em_rows *rows):
         """t (k,), y (k, n_state): copies, so that they outlive the run."""
         cdef Py_ssize_t k = rows.count
-        cdef Numbers t = zeros((k,)), y = zeros((k, self.model.n_state))
+        cdef Numbers t = unset((k,)), y = unset((k, self.model.n_state))
         if k > 0:
             memcpy(t.data, rows.t, t.view.len)
             memcpy(y.data, rows.y, y.view.len)
@@ -141,8 +142,8 @@ cdef class Run:
         if counts is None:
             counts = (self.run.n_rhs, self.run.n_steps, self.run.n_rejected, self.run.n_bounded, self.run.n_stiff,
                       self.run.n_jacobians, self.run.n_factors)
-        return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after,
-                      modes_of(self.model, self.legs))
+        modes = modes_of(self.model, self.legs) if self.run.legs.count > 0 else ()
+        return record(t, y.T, t_events, y_events, self.stop, self.message(), method, counts, None, after, modes)
 
     @property
     def n_dense(self):
@@ -152,8 +153,8 @@ cdef class Run:
     cdef message(self):
         """How the run ended, where, and what to do."""
         stiff = stiffness(self.run.n_stiff, self.run.n_steps, self.run.method == EM_RA15) if self.run.n_stiff > 0 else ""
-        if self.stop is StopReason.FINISHED:
-            return _FINISHED + stiff
+        if self.stop is _FINISHED:
+            return _CAME_TO_ITS_END + stiff
         fault = self.run.fault
         words = self.said or explain(self.stop, self.model.coordinates, fault.first, fault.second, fault.size,
                                      self.model.events)

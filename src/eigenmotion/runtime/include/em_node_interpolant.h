@@ -1,8 +1,10 @@
-/* em_node_interpolant.h: the state within a step by nodes: the integral of its polynomial. */
+/* em_node_interpolant.h: the state within a step by nodes: the integral of the polynomial through the rates there and at
+ * the end of the step. The step itself does without the end, which is not known before; what that adds to the rates,
+ * miss (P_7 + P_8) / 2, is zero at the nodes, and has no integral over the step: where it ends is as it was. */
 #ifndef EM_NODE_INTERPOLANT_H
 #define EM_NODE_INTERPOLANT_H
 
-#include "em_bundles.h"
+#include "em_node_start.h"
 
 /* F <- y, then h times the coefficients of the rate on P_0 .. P_8. */
 static int em_nodes_interpolate(em_walk *w) {
@@ -20,6 +22,10 @@ static int em_nodes_interpolate(em_walk *w) {
             w->F[2 + l][k] += part;
             w->F[l][k] -= part;
         }
+    }
+    for (int k = EM_FIRST_RATE; k < em_rates_end(w); ++k) { /* places that are integrals of integrals err by less */
+        w->F[EM_NODE_COUNT][k] += 0.5 * h * w->nodes.miss[k];
+        w->F[EM_NODE_COUNT + 1][k] = 0.5 * h * w->nodes.miss[k];
     }
     return 0;
 }

@@ -224,7 +224,8 @@ static double em_truncation(em_walk *w, const double *f) {
             squares[b] += weighed * weighed;
             end += q->series[b][k];
         }
-        const double miss = (f[k] - em_sum_of(end)) * q->weight[k];
+        q->miss[k] = f[k] - em_sum_of(end);
+        const double miss = q->miss[k] * q->weight[k];
         missed += miss * miss;
     }
     const double *const square = (const double *)squares;

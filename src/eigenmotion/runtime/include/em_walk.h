@@ -83,6 +83,7 @@ typedef struct em_nodes {
     em_bundle series[EM_BUNDLES][N_STATE], before[EM_BUNDLES][N_STATE]; /* Legendre's, of this step and the one before */
     em_bundle times[EM_BUNDLES], u[EM_BUNDLES][EM_SOME_INPUTS];
     double weight[N_STATE];                  /* what a rate counts */
+    double miss[N_STATE];                    /* by how much the polynomial misses the rate at the end of the step */
     double size[EM_NODE_COUNT], before_size[EM_NODE_COUNT]; /* of each term of these series, so weighed */
     double t, t_new, h, before_h, before_t_new; /* of the step that `series` is of, and `before` */
     double aimed;                            /* the error after as many iterations as a step is made for */
