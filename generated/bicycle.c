@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:ea9dc64114843e4050c5715d78fe2f6e0b045f9f99dda26c46d36edde935f5bb */
+/* body sha256:5d0caec760e594f0e98b7d486b859301b150d822ee557660abfb5921d69eeb69 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -2109,6 +2109,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #endif
 #ifdef EM_ON_LANES
 
+#ifdef EM_ON_DUALS
+#include "em_rate_jacobian.h"
+#else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -2150,6 +2153,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 extern em_lanes bicycle_lanes;
 em_lanes bicycle_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
+#endif
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -9916,7 +9920,6 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "em_tangent.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
-#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -10844,23 +10847,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
-typedef struct em_forces {
-    const double *c, *u;
-} em_forces;
-
-static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
-{
-    const em_forces *forces = with;
-    return rhs(t, y, forces->c, forces->u, dy, fault);
-}
-
-/* J (n_state, n_state) = d rhs / d y */
-static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
-{
-    const em_forces forces = {c, u};
-    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
-}
-
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
@@ -10958,7 +10944,6 @@ const em_model bicycle_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
-    .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,

@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:2021d8f9ebe4b14bacaa6a70e5a98fba87eebc65d3a1d0ac454e41080cb25c4a */
+/* body sha256:aeb9051f75cb7edfaafc08ac401749e66020473b4842049a9f9801dec6c938c9 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1247,6 +1247,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #endif
 #ifdef EM_ON_LANES
 
+#ifdef EM_ON_DUALS
+#include "em_rate_jacobian.h"
+#else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -1285,6 +1288,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 extern em_lanes bricard_lanes;
 em_lanes bricard_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
+#endif
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -5423,7 +5427,6 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "em_tangent.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
-#include "em_differentiate.h"
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
@@ -5922,23 +5925,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
 }
 
-typedef struct em_forces {
-    const double *c, *u;
-} em_forces;
-
-static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
-{
-    const em_forces *forces = with;
-    return rhs(t, y, forces->c, forces->u, dy, fault);
-}
-
-/* J (n_state, n_state) = d rhs / d y */
-static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
-{
-    const em_forces forces = {c, u};
-    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
-}
-
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
@@ -6039,7 +6025,6 @@ const em_model bricard_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
-    .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,

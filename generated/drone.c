@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:59a6906cad401a06720bfd784ea0031fcf1047ce63615d6fddae794b519b1ecb */
+/* body sha256:afea467f467c7cb88912b4e903c21386cf459ed518b3e293f24a1376a15acfac */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -620,6 +620,9 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #endif
 #ifdef EM_ON_LANES
 
+#ifdef EM_ON_DUALS
+#include "em_rate_jacobian.h"
+#else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -717,6 +720,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
 extern em_lanes drone_lanes;
 em_lanes drone_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
+#endif
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -1563,7 +1567,6 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "em_derivatives.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
-#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -1659,23 +1662,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
     if (em_coincident_block(&block1, y, fault)) return -1;
     if (em_coincident_block(&block2, y, fault)) return -1;
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
-}
-
-typedef struct em_forces {
-    const double *c, *u;
-} em_forces;
-
-static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
-{
-    const em_forces *forces = with;
-    return rhs(t, y, forces->c, forces->u, dy, fault);
-}
-
-/* J (n_state, n_state) = d rhs / d y */
-static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
-{
-    const em_forces forces = {c, u};
-    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #endif
@@ -1774,7 +1760,6 @@ const em_model drone_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
-    .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,

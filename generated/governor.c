@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:b31ed0dcffdebed396ba761dce53a5032b6f13795c19e7759701766da9c25adc */
+/* body sha256:f4bc4fb1011f2566bb7c86f032871d44d228e13b39258b934c6744d2848199b6 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -162,7 +162,7 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4] };
-    if (em_fails(M1[0], M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
     const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
@@ -201,7 +201,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4] };
-    if (em_fails(M1[0], M1[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
     const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
@@ -281,6 +281,9 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 #endif
 #ifdef EM_ON_LANES
 
+#ifdef EM_ON_DUALS
+#include "em_rate_jacobian.h"
+#else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -349,6 +352,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
 extern em_lanes governor_lanes;
 em_lanes governor_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1, N_PREPARED };
+#endif
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -933,7 +937,6 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "em_derivatives.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
-#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: the root of M is kept.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -997,23 +1000,6 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
-}
-
-typedef struct em_forces {
-    const double *c, *u;
-} em_forces;
-
-static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
-{
-    const em_forces *forces = with;
-    return rhs(t, y, forces->c, forces->u, dy, fault);
-}
-
-/* J (n_state, n_state) = d rhs / d y */
-static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
-{
-    const em_forces forces = {c, u};
-    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #endif
@@ -1114,7 +1100,6 @@ const em_model governor_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
-    .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,

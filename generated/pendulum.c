@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
-/* body sha256:ac8be6a4506204250380e0b2037a75ade76b0d16f7f07373cfaa7792bd767aad */
+/* body sha256:c6065576b05dc19c4c13299e4e6432c3248aee6d3ec5aab7551af8e4bb1f0c2c */
 /* pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -123,6 +123,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
 #endif
 #ifdef EM_ON_LANES
 
+#ifdef EM_ON_DUALS
+#include "em_rate_jacobian.h"
+#else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -156,6 +159,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 
 extern em_lanes pendulum_lanes;
 em_lanes pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1, N_PREPARED };
+#endif
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -339,7 +343,6 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "em_derivatives.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
-#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: nothing to do.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -392,23 +395,6 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
-}
-
-typedef struct em_forces {
-    const double *c, *u;
-} em_forces;
-
-static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
-{
-    const em_forces *forces = with;
-    return rhs(t, y, forces->c, forces->u, dy, fault);
-}
-
-/* J (n_state, n_state) = d rhs / d y */
-static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
-{
-    const em_forces forces = {c, u};
-    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #endif
@@ -500,7 +486,6 @@ const em_model pendulum_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
-    .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,

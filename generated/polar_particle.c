@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:de4bf3ff3ae543a4571edd329fa9bb361e906ddfcbecb33d3438c85f42dce1e8 */
+/* body sha256:98004e81992399d6e9ee6ca5490111865a5d0ab8767cf9754467cb4c4104f4de */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -114,7 +114,7 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta2[N2] = { y[3] };
-    if (em_fails(M2[0], M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
+    if (em_fails(M2[0], em_value(M2[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
     const real C2[1] = { em_real(1.0) }, s2[1] = { sqrt(M2[0][0]) };
     real r2[N2], w2[N2], v2[N2];
     em_velocity(N2, C2, s2, eta2, r2, w2, v2);
@@ -139,7 +139,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta2[N2] = { y[3] };
-    if (em_fails(M2[0], M2[0][0] > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
+    if (em_fails(M2[0], em_value(M2[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
     const real C2[1] = { em_real(1.0) }, s2[1] = { sqrt(M2[0][0]) };
     real r2[N2], w2[N2], v2[N2];
     em_velocity(N2, C2, s2, eta2, r2, w2, v2);
@@ -180,6 +180,9 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
 #endif
 #ifdef EM_ON_LANES
 
+#ifdef EM_ON_DUALS
+#include "em_rate_jacobian.h"
+#else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -243,6 +246,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 extern em_lanes polar_particle_lanes;
 em_lanes polar_particle_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 1,
     N_PREPARED };
+#endif
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -441,7 +445,6 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "em_derivatives.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
-#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: the root of M is kept.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -501,23 +504,6 @@ static int velocity(double t, const double *y, const double *c, double *v, em_fa
 static int rhs(double t, const double *y, const double *c, const double *u, double *dy, em_fault *fault)
 {
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
-}
-
-typedef struct em_forces {
-    const double *c, *u;
-} em_forces;
-
-static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
-{
-    const em_forces *forces = with;
-    return rhs(t, y, forces->c, forces->u, dy, fault);
-}
-
-/* J (n_state, n_state) = d rhs / d y */
-static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
-{
-    const em_forces forces = {c, u};
-    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #endif
@@ -610,7 +596,6 @@ const em_model polar_particle_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
-    .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:857165f32a2759f1a85b9b1a1563b1f3b7e2043c0dfad801f6e63b389598d906 */
+/* body sha256:f0fc7f7dbbaf54af7ee246d3b85375d308b7bcfd28463cf4b1cba163a5ca00a1 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -526,6 +526,9 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 #endif
 #ifdef EM_ON_LANES
 
+#ifdef EM_ON_DUALS
+#include "em_rate_jacobian.h"
+#else
 /* Compiled with -DEM_ON_LANES this file is its right-hand side on vectors, to be linked beside. */
 __attribute__((noinline)) /* once, though stages call it from several places */
 static void rhs_on_lanes(int mode, const double *t, const double *y, const double *c, const double *u, int flags,
@@ -604,6 +607,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 extern em_lanes spatial_arm_3_lanes;
 em_lanes spatial_arm_3_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2,
     N_PREPARED };
+#endif
 
 #else
 #if EM_HOLDS(EM_ASIDE)
@@ -1451,7 +1455,6 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #include "em_derivatives.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
-#include "em_differentiate.h"
 
 /* After an accepted step, and at the start: C and s.
  * Returns 1 where y changed, 0 where not, -1 and *fault. */
@@ -1535,23 +1538,6 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 {
     if (em_coincident_block(&block1, y, fault)) return -1;
     return model_rhs(0, t, y, c, u, NULL, 0, dy, fault);
-}
-
-typedef struct em_forces {
-    const double *c, *u;
-} em_forces;
-
-static int published_rate(const void *with, double t, const double *y, double *dy, em_fault *fault)
-{
-    const em_forces *forces = with;
-    return rhs(t, y, forces->c, forces->u, dy, fault);
-}
-
-/* J (n_state, n_state) = d rhs / d y */
-static int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault)
-{
-    const em_forces forces = {c, u};
-    return em_differentiate(published_rate, &forces, N_STATE, t, y, J, fault);
 }
 
 #endif
@@ -1648,7 +1634,6 @@ const em_model spatial_arm_3_model = {
     .energy = energy,
     .eigenfactors = em_eigenfactors_of,
     .output = em_observe,
-    .jacobian = jacobian,
     .motion_jacobian = em_motion_jacobian,
     .n_arguments = N_ARGUMENTS,
     .motion_derivatives = em_motion_derivatives,

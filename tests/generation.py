@@ -11,12 +11,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c.emit import Sources
+from eigenmotion.codegen.c.emit import SourceFile, Sources
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.cache import entry, key
+from eigenmotion.building.differentiated import rate_jacobian
 from eigenmotion.building.request import Request
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 
@@ -70,7 +71,16 @@ def built(model: Model, choices: Choices) -> System:
     def fill(folder: Path) -> None:
         compile_into(folder, asked.sources(), ("-O0",))
 
-    return system_in(ctypes.CDLL(str(entry("tests", name, fill) / f"{model.name}.so")), model.name)
+    folder = entry("tests", name, fill)
+    system = system_in(ctypes.CDLL(str(folder / f"{model.name}.so")), model.name)
+    system.compiled.differentiated = cache(lambda: rate_jacobian(_sources_in(folder, asked), toolchain()))
+    return system
+
+
+def _sources_in(folder: Path, asked: Request) -> Sources:
+    """Return what has been generated there, but for Cython's file."""
+    names = [name for name in asked.file_names if (folder / name).exists()]
+    return Sources(asked.model.name, tuple(SourceFile(name, (folder / name).read_text()) for name in names))
 
 
 @cache

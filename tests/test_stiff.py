@@ -39,7 +39,7 @@ def test_jacobian(name, formulation):
     sol = system.simulate((0.0, 0.3), rtol=1e-8)
     y = sol.y[:, -1]
     expected = complex_like_differences(lambda z: system.rhs(0.3, z), y)
-    np.testing.assert_allclose(system.jacobian(0.3, y), expected, atol=1e-8 * abs(expected).max())
+    np.testing.assert_allclose(system.jacobian(0.3, y), expected, atol=1e-10 * abs(expected).max())
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -1,6 +1,7 @@
 """What motions are to be differentiated by, as users name it."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from ..codegen.model.normalise import ModelError, shown
@@ -18,12 +19,13 @@ class Differentiated(NamedTuple):
 
 def names_of(c: CompiledModel) -> tuple[str, ...]:
     """Return all there are: coordinates, rates, quasi-velocities, inputs, parameters."""
-    return *c.coordinates, *rates_of(c), *c.quasi_velocities, *c.inputs, *c.parameters
+    return *c.coordinates, *rates_of(c.coordinates), *c.quasi_velocities, *c.inputs, *c.parameters
 
 
-def rates_of(c: CompiledModel) -> tuple[str, ...]:
+@lru_cache(maxsize=16)
+def rates_of(coordinates: tuple[str, ...]) -> tuple[str, ...]:
     """Return "theta'" of "theta"."""
-    return tuple(f"{name}'" for name in c.coordinates)
+    return tuple(f"{name}'" for name in coordinates)
 
 
 def differentiated(c: CompiledModel, asked: Sequence[Any], v0: Any) -> Differentiated:

@@ -11,6 +11,7 @@ from ..codegen.c.emit import SourceFile, Sources, body_hash
 from ..codegen.model import Model
 from ..files import write
 from .cache import entry, guarded, key
+from .differentiated import rate_jacobian
 from .errors import FolderError
 from .extension import compile_in, load
 from .request import Request, request
@@ -79,7 +80,12 @@ def system_of(wanted: Request, compiler: str | None = None, flags: str | None = 
     """Return the System of a request, which pickles as that request."""
     system = load(make(wanted, toolchain(compiler, flags), output))
     system.compiled.recipe = partial(system_of, wanted, compiler, flags)
+    system.compiled.differentiated = cache(partial(_differentiated, wanted, compiler, flags))
     return system
+
+
+def _differentiated(wanted: Request, compiler: str | None, flags: str | None) -> int:
+    return rate_jacobian(cached_sources(wanted), toolchain(compiler, flags))
 
 
 def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:

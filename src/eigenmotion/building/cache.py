@@ -4,6 +4,7 @@
     binaries/KEY/   NAME.<extension suffix>    KEY: the sources' text and the ABI's, compiler, flags, processor,
                                                     Python, the model and its proof
     steppers/KEY/   stepper.o                  KEY: its text after the preprocessor, compiler, flags, processor
+    jacobians/KEY/  NAME.<extension suffix>    KEY: as of binaries, without Python and the model
     KIND/KEY/sums                              hash of every other file of the entry
     KIND/.KEY.XXXXXXXX/                        an entry on its way in or out
     locks/KIND-KEY

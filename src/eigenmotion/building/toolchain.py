@@ -23,6 +23,7 @@ OPTIMISED = (
 STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend its code
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
+ASIDE = ("-O1",)  # what is called at times only, and may be large
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
     "stepper": "EM_UNIT=EM_STEPPER",
@@ -88,6 +89,14 @@ class Toolchain:
     def preprocess_unit(self, folder: Path, stem: str, unit: str) -> str:
         """Return all that the compiler reads of a unit: STEM.c and its headers, without comments."""
         return self._run(*self._of_unit(unit), "-E", "-P", f"{stem}.c", folder=folder)
+
+    def compile_duals(self, folder: Path, stem: str) -> str:
+        """STEM.c -> STEM_duals.o, its right-hand side on numbers with a derivative, of which the name is returned."""
+        target = f"{stem}_duals.o"
+        macros = ("-DEM_ON_LANES", "-DEM_ON_DUALS")
+        self._run(*STANDARD, *ASIDE, *SHARED, *self.flags, f"-I{INCLUDE}", *macros, "-c", f"{stem}.c", "-o", target,
+                  folder=folder)  # fmt: skip
+        return target
 
     def _of_unit(self, unit: str) -> tuple[str, ...]:
         return (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", f"-D{UNITS[unit]}")

@@ -71,15 +71,18 @@ def _edges(a: float, b: float, leaves: bool, meets: bool, steps: Vector, kinks: 
     low, high = min(a, b), max(a, b)
     least = 1e-6 * (high - low)
     ends = np.concatenate([[low], steps[slice(*steps.searchsorted((low + least, high - least)))], [high]])
-    whole = len(ends) - 1
-    made = ceil(whole / together)
-    place = np.arange(1, made) * (whole / made)
-    before = place.astype(int)
-    within = ends[before] + (place - before) * (ends[before + 1] - ends[before])
+    within = ends[1:-1] if together == 1.0 else _spaced(ends, ceil((len(ends) - 1) / together))
     if len(kinks):
         within = np.unique(np.concatenate([within, kinks[(kinks > low) & (kinks < high)]]))
     first, last = a + _BESIDE * (b - a) if leaves else a, b - _BESIDE * (b - a) if meets else b
     return np.concatenate([[first], within if a < b else within[::-1], [last]])
+
+
+def _spaced(ends: Vector, made: int) -> Vector:
+    """Return where so many steps meet, (made - 1,), that are as many of those between `ends` each, or part of one."""
+    place = np.arange(1, made) * ((len(ends) - 1) / made)
+    before = place.astype(int)
+    return np.asarray(ends[before] + (place - before) * (ends[before + 1] - ends[before]))
 
 
 def _lagrange(x: Vector) -> Vector:

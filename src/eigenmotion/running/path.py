@@ -16,10 +16,13 @@ Place = tuple[int, int]
 """An event, and which time it is that it happens."""
 
 
+_NONE = np.empty(0, dtype=int)
+
+
 class Path(NamedTuple):
     """Nodes of a run in its order, each time once, but for what follows events that act.
 
-    t : (k,); z : (k, 2 n) of x, v
+    t : (k,); z : (k, 2 n) of x, v; where no event happens, rows at one time have a node each
     mark_row, mark_event : (marks,) at which node an event happens, and which; where some act, the next node is after
     of_rows : the node of each row of the run; of_events : for each event (e,) its marks
     prepared : in the mode of the first node
@@ -53,9 +56,8 @@ def path_of(task: Task, solution: Solution) -> Path:
     keep = np.argsort(mark_row, kind="stable")
     of_event = {mark: number for number, mark in enumerate(marks[k][1] for k in keep)}
     counts = [len(each) for each in solution.t_events or ()]
-    v = task.model.velocity_rows(t, np.ascontiguousarray(y), task.prepared)
     return Path(
-        t, np.ascontiguousarray(np.hstack([y[:, : task.model.n], v])), mark_row[keep],
+        t, rows_of_motion(task, t, np.ascontiguousarray(y)), mark_row[keep],
         np.array([marks[k][1][0] for k in keep], dtype=int), _of_rows(t, solution.t, task.t_eval is None),
         [np.array([of_event[event, time] for time in range(count)], dtype=int) for event, count in enumerate(counts)],
         prepared,
@@ -64,14 +66,17 @@ def path_of(task: Task, solution: Solution) -> Path:
 
 def _undisturbed(task: Task, solution: Solution, start: Vector, prepared: Prepared) -> Path:
     """Read it off where no event happens."""
-    n, k = task.model.n, len(solution.t) + 1
-    t, y, new = np.empty(k), np.empty((k, task.model.n_state)), np.ones(k, dtype=bool)
-    t[0], t[1:], y[0], y[1:] = task.t_start, solution.t, start, solution.y.T
-    np.not_equal(t[1:], t[:-1], out=new[1:])
-    t, y, none = t[new], y[new], np.empty(0, dtype=int)
-    z = np.empty((len(t), 2 * n))
-    z[:, :n], z[:, n:] = y[:, :n], task.model.velocity_rows(t, y, task.prepared)
-    return Path(t, z, none, none, new.cumsum()[1:] - 1, [none for _ in solution.t_events or ()], prepared)
+    t, y = solution.t, solution.y.T
+    first = 0 if len(t) and t[0] == task.t_start else 1
+    if first:
+        t, y = np.concatenate(((task.t_start,), t)), np.concatenate((start[None], y))
+    events = [_NONE for _ in solution.t_events or ()]
+    return Path(t, rows_of_motion(task, t, y), _NONE, _NONE, np.arange(first, len(t)), events, prepared)
+
+
+def rows_of_motion(task: Task, t: Vector, y: Vector) -> Vector:
+    """Return z (k, 2 n) = x, v of states y (k, n_state)."""
+    return np.concatenate((y[:, : task.model.n], task.model.velocity_rows(t, y, task.prepared)), axis=1)
 
 
 def _start(task: Task) -> tuple[Vector, Prepared]:

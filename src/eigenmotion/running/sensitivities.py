@@ -1,5 +1,6 @@
 """How a motion changes with parameters, inputs and its start."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from ..runtime import EvaluationError, StopReason
 from ..runtime.variations import quasi_partials, tangent, vary
 from .mesh import A2, NODES, PLACE, A, Mesh, mesh_of, weights
 from .methods import Method
-from .path import Path, path_of
+from .path import Path, path_of, rows_of_motion
 
 TOGETHER = {"ra15": 1.0, "radau5": 1.0, "radau9": 1.0, "dop853": 3.0}
 """How many steps of a run make one of the equations of variation, whose polynomials are of higher degree. Those of ra15
@@ -63,8 +64,7 @@ def directions(asked: Differentiated, task: Task) -> Directions:
         raise ModelError(f"{c.name}: sensitivities do not go through a controller (Sampled): differentiate the closed "
                          "loop by a run with its control law in the model's forces")  # fmt: skip
     S, P = np.zeros((2 * c.n, len(names))), np.zeros((c.n_arguments - 2 * c.n, len(names)))
-    state = {name: row for row, name in enumerate((*c.coordinates, *rates_of(c)))}
-    given = {name: row for row, name in enumerate((*c.inputs, *c.parameters))}
+    state, given = _places(c.coordinates, c.inputs, c.parameters)
     for column, name in enumerate(names):
         if name in state:
             S[state[name], column] = 1.0
@@ -75,6 +75,15 @@ def directions(asked: Differentiated, task: Task) -> Directions:
     if asked.from_quasi:
         _quasi(task, names, S, P)
     return Directions(names, S, P)
+
+
+@lru_cache(maxsize=16)
+def _places(
+    coordinates: tuple[str, ...], inputs: tuple[str, ...], parameters: tuple[str, ...]
+) -> tuple[dict[str, int], dict[str, int]]:
+    """Return the rows of S and of P by name."""
+    state, given = (*coordinates, *rates_of(coordinates)), (*inputs, *parameters)
+    return {name: row for row, name in enumerate(state)}, {name: row for row, name in enumerate(given)}
 
 
 def _check_constant(task: Task, k: int) -> None:
@@ -113,7 +122,7 @@ def sensitivity(task: Task, solution: Solution, asked: Directions, method: Metho
         raise ModelError(f"{fault}. Sensitivities end there: {remedy}")
     rows = found[path.of_rows].T  # (columns, 2 n, k)
     if not task.model.events:
-        return {name: Sensitivity(one[:n], one[n:]) for name, one in zip(asked.names, rows, strict=True)}
+        return {name: Sensitivity(dx, dv) for name, dx, dv in zip(asked.names, rows[:, :n], rows[:, n:], strict=True)}
     return {
         name: Sensitivity.of(one[:n], one[n:], [shifts[marks, column] for marks in path.of_events])
         for column, (name, one) in enumerate(zip(asked.names, rows, strict=True))
@@ -142,10 +151,7 @@ def _varied(
     limit = min(max(_WORTH * task.rtol, 1e-9), 1e-4)
 
     def state(t: Vector) -> Vector:
-        y = sol.rows(np.minimum(np.maximum(t, sol.t_min), sol.t_max))
-        z = np.empty((len(t), 2 * n))
-        z[:, :n], z[:, n:] = y[:, :n], c.velocity_rows(t, y, task.prepared)
-        return z
+        return rows_of_motion(task, t, sol.rows(np.minimum(np.maximum(t, sol.t_min), sol.t_max)))
 
     for halving in range(_HALVINGS + 1):
         nodes = mesh.at_nodes(state) if len(mesh.start) else np.empty((0, NODES, 2 * n))

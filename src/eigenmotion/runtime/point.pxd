@@ -21,6 +21,8 @@ cdef class PointModel:
     cdef Numbers everywhere    # what plain.pyx made of one number last
     # returns, in any process, the System of this model; None where there is no way to it but the capsule
     cdef public object recipe
+    # returns the address of an em_rate_jacobian, compiled where it is asked first; None where there are no sources
+    cdef public object differentiated
 
     cdef read_names(self)
     cdef read_defaults(self)

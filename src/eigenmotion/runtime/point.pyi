@@ -53,6 +53,7 @@ class PointModel:
     conserves_energy: bool
     extrapolates: bool
     recipe: Callable[[], Any] | None
+    differentiated: Callable[[], int] | None
     def __init__(self, capsule: object) -> None: ...
     def inside(
         self, t: float, x: Vector, v: Vector, c: Prepared, rtol: float, atol: Vector

@@ -5,6 +5,7 @@ Nothing is shared between calls, so threads need no locks. Where a function has 
 """
 
 from cpython.pycapsule cimport PyCapsule_GetPointer
+from libc.stdint cimport uintptr_t
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
@@ -16,6 +17,8 @@ from .start cimport em_start_tolerance
 import numpy as np
 
 from .faults import EvaluationError, StopReason, explain
+
+ctypedef void (*em_rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil
 
 _REASONS = tuple(StopReason)
 
@@ -236,9 +239,17 @@ cdef class PointModel:
         """(n_state, n_state): d rhs / d y."""
         cdef em_fault fault
         cdef Numbers q = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers J = zeros((self.n_state, self.n_state))
-        if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
+        cdef Numbers J = zeros((self.n_state, self.n_state)), dy = zeros((self.n_state,))
+        cdef em_rate_jacobian along
+        if self.model.jacobian != NULL:
+            if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
+                raise self.failure(&fault)
+            return J.array
+        if self.model.rhs(t, q.data, c.c, s.data, dy.data, &fault) != 0:  # says in words what has no derivative either
             raise self.failure(&fault)
+        along = <em_rate_jacobian> <uintptr_t> self.differentiated()
+        with nogil:
+            along(t, q.data, c.c, s.data, J.data)
         return J.array
 
     def motion_rate(self, double t, z, Prepared c not None, u, bint least_norm):

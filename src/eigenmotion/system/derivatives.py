@@ -24,16 +24,25 @@ def jacobian(
 ) -> Vector:
     """Return d rhs / d y, (n_state, n_state), row i the derivatives of dy_i: `jac` of SciPy's implicit methods.
 
-    By differences in compiled code that find their own steps: some 15 right-hand sides for each number of y.
+    Exact to rounding, in every formulation; where the right-hand side has a kink, that of one of its sides. What
+    carries eta in place of xdot is compiled once more, for that, at the first call, and kept in the cache.
 
     Raises
     ------
     EvaluationError
         As `rhs`.
+    BuildError
+        There is no compiler for what is to be compiled, or it refused.
+    ModelError
+        This model carries eta, and its module was not made by `build`, which keeps what it is compiled from.
     """
+    c = self.compiled
+    if c.formulation in ("eigenfactor", "cholesky") and c.differentiated is None:
+        raise ModelError(f"{c.name}: the Jacobian of formulation {c.formulation!r} is compiled from its sources, which "
+                         "only systems of eigenmotion.build know; or build with 'lagrange'")  # fmt: skip
     t, y = real(t, "t"), vector(y, "y")
     try:
-        return self.compiled.jacobian(t, y, self.prepare(parameters), self.signals(inputs, t))
+        return c.jacobian(t, y, self.prepare(parameters), self.signals(inputs, t))
     except (TypeError, ValueError, OverflowError) as error:
         raise ours(error) from error
 

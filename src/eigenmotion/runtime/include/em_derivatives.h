@@ -49,14 +49,14 @@ EM_INLINE void em_scale_row(int columns, double factor, double *restrict row) {
 }
 
 /* X (n, columns) <- L^-1 X, or L^-T X */
-EM_COLD void em_forward_rows(int n, int columns, const double *L, const double *r, double *X) {
+EM_INLINE void em_forward_rows(int n, int columns, const double *L, const double *r, double *X) {
     for (int i = 0; i < n; ++i) {
         for (int k = 0; k < i; ++k) em_add_row(columns, -L[i * n + k], X + k * columns, X + i * columns);
         em_scale_row(columns, r[i], X + i * columns);
     }
 }
 
-EM_COLD void em_backward_rows(int n, int columns, const double *L, const double *r, double *X) {
+EM_INLINE void em_backward_rows(int n, int columns, const double *L, const double *r, double *X) {
     for (int i = n - 1; i >= 0; --i) {
         for (int k = i + 1; k < n; ++k) em_add_row(columns, -L[k * n + i], X + k * columns, X + i * columns);
         em_scale_row(columns, r[i], X + i * columns);
@@ -64,7 +64,7 @@ EM_COLD void em_backward_rows(int n, int columns, const double *L, const double 
 }
 
 /* X (m, columns) <- Delta^-1 X; where multipliers push by rows of their own, pushed^-1 X. */
-EM_COLD void em_solve_multipliers(const em_factors *f, int columns, double *X) {
+EM_INLINE void em_solve_multipliers(const em_factors *f, int columns, double *X) {
 #ifdef EM_PUSHES
     em_fault none; /* a and lambda follow from the same matrix: it has been solved with */
     for (int j = 0; j < columns; ++j) {
@@ -81,7 +81,7 @@ EM_COLD void em_solve_multipliers(const em_factors *f, int columns, double *X) {
 
 /* W (n + m, columns): partial derivatives of r, s -> derivatives of a, lambda. Multipliers of rows that do not count
  * are zero. */
-EM_COLD void em_solve_motion(const em_factors *f, int columns, double *W) {
+EM_INLINE void em_solve_columns(const em_factors *f, int columns, double *W) {
     double *const a = W, *const lambda = W + N * columns;
     for (int k = 0; k < N; ++k) em_scale_row(columns, -1.0, a + k * columns);
     em_forward_rows(N, columns, f->root.L, f->root.r, a);
@@ -94,6 +94,26 @@ EM_COLD void em_solve_motion(const em_factors *f, int columns, double *W) {
         for (int row = 0; row < N_ROWS; ++row)
             em_add_row(columns, -EM_REACTIONS(&f->root)[row * N + k], lambda + row * columns, a + k * columns);
     em_backward_rows(N, columns, f->root.L, f->root.r, a);
+}
+
+EM_COLD EM_HOT void em_solve_motion(const em_factors *f, int columns, double *W) { em_solve_columns(f, columns, W); }
+
+/* Partial derivatives by state (n + m, 2 n) and by what is given (n + m, n_given) -> da (n, n_arguments), dlambda (m,
+ * n_arguments). Rows are as long as vectors fill them, which the compiler knows. */
+EM_COLD EM_HOT void em_solve_arguments(const em_factors *f, const double *by_state, const double *by_given, double *da,
+                                       double *dlambda) {
+    enum { WIDTH = (N_ARGUMENTS + 3) / 4 * 4 };
+    double W[(N + N_ROWS) * WIDTH];
+    for (int row = 0; row < N + N_ROWS; ++row) {
+        double *const to = W + row * WIDTH;
+        memcpy(to, by_state + row * 2 * N, 2 * N * sizeof *to);
+        memcpy(to + 2 * N, by_given + row * N_GIVEN, N_GIVEN * sizeof *to);
+        for (int j = N_ARGUMENTS; j < WIDTH; ++j) to[j] = 0.0;
+    }
+    em_solve_columns(f, WIDTH, W);
+    for (int row = 0; row < N; ++row) memcpy(da + row * N_ARGUMENTS, W + row * WIDTH, N_ARGUMENTS * sizeof *da);
+    for (int row = 0; row < N_ROWS; ++row)
+        memcpy(dlambda + row * N_ARGUMENTS, W + (N + row) * WIDTH, N_ARGUMENTS * sizeof *dlambda);
 }
 
 /* a (n), lambda (m) of the rows that count, and the factors there. */
@@ -126,13 +146,7 @@ EM_ACROSS int em_motion_derivatives(double t, const double *x, const double *v, 
     if (em_motion_at(t, x, v, c, u, least_norm, &factors, a, lambda, fault)) return -1;
     state_partials(t, x, v, a, lambda, c, u, by_state);
     forcing_partials(t, x, v, a, lambda, c, u, by_given);
-    em_solve_motion(&factors, 2 * N, by_state);
-    em_solve_motion(&factors, N_GIVEN, by_given);
-    for (int row = 0; row < N + N_ROWS; ++row) {
-        double *const to = row < N ? da + row * N_ARGUMENTS : dlambda + (row - N) * N_ARGUMENTS;
-        memcpy(to, by_state + row * 2 * N, 2 * N * sizeof *to);
-        memcpy(to + 2 * N, by_given + row * N_GIVEN, N_GIVEN * sizeof *to);
-    }
+    em_solve_arguments(&factors, by_state, by_given, da, dlambda);
     return 0;
 }
 

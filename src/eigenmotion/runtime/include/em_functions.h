@@ -7,21 +7,21 @@
 
 EM_INLINE real em_is(em_truth condition) { return em_where(condition, em_real(1.0), em_real(0.0)); }
 
-EM_INLINE real em_less(real a, real b) { return em_is(a < b); }
-EM_INLINE real em_not_above(real a, real b) { return em_is(a <= b); }
-EM_INLINE real em_equal(real a, real b) { return em_is(a == b); }
-EM_INLINE real em_and(real a, real b) { return em_is((a != 0.0) & (b != 0.0)); }
-EM_INLINE real em_or(real a, real b) { return em_is((a != 0.0) | (b != 0.0)); }
-EM_INLINE real em_not(real a) { return em_is(a == 0.0); }
-EM_INLINE real em_select(real condition, real yes, real no) { return em_where(condition != 0.0, yes, no); }
+EM_INLINE real em_less(real a, real b) { return em_is(em_value(a) < em_value(b)); }
+EM_INLINE real em_not_above(real a, real b) { return em_is(em_value(a) <= em_value(b)); }
+EM_INLINE real em_equal(real a, real b) { return em_is(em_value(a) == em_value(b)); }
+EM_INLINE real em_and(real a, real b) { return em_is((em_value(a) != 0.0) & (em_value(b) != 0.0)); }
+EM_INLINE real em_or(real a, real b) { return em_is((em_value(a) != 0.0) | (em_value(b) != 0.0)); }
+EM_INLINE real em_not(real a) { return em_is(em_value(a) == 0.0); }
+EM_INLINE real em_select(real condition, real yes, real no) { return em_where(em_value(condition) != 0.0, yes, no); }
 
-EM_INLINE real em_sign(real a) { return em_where(a != a, a, em_is(a > 0.0) - em_is(a < 0.0)); }
+EM_INLINE real em_sign(real a) { return em_where(em_value(a) != em_value(a), a, em_is(em_value(a) > 0.0) - em_is(em_value(a) < 0.0)); }
 
-EM_INLINE real em_heaviside(real a) { return em_where(a != a, a, em_is(a > 0.0) + 0.5 * em_is(a == 0.0)); }
+EM_INLINE real em_heaviside(real a) { return em_where(em_value(a) != em_value(a), a, em_is(em_value(a) > 0.0) + 0.5 * em_is(em_value(a) == 0.0)); }
 
 /* Unlike fmin and fmax these pass on what is not a number: a potential that is undefined must not look defined. */
-EM_INLINE real em_least(real a, real b) { return em_where((a < b) | (a != a), a, b); }
+EM_INLINE real em_least(real a, real b) { return em_where((em_value(a) < em_value(b)) | (em_value(a) != em_value(a)), a, b); }
 
-EM_INLINE real em_greatest(real a, real b) { return em_where((a > b) | (a != a), a, b); }
+EM_INLINE real em_greatest(real a, real b) { return em_where((em_value(a) > em_value(b)) | (em_value(a) != em_value(a)), a, b); }
 
 #endif

@@ -23,12 +23,12 @@ EM_ACROSS int em_interpolate(const em_run *run, size_t step, double t, double *y
     double inside[N_STATE], memory[EM_SOME_MEMORY] = {0.0};
     const em_scheme scheme = em_scheme_of(run->method);
     em_fault fault;
-    em_run then = *run;
+    em_run then;
     int mode = at->mode;
-    if (at->leg > 0) then.prepared = run->legs.y + (at->leg - 1) * run->legs.width;
+    if (at->leg > 0) then = *run, then.prepared = run->legs.y + (at->leg - 1) * run->legs.width, run = &then;
     scheme.evaluate(F, scheme.terms, (t - at->t) / at->h, inside);
-    if (em_settle(&then, &mode, EM_KEEP_MODE | at->kept, t, inside, memory, t - at->t, &fault) < 0) return -1;
-    return em_publish(&then, mode, t, inside, memory, y, &fault);
+    if (em_settle(run, &mode, EM_KEEP_MODE | at->kept, t, inside, memory, t - at->t, &fault) < 0) return -1;
+    return em_publish(run, mode, t, inside, memory, y, &fault);
 }
 
 #endif

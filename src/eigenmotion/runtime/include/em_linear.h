@@ -9,7 +9,9 @@
 
 #include "eigenmotion.h"
 #include "em_products.h"
-#ifdef EM_ON_LANES
+#if defined(EM_ON_DUALS)
+#include "em_dual_functions.h"
+#elif defined(EM_ON_LANES)
 #include "em_lane_functions.h"
 #else
 #include "em_trigonometry.h"
@@ -72,7 +74,7 @@ EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real 
     for (int j = 0; j < n; ++j) {
         real pivot = M[j * n + j];
         for (int k = 0; k < j; ++k) pivot -= L[j * n + k] * W[j * n + k];
-        if (em_fails(&pivot, pivot > tolerance * M[j * n + j])) return j;
+        if (em_fails(&pivot, em_value(pivot) > tolerance * em_value(M[j * n + j]))) return j;
         L[j * n + j] = pivot;
         r[j] = 1.0 / pivot;
         for (int i = j + 1; i < n; ++i) {

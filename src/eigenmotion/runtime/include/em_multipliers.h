@@ -53,9 +53,9 @@ EM_INLINE void em_subtract_reactions(int m, int n, const real *restrict B, const
 /* The first row that vanishes beside the others: what is left of it is rounding; -1 where none does. */
 EM_INLINE int em_vanished_row(int m, real *restrict Delta) {
     real largest = em_real(0.0);
-    for (int i = 0; i < m; ++i) largest = em_where(Delta[i * m + i] > largest, Delta[i * m + i], largest);
+    for (int i = 0; i < m; ++i) largest = em_where(em_value(Delta[i * m + i]) > em_value(largest), Delta[i * m + i], largest);
     for (int i = 0; i < m; ++i)
-        if (em_fails(&Delta[i * m + i], Delta[i * m + i] > EM_VANISHED * largest)) return i;
+        if (em_fails(&Delta[i * m + i], em_value(Delta[i * m + i]) > EM_VANISHED * em_value(largest))) return i;
     return -1;
 }
 
@@ -64,11 +64,11 @@ EM_INLINE int em_vanished_row(int m, real *restrict Delta) {
 EM_INLINE void em_rest_rows(int m, real *restrict Delta) {
 #ifdef EM_SWITCHED_ROWS
     real largest = em_real(0.0);
-    for (int i = 0; i < m; ++i) largest = em_where(Delta[i * m + i] > largest, Delta[i * m + i], largest);
-    largest = em_where(largest > 0.0, largest, em_real(1.0));
+    for (int i = 0; i < m; ++i) largest = em_where(em_value(Delta[i * m + i]) > em_value(largest), Delta[i * m + i], largest);
+    largest = em_where(em_value(largest) > 0.0, largest, em_real(1.0));
     for (int i = 0; i < m; ++i)
         if (EM_SWITCHED_ROWS >> i & 1)
-            Delta[i * m + i] = em_where(Delta[i * m + i] == 0.0, largest, Delta[i * m + i]);
+            Delta[i * m + i] = em_where(em_value(Delta[i * m + i]) == 0.0, largest, Delta[i * m + i]);
 #else
     (void)m, (void)Delta;
 #endif
@@ -89,7 +89,7 @@ EM_INLINE void em_drop_rows(int m, real *restrict Delta, real *restrict rhs, int
  * that depends on those before it. */
 EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict rhs, int flags) {
     if (m == 1) {
-        if (em_fails(&Delta[0], Delta[0] > 0.0)) return 0;
+        if (em_fails(&Delta[0], em_value(Delta[0]) > 0.0)) return 0;
         rhs[0] *= 1.0 / Delta[0]; /* ready before rhs is */
         return -1;
     }
@@ -146,7 +146,8 @@ EM_INLINE int em_solve_pushed(int m, real *restrict Delta, real *restrict rhs, i
     }
     for (int k = 0; k < m; ++k) {
         real pivot = Delta[k * m + k];
-        if (em_fails(&pivot, pivot > EM_SINGULAR_PIVOT * whole[k])) return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, k, -3, em_number(pivot));
+        if (em_fails(&pivot, em_value(pivot) > EM_SINGULAR_PIVOT * em_value(whole[k])))
+            return em_fail(fault, EM_DEPENDENT_CONSTRAINTS, k, -3, em_number(pivot));
         for (int i = k + 1; i < m; ++i) {
             const real part = Delta[i * m + k] / pivot;
             for (int j = k + 1; j < m; ++j) Delta[i * m + j] -= part * Delta[k * m + j];

@@ -37,9 +37,13 @@ static void em_nodes_evaluate(const double *F, int terms, double theta, double *
     double P[EM_NODE_COUNT + 2], integral[EM_NODE_COUNT + 1];
     const double x = 2.0 * theta - 1.0;
     P[0] = 1.0, P[1] = x;
-    for (int l = 2; l < EM_NODE_COUNT + 2; ++l) P[l] = ((2 * l - 1) * x * P[l - 1] - (l - 1) * P[l - 2]) / l;
+    EM_UNROLL /* quotients are constants then, and nothing divides */
+    for (int l = 2; l < EM_NODE_COUNT + 2; ++l) {
+        const double before = (l - 1.0) / l, here = (2.0 * l - 1.0) / l;
+        P[l] = here * (x * P[l - 1]) - before * P[l - 2];
+    }
     integral[0] = theta;
-    for (int l = 1; l < EM_NODE_COUNT + 1; ++l) integral[l] = (P[l + 1] - P[l - 1]) / (2 * (2 * l + 1));
+    EM_UNROLL for (int l = 1; l < EM_NODE_COUNT + 1; ++l) integral[l] = (P[l + 1] - P[l - 1]) * (1.0 / (2 * (2 * l + 1)));
     memcpy(y, F, N_STATE * sizeof *y);
     for (int l = 0; l < terms; ++l)
         for (int k = 0; k < N_STATE; ++k) y[k] += integral[l] * F[(1 + l) * N_STATE + k];

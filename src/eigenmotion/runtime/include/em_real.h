@@ -2,7 +2,8 @@
  *
  * NAME.c as it stands computes with numbers. Compiled a second time with EM_ON_LANES defined it computes with vectors of
  * EM_LANES numbers, at the price of one: as many states side by side, which know nothing of each other. What cannot go
- * on where a lane is singular leaves NaN there; whoever asked looks at that state again with numbers, which say why. */
+ * on where a lane is singular leaves NaN there; whoever asked looks at that state again with numbers, which say why.
+ * With EM_ON_DUALS beside it a vector is one number and its derivative along a direction (em_dual_functions.h). */
 #ifndef EM_REAL_H
 #define EM_REAL_H
 
@@ -18,6 +19,7 @@
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))
 #define EM_RARE __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
+#define EM_HOT __attribute__((hot)) /* for speed, though it is called beside what is rare, which compilers conclude from */
 
 /* What an object file holds of NAME.c: all of it, or the units that -DEM_UNIT=... names (docs/architecture.md). What goes
  * across is not static then; what is linked shows nothing of it (-fvisibility=hidden). */
@@ -61,7 +63,26 @@
 #define EM_PACKED
 #endif
 
-#ifdef EM_ON_LANES
+#if defined(EM_ON_DUALS)
+
+/* a + i e a', e so small that its square is zero: then C's arithmetic of complex numbers is that of derivatives. */
+typedef double _Complex real;
+typedef int em_truth;
+
+#define em_value(a) (__real__(a)) /* what is compared */
+
+EM_INLINE real em_real(double a) { return a; }
+EM_INLINE real em_where(em_truth condition, real yes, real no) { return condition ? yes : no; }
+EM_INLINE double em_number(real a) { return em_value(a); }
+
+EM_INLINE int em_fails(real *value, em_truth holds) {
+    if (!holds) *value = NAN;
+    return 0;
+}
+
+#elif defined(EM_ON_LANES)
+
+#define em_value(a) (a)
 
 typedef double real __attribute__((vector_size(8 * EM_LANES), may_alias));
 typedef long long em_truth __attribute__((vector_size(8 * EM_LANES))); /* of a comparison: -1 or 0 */
@@ -92,6 +113,8 @@ EM_INLINE int em_fails(real *value, em_truth holds) {
 }
 
 #else
+
+#define em_value(a) (a)
 
 typedef double real;
 typedef int em_truth;

@@ -2,7 +2,6 @@
 #ifndef EM_SLOPES_H
 #define EM_SLOPES_H
 
-#include "em_differentiate.h"
 #include "em_walk.h"
 
 #ifdef EM_MECHANICS_H
@@ -10,18 +9,29 @@ static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
     return em_motion_jacobian(t, z, w->run->prepared, w->u, em_constraint_flags(w->run), J, &w->reason);
 }
 #else
-static int em_bare_rate(const void *with, double t, const double *z, double *rate, em_fault *fault) {
-    const em_walk *w = with;
+/* A model written by hand states no derivatives: differences, which an iteration needs no better. */
+static int em_bare_rate(em_walk *w, double t, const double *z, double *rate) {
     double y[EM_WIDTH] = {0.0}, dy[EM_WIDTH], memory[EM_SOME_MEMORY];
     memcpy(y, z, 2 * N * sizeof *y);
     memcpy(memory, w->memory, sizeof memory);
-    if (em_motion_rhs(t, y, w->run->prepared, w->u, memory, 0, dy, fault)) return -1;
+    if (em_motion_rhs(t, y, w->run->prepared, w->u, memory, 0, dy, &w->reason)) return -1;
     memcpy(rate, dy, 2 * N * sizeof *rate);
     return 0;
 }
 
 static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
-    return em_differentiate(em_bare_rate, w, 2 * N, t, z, J, &w->reason);
+    double at[2 * N], up[2 * N], down[2 * N];
+    memcpy(at, z, sizeof at);
+    for (int k = 0; k < 2 * N; ++k) {
+        const double step = 1e-5 * fmax(1.0, fabs(z[k]));
+        at[k] = z[k] + step;
+        if (em_bare_rate(w, t, at, up)) return -1;
+        at[k] = z[k] - step;
+        if (em_bare_rate(w, t, at, down)) return -1;
+        at[k] = z[k];
+        for (int row = 0; row < 2 * N; ++row) J[row * 2 * N + k] = (up[row] - down[row]) / (2.0 * step);
+    }
+    return 0;
 }
 #endif
 

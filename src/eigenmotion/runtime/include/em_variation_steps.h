@@ -118,10 +118,11 @@ EM_INLINE void em_node_directions(em_pass *p, int j, double h) {
     const int n = p->n, k = p->columns, block = n * k, width = p->of->model->n_arguments;
     const double *const J = p->J + j * n * width;
     double *const G = p->G + j * block;
-    memcpy(p->Y, p->S, 2 * (size_t)block * sizeof *p->Y);
+    memcpy(p->Y, p->S, (size_t)block * sizeof *p->Y);
     em_add_to(block, p->of->place[j] * h, p->S + block, p->Y);
     memset(G, 0, (size_t)block * sizeof *G);
-    em_add_product(n, 2 * n, width, k, J, p->Y, G);
+    em_add_product(n, n, width, k, J, p->Y, G);
+    em_add_product(n, n, width, k, J + n, p->S + block, G);
     for (const int(*at)[2] = p->places; at < p->places + p->n_places; ++at) {
         const double given = p->P[(*at)[0] * k + (*at)[1]];
         for (int q = 0; q < n; ++q) G[q * k + (*at)[1]] += J[q * width + 2 * n + (*at)[0]] * given;
