@@ -7,7 +7,7 @@ from cpython.bytes cimport PyBytes_AS_STRING, PyBytes_FromStringAndSize
 from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport isfinite
 from libc.stdlib cimport calloc, free
-from libc.string cimport memcpy
+from libc.string cimport memcpy, memset
 
 from .abi cimport em_fault, em_method, em_run, em_signal, em_signal_kind
 from .arrays cimport Numbers, given, zeros
@@ -66,9 +66,11 @@ cdef class Steps:
         self.places = {name: k for k, name in enumerate(model.inputs)}
         y, atol = given(state, (model.n_state,), "y"), given(absolute, (model.n,), "atol")
         self.hold_inputs(inputs.compiled)
-        run = em_run(t_start=start, y_start=y.data, prepared=prepared.c, inputs=self.signals, method=<em_method> method,
-                     rtol=rtol, atol=atol.data, first_step=first, max_step=longest, max_steps=most, stabilise=stabilise,
-                     least_norm=least, poll=poll, poll_argument=<void *> self, model=model.model)
+        memset(&run, 0, sizeof run)  # em_run(...) would leave unset what it does not name
+        run.model, run.prepared, run.inputs, run.method = model.model, prepared.c, self.signals, <em_method> method
+        run.t_start, run.y_start, run.rtol, run.atol = start, y.data, rtol, atol.data
+        run.first_step, run.max_step, run.max_steps, run.stabilise, run.least_norm = first, longest, most, stabilise, least
+        run.poll, run.poll_argument = poll, <void *> self
         self.steps = em_stepper_open(model.model, &run, NULL)
         if self.steps == NULL:
             raise MemoryError

@@ -24,6 +24,7 @@ enum {
 #define EM_ROUNDED 0.1 /* the error norm then, as good as it gets */
 #define EM_SMOOTH 1e3 /* in tolerances: what has changed by less in the first iteration was known well, */
 #define EM_SLOW 0.25  /* and ought to converge faster than by this factor */
+#define EM_WITHIN 0.03 /* of the first term that a polynomial of the rates lacks, to its integral within the step */
 #define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
 
 /* --- the iteration --- */
@@ -232,7 +233,9 @@ static double em_truncation(em_walk *w, const double *f) {
     for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
     const double before = sqrt(square[4] + square[5]), last = sqrt(square[6] + square[7]) + sqrt(missed);
     const double falls = em_min(1.0, last / (before + DBL_MIN));
-    return fabs(w->h) * last * falls * falls * falls * sqrt(falls) / sqrt(em_rates_count(w));
+    const double next = fabs(w->h) * last * falls / sqrt(em_rates_count(w));
+    q->within = EM_WITHIN * next;
+    return next * falls * falls * sqrt(falls);
 }
 
 /* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */

@@ -87,6 +87,7 @@ typedef struct em_nodes {
     double size[EM_NODE_COUNT], before_size[EM_NODE_COUNT]; /* of each term of these series, so weighed */
     double t, t_new, h, before_h, before_t_new; /* of the step that `series` is of, and `before` */
     double aimed;                            /* the error after as many iterations as a step is made for */
+    double within;                           /* the error of the polynomial where the state within the step is asked for */
     int mode, before_mode, converged, known, blind, on_lanes; /* converged: there is a series; known: a step before */
     int slow;                                /* whether the iteration converges slowly, though it had little to do */
 } em_nodes;
