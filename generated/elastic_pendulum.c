@@ -1,6 +1,6 @@
 /* eigenmotion generate elastic_pendulum.py */
 /* input sha256:0ef93e4c29cf9a08fc935e31d47b41a8de7fcfb3b1c1f5e770622d5afc8920a2 */
-/* body sha256:e4d71ee2cc8fc545927df1c2caf3aaf06de63b3e58c35c0acd09abb496ed699b */
+/* body sha256:0541ba48b02a6faa05d67346cc7280fe4b70c16ce0a43ff3f2ab496e271f41d4 */
 /* elastic_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -108,7 +108,8 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
-    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0))
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
     const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
@@ -133,7 +134,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[2] };
-    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0))
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
     const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:f4bc4fb1011f2566bb7c86f032871d44d228e13b39258b934c6744d2848199b6 */
+/* body sha256:28eea053a240d8590d459450b6b9e703e25836b779f7251b9706b01436995767 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -162,7 +162,8 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4] };
-    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0))
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
     const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);
@@ -201,7 +202,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* phi: xdot = C^T S^-1 eta (20) */
     const real eta1[N1] = { y[4] };
-    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
+    if (em_fails(M1[0], em_value(M1[0][0]) > 0.0))
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 0, -1, em_number(M1[0][0]));
     const real C1[1] = { em_real(1.0) }, s1[1] = { sqrt(M1[0][0]) };
     real r1[N1], w1[N1], v1[N1];
     em_velocity(N1, C1, s1, eta1, r1, w1, v1);

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:98004e81992399d6e9ee6ca5490111865a5d0ab8767cf9754467cb4c4104f4de */
+/* body sha256:bc5b6d2cc74a405d8e863cf92d54b7e94ef943e90d0af30a6e750821a1ca36a9 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -114,7 +114,8 @@ EM_INLINE int velocities(real t, const real *restrict y, const real *restrict c,
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta2[N2] = { y[3] };
-    if (em_fails(M2[0], em_value(M2[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
+    if (em_fails(M2[0], em_value(M2[0][0]) > 0.0))
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
     const real C2[1] = { em_real(1.0) }, s2[1] = { sqrt(M2[0][0]) };
     real r2[N2], w2[N2], v2[N2];
     em_velocity(N2, C2, s2, eta2, r2, w2, v2);
@@ -139,7 +140,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 
     /* theta: xdot = C^T S^-1 eta (20) */
     const real eta2[N2] = { y[3] };
-    if (em_fails(M2[0], em_value(M2[0][0]) > 0.0)) return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
+    if (em_fails(M2[0], em_value(M2[0][0]) > 0.0))
+        return em_fail(fault, EM_SINGULAR_MASS_MATRIX, 1, -1, em_number(M2[0][0]));
     const real C2[1] = { em_real(1.0) }, s2[1] = { sqrt(M2[0][0]) };
     real r2[N2], w2[N2], v2[N2];
     em_velocity(N2, C2, s2, eta2, r2, w2, v2);
