@@ -6,6 +6,7 @@ largest error of x at the end, against runs at 1e-13.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from dataclasses import replace
@@ -30,6 +31,8 @@ COUNTS = (1, 8, 100, 10_000)
 SLOW = tuple(f"{formulation} ra15" for formulation in FORMULATIONS)  # left out where there are many runs
 MANY = 300_000  # runs: so many that an executor's chunks, eight on two cores, are of a second each
 SCENES = {"four_bar": {}, "chaplygin_sleigh": {}, "spatial_arm": {"n": 6}, "chain": {"n": 8}}
+
+LOOPS = ("four_bar", "slider_crank", "bricard", "jansen")
 
 
 def spread(count: int) -> np.ndarray:
@@ -183,11 +186,30 @@ def beside_a_loop(count: int = 64) -> None:
             print(f"  {name:<20}{formulation:<14}{ratio(seconds['ensemble'], seconds['loop'])}", flush=True)
 
 
+def beside_nodes(count: int = 24) -> None:
+    """What method="auto" goes by where steps are put on positions one by one."""
+    tolerances = 10.0 ** -np.arange(6, 12)
+    print(
+        f"\n{count} runs of 1 s, lanes of dop853 over ra15, one core, at {' '.join(f'{one:.0e}' for one in tolerances)}"
+    )
+    for name in LOOPS:
+        system = build(MODELS / f"{name}.py", formulation="lagrange")
+        key, value = next(iter(system.parameters.items()))
+        found = []
+        for tolerance in tolerances:
+            given = {"parameters": {key: np.full(count, value)}, "rtol": tolerance, "atol": tolerance, "workers": 1}
+            calls = {m: partial(simulate_ensemble, system, (0.0, 1.0), method=m, **given) for m in ("dop853", "ra15")}
+            seconds = interleaved(calls, 3 * ROUNDS, time.thread_time)
+            found.append(f"{np.median(seconds['dop853'] / seconds['ra15']):.2f}")
+        print(f"  {name:<20}{'   '.join(found)}", flush=True)
+
+
 def main() -> None:
     beside_batches()
     threads()
     processes()
     beside_a_loop()
+    beside_nodes()
 
 
 if __name__ == "__main__":
