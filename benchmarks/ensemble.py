@@ -1,4 +1,4 @@
-"""Many runs: dual_link over 10 s, K1 varied, beside heyoka.py's batches; threads; and a loop of `simulate`.
+"""Many runs: dual_link over 10 s, K1 varied, beside heyoka.py's batches; threads; processes; and a loop of `simulate`.
 
 Ratios are medians over rounds in which whatever is compared runs in turns. Errors are medians over members of the
 largest error of x at the end, against runs at 1e-13.
@@ -6,8 +6,9 @@ largest error of x at the end, against runs at 1e-13.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec
@@ -16,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 from common.timing import interleaved, ratio
+from common.timing import spread as spread_of
 
 from eigenmotion import System, build, load_model, simulate_ensemble
 from eigenmotion.reference.classical import classical, explicit
@@ -27,7 +29,10 @@ TARGET, TOLERANCES = 5e-10, 10.0 ** -np.arange(8.5, 12.1, 0.125)
 SPAN, ROUNDS = (0.0, 10.0), 5
 COUNTS = (1, 8, 100, 10_000)
 SLOW = tuple(f"{formulation} ra15" for formulation in FORMULATIONS)  # left out where there are many runs
+MANY = 300_000  # runs: so many that an executor's chunks, eight on two cores, are of a second each
 SCENES = {"four_bar": {}, "chaplygin_sleigh": {}, "spatial_arm": {"n": 6}, "chain": {"n": 8}}
+
+LOOPS = ("four_bar", "slider_crank", "bricard", "jansen")
 
 
 def spread(count: int) -> np.ndarray:
@@ -130,6 +135,36 @@ def threads() -> None:
     print(f"two processes {ratio(seconds['1'], seconds['processes'])} times")
 
 
+class Watched(Executor):
+    """Another executor, and the seconds that each chunk took in its worker."""
+
+    def __init__(self, pool: Executor) -> None:
+        self.pool, self.seconds = pool, list[float]()
+
+    def submit(self, function: Callable[..., object], /, *given: object) -> Future:  # type: ignore[override]
+        future = self.pool.submit(function, *given)
+        future.add_done_callback(lambda done: self.seconds.append(done.result()[1]))
+        return future
+
+
+def processes() -> None:
+    """An executor of two processes that have begun, on chunks of a second as design.md has them, over one thread."""
+    system = build(MODELS / "dual_link.py", formulation="lagrange")
+    with ProcessPoolExecutor(2, get_context("spawn")) as pool:
+        watched = Watched(pool)
+        ensemble(system, 1000, 1e-10, workers=None, executor=pool)  # they load what they need
+        calls = {
+            "thread": partial(ensemble, system, MANY, 1e-10),
+            "executor": partial(ensemble, system, MANY, 1e-10, workers=None, executor=watched),
+        }
+        seconds = interleaved(calls, ROUNDS)
+    chunks = np.array(watched.seconds)
+    chunks = chunks[chunks > 0.1 * np.median(chunks)]  # without pilots
+    times = ratio(seconds["thread"], seconds["executor"])
+    print(f"\n{MANY} runs: an executor of two processes {times} times as fast as one thread, ", end="")
+    print(f"in chunks of {spread_of(chunks, 1.0, 2)} s", flush=True)
+
+
 def beside_a_loop(count: int = 64) -> None:
     print(f"\n{count} runs of 1 s at 1e-9: time of the ensemble over a loop of `simulate`, one core")
     for name, arguments in SCENES.items():
@@ -151,10 +186,30 @@ def beside_a_loop(count: int = 64) -> None:
             print(f"  {name:<20}{formulation:<14}{ratio(seconds['ensemble'], seconds['loop'])}", flush=True)
 
 
+def beside_nodes(count: int = 24) -> None:
+    """What method="auto" goes by where steps are put on positions one by one."""
+    tolerances = 10.0 ** -np.arange(6, 12)
+    print(
+        f"\n{count} runs of 1 s, lanes of dop853 over ra15, one core, at {' '.join(f'{one:.0e}' for one in tolerances)}"
+    )
+    for name in LOOPS:
+        system = build(MODELS / f"{name}.py", formulation="lagrange")
+        key, value = next(iter(system.parameters.items()))
+        found = []
+        for tolerance in tolerances:
+            given = {"parameters": {key: np.full(count, value)}, "rtol": tolerance, "atol": tolerance, "workers": 1}
+            calls = {m: partial(simulate_ensemble, system, (0.0, 1.0), method=m, **given) for m in ("dop853", "ra15")}
+            seconds = interleaved(calls, 3 * ROUNDS, time.thread_time)
+            found.append(f"{np.median(seconds['dop853'] / seconds['ra15']):.2f}")
+        print(f"  {name:<20}{'   '.join(found)}", flush=True)
+
+
 def main() -> None:
     beside_batches()
     threads()
+    processes()
     beside_a_loop()
+    beside_nodes()
 
 
 if __name__ == "__main__":

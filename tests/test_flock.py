@@ -186,6 +186,13 @@ def test_a_run_in_each_lane_is_chosen_before_nodes_in_them(swing):
     assert found.method == ("dop853" if swing.compiled.lanes > 1 else swing.simulate(SPAN, method="auto").method)
 
 
+def test_where_lanes_do_not_pay_they_are_not_chosen(loop):
+    at_rest = {"parameters": {"density": [1.0, 2.0]}, "method": "auto"}
+    assert simulate_ensemble(loop, (0.0, 0.01), rtol=1e-8, **at_rest).method == "dop853"
+    alone = loop.simulate((0.0, 0.01), rtol=1e-11, method="auto").method
+    assert simulate_ensemble(loop, (0.0, 0.01), rtol=1e-11, **at_rest).method == alone
+
+
 def test_a_lane_that_stability_holds_back_says_so():
     stiff = system_for(damped_link(), formulation="lagrange")
     runs = simulate_ensemble(stiff, (0.0, 0.02), parameters={"g": [9.0, 9.81]}, rtol=1e-5)

@@ -1,6 +1,6 @@
 """Which method a run takes that leaves the choice to us: method="auto".
 
-As measured over all models (benchmarks/nodes.py, benchmarks/stiff.py, docs/theory.md).
+As measured over all models (benchmarks/nodes.py, benchmarks/stiff.py, benchmarks/ensemble.py, docs/theory.md).
 """
 
 from math import inf, sqrt
@@ -14,6 +14,8 @@ from .methods import METHODS, Method
 _LEAST_LANES = 4
 _TIGHT = {"eigenfactor": 1e-6}
 _TIGHT_OTHERWISE = 1e-5
+_PLACED = ((6, 1e-7), (1, 3e-11))
+"""Of ensembles: from so many constraints on positions on, the tolerances up to which longer steps pay."""
 _STIFF = METHODS["radau9"]
 _APART = 100.0
 """How many times as fast as all that lasts must be what dies out, for a scene to be stiff;"""
@@ -73,4 +75,10 @@ def automatic(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
 
 def automatic_of_many(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
     """Return dop853 where lanes hold a run each, which is quicker than one run's nodes in them; else as of one run."""
-    return METHODS["dop853"] if model.flocks and not least_norm else automatic(model, rtol, least_norm)
+    in_lanes = model.flocks and not least_norm and rtol > _longer_steps_pay(model.h)
+    return METHODS["dop853"] if in_lanes else automatic(model, rtol, least_norm)
+
+
+def _longer_steps_pay(positions: int) -> float:
+    """Return the tolerance up to which they do: steps are put on positions number by number, not in lanes."""
+    return next((rtol for least, rtol in _PLACED if positions >= least), 0.0)

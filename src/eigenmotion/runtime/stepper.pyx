@@ -66,7 +66,7 @@ cdef class Steps:
         self.places = {name: k for k, name in enumerate(model.inputs)}
         y, atol = given(state, (model.n_state,), "y"), given(absolute, (model.n,), "atol")
         self.hold_inputs(inputs.compiled)
-        memset(&run, 0, sizeof run)  # em_run(...) would leave unset what it does not name
+        memset(&run, 0, sizeof(run))  # em_run(...) would leave unset what it does not name
         run.model, run.prepared, run.inputs, run.method = model.model, prepared.c, self.signals, <em_method> method
         run.t_start, run.y_start, run.rtol, run.atol = start, y.data, rtol, atol.data
         run.first_step, run.max_step, run.max_steps, run.stabilise, run.least_norm = first, longest, most, stabilise, least

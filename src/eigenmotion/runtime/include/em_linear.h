@@ -70,11 +70,12 @@ EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real 
 #ifdef EM_PACKED
     if (em_tiled(n) >= EM_LONG) return em_cholesky_along(n, M, L, r, tolerance);
 #endif
-    real W[n * n]; /* L D^-1, while L D is in L and D^-1 in r */
+    real W[n * n], sound[n]; /* L D^-1, while L D is in L and D^-1 in r; 1, or NaN, which the next pivot need not wait for */
     for (int j = 0; j < n; ++j) {
         real pivot = M[j * n + j];
         for (int k = 0; k < j; ++k) pivot -= L[j * n + k] * W[j * n + k];
-        if (em_fails(&pivot, em_value(pivot) > tolerance * em_value(M[j * n + j]))) return j;
+        sound[j] = em_real(1.0);
+        if (em_fails(&sound[j], em_value(pivot) > tolerance * em_value(M[j * n + j]))) return j;
         L[j * n + j] = pivot;
         r[j] = 1.0 / pivot;
         for (int i = j + 1; i < n; ++i) {
@@ -85,7 +86,7 @@ EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real 
         }
     }
     for (int j = 0; j < n; ++j) {
-        r[j] = sqrt(r[j]);
+        r[j] = sqrt(r[j]) * sound[j];
         for (int i = j; i < n; ++i) L[i * n + j] *= r[j];
     }
     return -1;

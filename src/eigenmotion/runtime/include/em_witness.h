@@ -6,7 +6,7 @@
 #include "em_drift.h"
 
 /* In right-hand sides: so seldom is the energy looked at that it costs nothing. */
-#define EM_WITNESS_EVERY 128
+#define EM_WITNESS_EVERY 256
 
 /* By how much more than its tolerances every step, settling included, may change the energy; and a run as a whole. */
 #define EM_STEP_MAY 10.0
