@@ -9,6 +9,7 @@ from fractions import Fraction
 import sympy
 
 from ..choices import Choices
+from ..graph.convert import ToSympy
 from ..graph.inverse import LARGEST, inverse
 from ..graph.schedule import Constants
 from ..graph.store import Node
@@ -19,7 +20,7 @@ from .kernel import Array, Draft, Entry, Kernel, Symbols, written
 from .layout import Layout
 from .partial_kernels import partial_kernels
 from .program import BlockView
-from .roles import Factored, Kernels, Stages
+from .roles import BreakKernel, Factored, Kernels, Stages
 
 OF_STATE = {"x": "y", "v": "dy"}
 """Where a right-hand side has coordinates and velocities."""
@@ -29,6 +30,13 @@ def kernels_of(scene: Scene, choices: Choices, layout: Layout) -> tuple[Kernels,
     """Write every kernel; return also how many constants of the parameters they share."""
     writing = _Writing(scene, choices, layout)
     return writing.kernels(), len(writing.constants.nodes)
+
+
+class _AnySymbol(dict[str, sympy.Symbol]):
+    """Symbols by their names."""
+
+    def __missing__(self, name: str) -> sympy.Symbol:
+        return sympy.Symbol(name)
 
 
 class _Writing:
@@ -62,7 +70,8 @@ class _Writing:
         drawing = self.drawing()  # last: the constants of the others stay where they are
         partials = partial_kernels(self.terms, Symbols(self.places, self.layout.first_constant))
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       drawing=drawing, partials=partials, prepared=self.prepared(), **asked)  # fmt: skip
+                       drawing=drawing, partials=partials, breaks=self.breaks(), prepared=self.prepared(),
+                       **asked)  # fmt: skip
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""
@@ -273,6 +282,17 @@ class _Writing:
             places.setdefault(number, []).append(f"[{k}]")
         entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
         return self.one("draw", entries, "t", "x", "c", "p")
+
+    def breaks(self) -> BreakKernel:
+        """When conditions in the time alone change: computed in place, for no step asks."""
+        graph, found = self.terms.graph, self.terms.breaks
+        rows = [(one.at, one.period, one.terms) for one in found.times]
+        draft = Draft("model_breaks", self.column("at", (node for row in rows for node in row)), ("c", "at"))
+        symbols = Symbols(self.places, self.layout.first_constant)
+        kernel = written(graph, [draft], symbols, None)[0] if rows else None
+        text = ToSympy(graph, _AnySymbol())
+        named = (str(text(at)) + (f" + k*({text(period)})" if period != graph.zero else "") for at, period, _ in rows)
+        return BreakKernel(kernel, len(rows), tuple(named), tuple(str(text(node)) for node in found.unsolved))
 
     def prepared(self) -> Kernel:
         """M of the fixed blocks, then the constants that the other kernels asked for."""

@@ -5,6 +5,7 @@ Nothing is shared between calls, so threads need no locks. Where a function has 
 """
 
 from cpython.pycapsule cimport PyCapsule_GetPointer
+from libc.math cimport INFINITY
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
@@ -16,6 +17,12 @@ from .start cimport em_start_tolerance
 import numpy as np
 
 from .faults import EvaluationError, StopReason, explain
+
+
+cdef extern from "em_breaks.h" nogil:
+    double em_next_break(int, const double *, double, double)
+    int em_break_sides(int, const double *, double, double, double, double *)
+
 
 _REASONS = tuple(StopReason)
 
@@ -160,14 +167,14 @@ cdef class PointModel:
         return y.array if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data) else None
 
     def inside(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """(name, gap) of the contact that x is inside of, by more than a start may be; or None (em_start.h)."""
+        """(name, gap) of the contact or impact that x is inside of, by more than a start may be; or None (em_start.h)."""
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), g = zeros((self.n_events,))
         cdef Numbers absolute = given(atol, (self.n,), "atol")
         cdef int event = em_inside_contact(self.model, t, q.data, w.data, c.c, rtol, absolute.data)
         if event < 0:
             return None
         self.model.event(t, q.data, w.data, c.c, self.model.input_defaults, g.data)
-        return self.events[event], g.data[event]
+        return self.events[event], g.data[event] * self.model.deeds[event].keeps_apart
 
     def identity(self, Prepared c not None):
         """What tells models apart whose runs are kept as bytes: names, and what is made of these parameters."""
@@ -175,6 +182,23 @@ cdef class PointModel:
         return (self.name, self.formulation, self.close_eigenvalues, self.schur, self.coordinates, self.parameters,
                 self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved(),
                 c.parameters, numbers)
+
+    # --- between two breaks ---
+
+    def piece(self, double t, double direction, Prepared c not None):
+        """(end, low, high) of what is smooth after t: the next break, and between which times it is asked (em_breaks.h)."""
+        cdef int n = self.model.n_breaks
+        cdef double inside[2]
+        cdef Numbers at
+        if n == 0:
+            return direction * INFINITY, -INFINITY, INFINITY
+        at = zeros((n, 3))
+        self.model.breaks(c.c, at.data)
+        cdef double end = em_next_break(n, at.data, t, direction)
+        em_break_sides(n, at.data, t, end, direction, inside)
+        return end, inside[0], inside[1]
+
+    # --- its functions ---
 
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""

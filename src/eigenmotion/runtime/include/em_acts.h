@@ -72,7 +72,7 @@ EM_COLD int em_strike_once(em_acting *a, int event, const double *struck, int la
 /* Up to which speed an event's contact holds after an impact; -1: it never does. */
 EM_COLD double em_rest_speed(const em_acting *a, int event) {
     double level[2 * EM_SOME_SWITCHES];
-    if (deeds[event].held < 0) return -1.0;
+    if (N_SWITCHES == 0 || deeds[event].held < 0) return -1.0;
     levels(a->t, a->x, a->v, a->c, a->u, level);
     return level[2 * deeds[event].held];
 }
@@ -128,6 +128,7 @@ EM_COLD int em_strike_all(em_acting *a) {
     enum { ROUNDS = 1000 };
     double side[N_EVENTS] = {0.0};
     int some = 0, any = 1;
+    if (N_IMPACTS == 0) return 0;
     for (int i = 0; i < N_EVENTS; ++i) some |= em_strikes(a, i);
     if (!some) return 0;
     for (int k = 0; k < N_SWITCHES; ++k)
@@ -161,6 +162,7 @@ EM_COLD int em_check_reset(const em_acting *a, int event) {
 EM_COLD int em_reset(em_acting *a, int event) {
     double after[EM_SOME_RESETS * 2 * N];
     const int number = deeds[event].reset;
+    if (N_RESETS == 0) return 0; /* that compilers see it, too */
     resets(a->t, a->x, a->v, a->c, a->u, after);
     const double *const at = after + number * 2 * N;
     for (int k = 0; k < 2 * N; ++k)
@@ -175,6 +177,24 @@ EM_COLD int em_reset(em_acting *a, int event) {
 #endif
     a->slipped = 1;
     return em_check_reset(a, event);
+}
+
+/* After resets: whether one has put the state to where an impact never lets it come, beyond rounding. 0, or -1 and *fault. */
+EM_COLD int em_check_apart(const em_acting *a, int event) {
+    double g[N_EVENTS], near[N], there[N_EVENTS];
+    model_events(a->t, a->x, a->v, a->c, a->u, g);
+    for (int i = 0; i < N_EVENTS; ++i) {
+        if (deeds[i].impact < 0 || !(g[i] * deeds[i].keeps_apart < 0.0)) continue;
+        double reach = 0.0;
+        for (int k = 0; k < N; ++k) {
+            memcpy(near, a->x, sizeof near);
+            near[k] += EM_RESET_MAY * fabs(near[k]);
+            model_events(a->t, near, a->v, a->c, a->u, there);
+            reach += fabs(there[i] - g[i]);
+        }
+        if (fabs(g[i]) > reach) return em_fail(a->fault, EM_RESET_INSIDE, event, i, g[i] * deeds[i].keeps_apart);
+    }
+    return 0;
 }
 
 /* --- what holds afterwards --- */
@@ -234,12 +254,14 @@ EM_COLD int em_settle_modes(em_acting *a) {
 }
 
 EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
-    int some = 0;
+    int some = 0, last = -1;
     if (em_check_pile(a, pile) || em_release_fired(a) || em_strike_all(a)) return -1;
     for (int i = 0; i < N_EVENTS; ++i) {
         some |= a->fired[i];
-        if (a->fired[i] && deeds[i].reset >= 0 && em_reset(a, i)) return -1;
+        if (a->fired[i] && deeds[i].reset >= 0) last = i;
+        if (last == i && em_reset(a, i)) return -1;
     }
+    if (last >= 0 && em_check_apart(a, last)) return -1;
     a->slipped |= !some;
     return em_settle_modes(a);
 }
