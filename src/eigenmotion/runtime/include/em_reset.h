@@ -94,6 +94,7 @@ EM_COLD int em_quasi_along(const em_directions *d, double t, const double *x, co
 EM_COLD void em_reset_along(const em_directions *d, double t, const double *x, const double *v, const double *c,
                             const double *u, int number) {
     double by[EM_SOME_RESETS * 2 * N * N_ARGUMENTS], W[2 * N * d->columns];
+    if (N_RESETS == 0) return;
     reset_partials(t, x, v, c, u, by);
     em_along(d, 2 * N, by + number * 2 * N * N_ARGUMENTS, W);
     memcpy(d->S, W, sizeof W);
