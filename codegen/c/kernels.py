@@ -9,18 +9,18 @@ from fractions import Fraction
 import sympy
 
 from ..choices import Choices
-from ..graph.convert import ToSympy
 from ..graph.inverse import LARGEST, inverse
 from ..graph.schedule import Constants
 from ..graph.store import Node
 from ..model.model import ModelError
 from ..physics.specialise import Scene
 from ..physics.terms import Rows, Terms
+from .break_kernel import break_kernel
 from .kernel import Array, Draft, Entry, Kernel, Symbols, written
 from .layout import Layout
 from .partial_kernels import partial_kernels
 from .program import BlockView
-from .roles import BreakKernel, Factored, Kernels, Stages
+from .roles import Factored, Kernels, Stages
 
 OF_STATE = {"x": "y", "v": "dy"}
 """Where a right-hand side has coordinates and velocities."""
@@ -30,13 +30,6 @@ def kernels_of(scene: Scene, choices: Choices, layout: Layout) -> tuple[Kernels,
     """Write every kernel; return also how many constants of the parameters they share."""
     writing = _Writing(scene, choices, layout)
     return writing.kernels(), len(writing.constants.nodes)
-
-
-class _AnySymbol(dict[str, sympy.Symbol]):
-    """Symbols by their names."""
-
-    def __missing__(self, name: str) -> sympy.Symbol:
-        return sympy.Symbol(name)
 
 
 class _Writing:
@@ -68,9 +61,10 @@ class _Writing:
         triangular = self.right_hand_side("triangular") if takes_over else Stages(None, None)
         factored = self.factored() if self.mechanics.augmented else None
         drawing = self.drawing()  # last: the constants of the others stay where they are
-        partials = partial_kernels(self.terms, Symbols(self.places, self.layout.first_constant))
+        symbols = Symbols(self.places, self.layout.first_constant)
+        partials, breaks = partial_kernels(self.terms, symbols), break_kernel(self.terms, symbols)
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       drawing=drawing, partials=partials, breaks=self.breaks(), prepared=self.prepared(),
+                       drawing=drawing, partials=partials, breaks=breaks, prepared=self.prepared(),
                        **asked)  # fmt: skip
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
@@ -282,17 +276,6 @@ class _Writing:
             places.setdefault(number, []).append(f"[{k}]")
         entries = [Entry(Array("p", ""), tuple(at), node) for node, at in places.items()]
         return self.one("draw", entries, "t", "x", "c", "p")
-
-    def breaks(self) -> BreakKernel:
-        """When conditions in the time alone change: computed in place, for no step asks."""
-        graph, found = self.terms.graph, self.terms.breaks
-        rows = [(one.at, one.period, one.terms) for one in found.times]
-        draft = Draft("model_breaks", self.column("at", (node for row in rows for node in row)), ("c", "at"))
-        symbols = Symbols(self.places, self.layout.first_constant)
-        kernel = written(graph, [draft], symbols, None)[0] if rows else None
-        text = ToSympy(graph, _AnySymbol())
-        named = (str(text(at)) + (f" + k*({text(period)})" if period != graph.zero else "") for at, period, _ in rows)
-        return BreakKernel(kernel, len(rows), tuple(named), tuple(str(text(node)) for node in found.unsolved))
 
     def prepared(self) -> Kernel:
         """M of the fixed blocks, then the constants that the other kernels asked for."""

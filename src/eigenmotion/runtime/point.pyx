@@ -12,17 +12,9 @@ from libc.string cimport memcpy
 from .abi cimport EM_ABI, em_fault, em_model
 from .arrays cimport Numbers, given, takes, zeros
 from .start cimport EM_START_STEPS, em_factored_gradient, em_factored_matrix, em_inside_contact, em_start
-from .start cimport em_start_tolerance
-
+from .start cimport em_break_sides, em_next_break, em_start_tolerance
 import numpy as np
-
 from .faults import EvaluationError, StopReason, explain
-
-
-cdef extern from "em_breaks.h" nogil:
-    double em_next_break(int, const double *, double, double)
-    int em_break_sides(int, const double *, double, double, double, double *)
-
 
 _REASONS = tuple(StopReason)
 
@@ -183,8 +175,6 @@ cdef class PointModel:
                 self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved(),
                 c.parameters, numbers)
 
-    # --- between two breaks ---
-
     def piece(self, double t, double direction, Prepared c not None):
         """(end, low, high) of what is smooth after t: the next break, and between which times it is asked (em_breaks.h)."""
         cdef int n = self.model.n_breaks
@@ -197,8 +187,6 @@ cdef class PointModel:
         cdef double end = em_next_break(n, at.data, t, direction)
         em_break_sides(n, at.data, t, end, direction, inside)
         return end, inside[0], inside[1]
-
-    # --- its functions ---
 
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""

@@ -10,7 +10,6 @@
 #define EM_AT_ONCE 4096.0 /* times the spacing of t: what follows sooner happens at the same time */
 #define EM_PARTED 1e-13   /* the part of the terms of a speed below which nothing approaches */
 #define EM_RESTS 1e-12    /* the same of a slip */
-#define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may leave a constraint */
 
 /* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL. */
 typedef struct em_acting {
@@ -179,24 +178,6 @@ EM_COLD int em_reset(em_acting *a, int event) {
     return em_check_reset(a, event);
 }
 
-/* After resets: whether one has put the state to where an impact never lets it come, beyond rounding. 0, or -1 and *fault. */
-EM_COLD int em_check_apart(const em_acting *a, int event) {
-    double g[N_EVENTS], near[N], there[N_EVENTS];
-    model_events(a->t, a->x, a->v, a->c, a->u, g);
-    for (int i = 0; i < N_EVENTS; ++i) {
-        if (deeds[i].impact < 0 || !(g[i] * deeds[i].keeps_apart < 0.0)) continue;
-        double reach = 0.0;
-        for (int k = 0; k < N; ++k) {
-            memcpy(near, a->x, sizeof near);
-            near[k] += EM_RESET_MAY * fabs(near[k]);
-            model_events(a->t, near, a->v, a->c, a->u, there);
-            reach += fabs(there[i] - g[i]);
-        }
-        if (fabs(g[i]) > reach) return em_fail(a->fault, EM_RESET_INSIDE, event, i, g[i] * deeds[i].keeps_apart);
-    }
-    return 0;
-}
-
 /* --- what holds afterwards --- */
 
 /* The sizes of what is added in the slip of a friction. */
@@ -261,7 +242,7 @@ EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
         if (a->fired[i] && deeds[i].reset >= 0) last = i;
         if (last == i && em_reset(a, i)) return -1;
     }
-    if (last >= 0 && em_check_apart(a, last)) return -1;
+    if (last >= 0 && em_check_apart(a->t, a->x, a->v, a->c, a->u, last, a->fault)) return -1;
     a->slipped |= !some;
     return em_settle_modes(a);
 }

@@ -5,6 +5,7 @@
 #ifndef EM_START_H
 #define EM_START_H
 
+#include "em_breaks.h"
 #include "em_linear.h"
 
 #define EM_START_STEPS 10      /* how many times the tolerances of a run its start may be off the constraints; */
