@@ -183,7 +183,9 @@ def test_every_reason_is_tested_here():
         StopReason.EVENTS_PILE_UP,
         StopReason.IMPACT_UNDEFINED,
         StopReason.RESET_OFF,
-    }  # test_events, test_ensemble, test_impacts
+        StopReason.RESET_INSIDE,
+        StopReason.MODEL_JUMPS,
+    }  # test_events, test_ensemble, test_impacts, test_breaks
     assert own | elsewhere == set(StopReason)
 
 

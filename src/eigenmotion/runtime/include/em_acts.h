@@ -236,13 +236,15 @@ EM_COLD int em_settle_modes(em_acting *a) {
 
 EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
     int some = 0, last = -1;
+    double from[N];
     if (em_check_pile(a, pile) || em_release_fired(a) || em_strike_all(a)) return -1;
+    memcpy(from, a->x, sizeof from);
     for (int i = 0; i < N_EVENTS; ++i) {
         some |= a->fired[i];
         if (a->fired[i] && deeds[i].reset >= 0) last = i;
         if (last == i && em_reset(a, i)) return -1;
     }
-    if (last >= 0 && em_check_apart(a->t, a->x, a->v, a->c, a->u, last, a->fault)) return -1;
+    if (last >= 0 && em_check_apart(a->t, from, a->x, a->v, a->c, a->u, last, a->fault)) return -1;
     a->slipped |= !some;
     return em_settle_modes(a);
 }

@@ -92,15 +92,16 @@ EM_COLD int em_quasi_along(const em_directions *d, double t, const double *x, co
 }
 #endif
 
-/* Whether resets, `event`'s the last, have put the state to where an impact never lets it come, beyond rounding: -1 and
- * *fault. */
-EM_COLD int em_check_apart(double t, const double *x, const double *v, const double *c, const double *u, int event,
-                           em_fault *fault) {
-    double g[N_EVENTS], near[N], there[N_EVENTS];
+/* Whether resets, `event`'s the last, have put x to where an impact never lets it come, further than it was at `from`, and
+ * beyond rounding: -1 and *fault. */
+EM_COLD int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
+                           const double *u, int event, em_fault *fault) {
+    double g[N_EVENTS], near[N], there[N_EVENTS], before[N_EVENTS];
+    model_events(t, from, v, c, u, before);
     model_events(t, x, v, c, u, g);
     for (int i = 0; i < N_EVENTS; ++i) {
         if (deeds[i].impact < 0 || !(g[i] * deeds[i].keeps_apart < 0.0)) continue;
-        double reach = 0.0;
+        double reach = 2.0 * fmax(0.0, -before[i] * deeds[i].keeps_apart);
         for (int k = 0; k < N; ++k) {
             memcpy(near, x, sizeof near);
             near[k] += EM_RESET_MAY * fabs(near[k]);
