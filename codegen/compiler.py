@@ -62,6 +62,7 @@ def explain(model: Model, choices: Choices = STANDARD) -> str:
         "", "Blocks of the mass matrix", *blocks,
         "", "Operations of the model-specific straight-line part", *(f"  {line}" for line in made.costs),
         "", "Lanes: states side by side in one vector, for steps by nodes", *(f"  {line}" for line in _lanes(made)),
+        *_breaks(made),
         "", "Left out", *(f"  {line}" for line in made.left_out or ("nothing",)),
     ])  # fmt: skip
 
@@ -71,6 +72,18 @@ def _lanes(made: Program) -> tuple[str, ...]:
         return ('none: what close_eigenvalues="extrapolate" remembers of a run belongs to one state',)
     rest = f"lane by lane: {', '.join(made.lane_by_lane)}" if made.lane_by_lane else "nothing goes lane by lane"
     return ("the whole right-hand side", rest)
+
+
+def _breaks(made: Program) -> tuple[str, ...]:
+    """What the model does at times that follow from its parameters alone."""
+    breaks, lines = made.kernels.breaks, []
+    if breaks.named:
+        lines += ["", "Breaks: steps end where a condition in the time alone changes, t =",
+                  *(f"  {at}" for at in breaks.named)]  # fmt: skip
+    if breaks.unsolved:
+        lines += ["", "Conditions in the time alone that steps may pass over, since they are not solved for it",
+                  *(f"  {condition}" for condition in breaks.unsolved)]  # fmt: skip
+    return tuple(lines)
 
 
 def _kind(turning: bool, fixed: bool) -> str:

@@ -32,11 +32,11 @@ ENDS = {  # what ends near t = 1, how, and what the message names
         "'y'",
     ),
     StopReason.POSITION_NOT_REACHED: (
-        plane("torn", holonomic_constraints=[atan(X) - Piecewise((0, t < 1), (3, True))]),
+        plane("torn", holonomic_constraints=[atan(X) - Piecewise((0, t**3 + t < 2), (3, True))]),
         "holonomic constraint row 0",
     ),
     StopReason.DEPENDENT_CONSTRAINTS: (
-        plane("jumping", holonomic_constraints=[Y, X - Piecewise((0, t < 1), (3, True))]),
+        plane("jumping", holonomic_constraints=[Y, X - Piecewise((0, t**3 + t < 2), (3, True))]),
         r"Constraint row \d",
     ),
 }
@@ -183,7 +183,9 @@ def test_every_reason_is_tested_here():
         StopReason.EVENTS_PILE_UP,
         StopReason.IMPACT_UNDEFINED,
         StopReason.RESET_OFF,
-    }  # test_events, test_ensemble, test_impacts
+        StopReason.RESET_INSIDE,
+        StopReason.MODEL_JUMPS,
+    }  # test_events, test_ensemble, test_impacts, test_breaks
     assert own | elsewhere == set(StopReason)
 
 

@@ -10,7 +10,7 @@ from sympy import symbols
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
-from eigenmotion import Event, Model, StopReason, System, t
+from eigenmotion import Event, Model, ModelError, StopReason, System, t
 
 from .generation import model_of, system_for
 
@@ -152,6 +152,20 @@ def test_an_impact_comes_before_the_reset_of_its_event():
     both = Event(z, direction=-1, impact=(z, 1), reset={x.diff(): z.diff()})
     run = system_for(ball("both", events={"both": both}), "lagrange").simulate((0.0, 0.5))
     assert run.y_after_events[0][0, 2] == pytest.approx(-run.y_events[0][0, 3])
+
+
+def test_nothing_begins_where_an_impact_lets_nothing_come():
+    """It would fall for ever; nor may a reset put it there. Whichever sign the event has."""
+    strikes = {"floor": Event(-z, direction=1, impact=(z, 0.5)), "hole": Event(z - 0.5, -1, reset={z: -e})}
+    system = system_for(ball("hole", events=strikes), "lagrange")
+    for height in (-0.5, -1e-14):
+        with pytest.raises(ModelError, match="impact of event 'floor' lets nothing come"):
+            system.simulate((0.0, 1.0), x0={"z": height})
+    run = system.simulate((0.0, 1.0), x0={"z": 1.0})
+    assert run.stop is StopReason.RESET_INSIDE
+    assert "'hole'" in run.message
+    assert "'floor'" in run.message
+    assert system.simulate((0.0, 0.4), x0={"z": 1.0}, parameters={"e": 0.0}).success
 
 
 def test_a_terminal_event_acts_before_it_ends_the_run():

@@ -15,6 +15,7 @@ from ..graph.store import Node
 from ..model.model import ModelError
 from ..physics.specialise import Scene
 from ..physics.terms import Rows, Terms
+from .break_kernel import break_kernel
 from .kernel import Array, Draft, Entry, Kernel, Symbols, written
 from .layout import Layout
 from .partial_kernels import partial_kernels
@@ -60,9 +61,11 @@ class _Writing:
         triangular = self.right_hand_side("triangular") if takes_over else Stages(None, None)
         factored = self.factored() if self.mechanics.augmented else None
         drawing = self.drawing()  # last: the constants of the others stay where they are
-        partials = partial_kernels(self.terms, Symbols(self.places, self.layout.first_constant))
+        symbols = Symbols(self.places, self.layout.first_constant)
+        partials, breaks = partial_kernels(self.terms, symbols), break_kernel(self.terms, symbols)
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       drawing=drawing, partials=partials, prepared=self.prepared(), **asked)  # fmt: skip
+                       drawing=drawing, partials=partials, breaks=breaks, prepared=self.prepared(),
+                       **asked)  # fmt: skip
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""

@@ -87,7 +87,7 @@ def _events(scene: Scene, defaults: Defaults) -> tuple[EventView, ...]:
     held = {switch.name: k for k, switch in enumerate(defaults.switches) if not switch.slides}
     return tuple(
         EventView(name, event.direction, int(event.terminal), impacts.get(k, -1), resets.get(k, -1), held.get(name, -1),
-                  int(event.keeps_apart or name in switched), int(event.acts or name in switched))
+                  -event.direction if event.keeps_apart or name in switched else 0, int(event.acts or name in switched))
         for k, (name, event) in enumerate(defaults.events)
     )  # fmt: skip
 

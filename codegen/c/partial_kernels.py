@@ -29,12 +29,14 @@ class _Writing:
             [self.terms.node(expression) for _, expression in named]
             for named in (mechanics.outputs, mechanics.events, mechanics.quasi_velocities)
         )
+        breaks = [node for one in self.terms.breaks.times for node in (one.at, one.period)]
         return PartialKernels(
             state=self.dense("state_partials", partials.residual, partials.state, *MOTION),
             forcing=self.dense("forcing_partials", partials.residual, partials.given, *MOTION),
             constraints=self.if_any("constraint_partials", partials.constraints, arguments, "t", "x", "v", "c"),
             outputs=self.if_any("output_partials", outputs, (*partials.solved, *arguments), *MOTION),
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
+            breaks=self.if_any("break_partials", breaks, arguments, "c"),
             quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
             **self.deeds(),
         )

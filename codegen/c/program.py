@@ -92,7 +92,8 @@ class EventView:
 
     impact, reset, held : which of the program's impacts, resets and switches it is, -1: none; frictions are not held
     acts : whether it does anything
-    keeps_apart : whether it happens at zero, too, where the motion is about to leave that in its direction
+    keeps_apart : whether it happens at zero, too, where the motion is about to leave that in its direction: 1 for
+        downwards, -1 for upwards, 0: it does not
     """
 
     name: str
@@ -206,6 +207,11 @@ class Program:
     def acts(self) -> bool:
         """Whether events change the state, or what holds."""
         return bool(self.n_impacts or self.resets or self.switches)
+
+    @property
+    def n_breaks(self) -> int:
+        """How many times, or series of them, there are at which conditions in the time alone change."""
+        return self.kernels.breaks.count
 
     @property
     def settles_in_lanes(self) -> bool:

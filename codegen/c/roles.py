@@ -33,6 +33,20 @@ class Factored:
 
 
 @dataclass(frozen=True, slots=True)
+class BreakKernel:
+    """When conditions in the time alone change: at, period, terms of each.
+
+    times : None where there are none; count : of them
+    named : them, for readers; unsolved : conditions whose times are not found, for readers
+    """
+
+    times: Kernel | None
+    count: int
+    named: tuple[str, ...]
+    unsolved: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class PartialKernels:
     """Partial derivatives, row-major; None: there are no such rows.
 
@@ -40,6 +54,7 @@ class PartialKernels:
     constraints, events, quasi : of phi and A v + b, of events, of quasi-velocities: by x, v, inputs, parameters, time
     outputs : by a, lambda and these
     impacts, resets, levels : of what events do, as Kernels has them
+    breaks : of at and period of each break, by the arguments
     blow : of M a + A^T lambda and A a at fixed a, lambda
     """
 
@@ -53,6 +68,7 @@ class PartialKernels:
     resets: Kernel | None
     levels: Kernel | None
     blow: Kernel | None
+    breaks: Kernel | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,9 +79,11 @@ class Kernels:
     levels : what switches are held against; pushes : the rows P by which multipliers push
     published, triangular : of the right-hand sides; settled : of what follows an accepted step
     factored : None where it is M
+    breaks : when conditions in the time alone change
     """
 
     prepared: Kernel
+    breaks: BreakKernel
     mass_matrix: Kernel
     mass_matrix_gradient: Kernel
     factored: Factored | None

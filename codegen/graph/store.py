@@ -97,6 +97,13 @@ class Store:
         """Whether node holds the symbol, which is not a parameter."""
         return bool(self._depends[node] & self._bits.get(name, 0))
 
+    def varies_with(self, node: Node, *names: str) -> bool:
+        """Whether node holds some of these symbols, which are no parameters, and no other that varies."""
+        mask = 0
+        for name in names:
+            mask |= self._bits.get(name, 0)
+        return self.varies(node) and not self._depends[node] & ~mask
+
     def children(self, node: Node) -> tuple[Node, ...]:
         """Return the operands of node that are nodes."""
         return self._children[node]

@@ -17,6 +17,7 @@ from ..graph.rounding import Rounding
 from ..graph.schedule import weight
 from ..graph.store import Node
 from ..graph.trigonometry import expansion
+from .breaks import Breaks
 from .specialise import Scene
 
 ONE, MINUS, HALF = 1, -1, Fraction(1, 2)
@@ -126,6 +127,16 @@ class Terms:
             for kinetic in (rates, from_T)
         ]
         return self._plus_rows(min(forms, key=self._weight), self.A, map(self.graph.negative, self.gamma))
+
+    @cached_property
+    def breaks(self) -> Breaks:
+        """When conditions in the time alone change, of all that motion and events hang on."""
+        mechanics, node = self.mechanics, self.node
+        acts = [*((*one.N, one.rate, one.restitution) for one in mechanics.impacts),
+                *(one.after for one in mechanics.resets), *mechanics.levels]  # fmt: skip
+        roots = [self.T, self.V, *self.Q, *self.b, *self.phi, *(entry for row in (*self.A, *self.P) for entry in row),
+                 *(node(one) for _, one in mechanics.events), *(node(one) for row in acts for one in row)]  # fmt: skip
+        return Breaks(self.graph, mechanics.time.name, [symbol.name for symbol in mechanics.inputs], roots)
 
     # -- pieces --------------------------------------------------------------------------------------------------
 

@@ -145,6 +145,7 @@ def _varied(
     kinks = np.empty(0)
     if c.n_inputs:
         kinks = np.array(task.inputs.kinks(*sorted((task.t_start, task.t_end))), dtype=float)
+    kinks = np.union1d(kinks, _breaks(task, path))
     mesh = mesh_of(path, sol.ts if sol is not None else np.empty(0), kinks, together)
     marks = mesh.stops.searchsorted(path.mark_row), path.mark_event
     sign = 1.0 if task.t_end >= task.t_start else -1.0
@@ -174,6 +175,15 @@ def _varied(
         words = f"{c.name}: a force jumps at about t = {mesh.end[first]:.9g}"
         fault = EvaluationError(words, StopReason.NON_FINITE_STATE)
     return found, shifts, fault
+
+
+def _breaks(task: Task, path: Path) -> Vector:
+    """Return the times (k,) at which conditions in the time alone change on the way of a path."""
+    end, found = float(path.t[-1]), []
+    t, sign = float(path.t[0]), 1.0 if task.t_end >= task.t_start else -1.0
+    while sign * (t := task.model.piece(t, sign, path.prepared)[0]) < sign * end:
+        found.append(t)
+    return np.array(found)
 
 
 def _within(t: Vector, mesh: Mesh, S: Vector, K: Vector) -> Vector:

@@ -41,9 +41,14 @@ def start_state(
 def _check_contacts(
     model: CompiledModel, prepared: Prepared, t: float, x: Vector, v: Vector, rtol: float, atol: Vector
 ) -> None:
-    """Refuse a start within what a contact keeps apart: it would never come to strike."""
+    """Refuse a start within what a contact or an impact keeps apart: it would never come to strike."""
     if found := model.inside(t, x, v, prepared, rtol, atol):
         name, gap = found
+        if model.events.index(name) not in {switch[0] for switch in model.switches}:
+            raise ModelError(
+                f"{model.name}: x0 is where the impact of event {name!r} lets nothing come: its phi is {gap:.6g}, "
+                "and never negative. Start where it is at least 0, or turn the signs of phi and of the event."
+            )
         raise ModelError(
             f"{model.name}: x0 is inside contact {name!r}: its gap is {gap:.6g} there, and never negative. Start where "
             "it is at least 0, or turn the sign of the gap."

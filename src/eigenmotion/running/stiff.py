@@ -5,11 +5,10 @@ carrying C and s would multiply its size and add a fast variable wherever axes t
 (docs/theory.md). All else, events and what they do, rows, modes, witnesses, dense output, is the run's.
 """
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 from pkgutil import resolve_name
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import Radau
@@ -20,8 +19,6 @@ from ..results.solution import Solution
 from ..runtime import TOLD, EvaluationError, RunInParts, StopReason, explain
 from .compiled import solution_of
 from .methods import Method
-
-Function = Callable[[float], Vector]
 
 
 @dataclass(slots=True)
@@ -52,22 +49,19 @@ def simulate_stiff(task: Task, method: Method) -> Solution:
 
 
 def _follow(task: Task, method: Method, run: RunInParts, tally: _Tally) -> None:
-    """Go from one kink of the inputs to the next, over which no polynomial reaches, and from event to event that acts.
+    """Go from one kink in time to the next, over which no polynomial reaches, and from event to event that acts.
 
     Raises
     ------
     EvaluationError
         Steps have become too short: says what stood in the way.
     """
-    kinks = task.inputs.kinks(task.t_start, task.t_end)
-    forward = task.t_end > task.t_start
-    for start, end in pairwise([task.t_start, *(kinks if forward else kinks[::-1]), task.t_end]):
-        u = _inputs(task, start, end)
+    for end, side in _pieces(task):
         while run.t != end:
             z = np.concatenate(run.now())
             if not np.isfinite(z).all():
                 raise _not_finite(task, z)
-            solver = _solver(_in_its_mode(task, run), method, u, (run.t, end), z, tally)
+            solver = _solver(_in_its_mode(task, run), method, side, (run.t, end), z, tally)
             try:
                 if not _tell(run, solver, tally):
                     return
@@ -99,11 +93,37 @@ def _in_its_mode(task: Task, run: RunInParts) -> Task:
     return task if parameters is None else task._replace(prepared=task.model.prepare(np.array(parameters)))
 
 
-def _inputs(task: Task, start: float, end: float) -> Function:
-    """Return u(t) between two kinks; at the ends, held inputs have the values they have between them."""
-    low, high = sorted((np.nextafter(start, end), np.nextafter(end, start)))
+class _Side(NamedTuple):
+    """What holds between two kinks: the times at which inputs and the model are asked there, and inputs that rest."""
+
+    task: Task
+    inputs: tuple[float, float]
+    model: tuple[float, float]
+    held: Vector | None
+
+    def u(self, t: float) -> Vector:
+        """Return the inputs; at the ends, held ones have the values they have between them."""
+        low, high = self.inputs
+        values: Vector = self.task.inputs.at(min(max(t, low), high))
+        return values if self.held is None else self.held
+
+    def clock(self, t: float) -> float:
+        """Return when the model is asked: at a break, so that its conditions are those of this side (em_breaks.h)."""
+        low, high = self.model
+        return min(max(t, low), high)
+
+
+def _pieces(task: Task) -> Iterator[tuple[float, _Side]]:
+    """Yield where each piece of a run ends, a kink of an input or a break of the model, and what holds before."""
+    t, sign = task.t_start, 1.0 if task.t_end >= task.t_start else -1.0
+    kinks = task.inputs.kinks(task.t_start, task.t_end) if task.model.n_inputs else ()
     held = task.inputs.at(0.0) if task.inputs.constant else None
-    return lambda t: task.inputs.at(min(max(t, low), high)) if held is None else held
+    while t != task.t_end:
+        end, *clock = task.model.piece(t, sign, task.prepared)
+        end = sign * min([sign * end, sign * task.t_end, *(sign * kink for kink in kinks if sign * kink > sign * t)])
+        low, high = sorted((float(np.nextafter(t, end)), float(np.nextafter(end, t))))
+        yield end, _Side(task, (low, high), (clock[0], clock[1]), held)
+        t = end
 
 
 def _stepped(solver: Any) -> bool:
@@ -124,13 +144,13 @@ _NEWTON = 0.01
 leaves of the rates of stiff springs: then stages seem not to converge, and steps get thousands of times too short."""
 
 
-def _solver(task: Task, method: Method, u: Function, span: tuple[float, float], z: Vector, tally: _Tally) -> Any:
+def _solver(task: Task, method: Method, side: _Side, span: tuple[float, float], z: Vector, tally: _Tally) -> Any:
     """Return a solver between two kinks from z (2 n,). It sees NaN where there is no rate, and tries a shorter step."""
     start, end = span
 
     def rate(t: float, z: Vector) -> Vector:
         try:
-            found = task.model.motion_rate(t, z, task.prepared, u(t), task.least_norm)
+            found = task.model.motion_rate(side.clock(t), z, task.prepared, side.u(t), task.least_norm)
         except EvaluationError as error:
             tally.obstacle = error
             return np.full_like(z, np.nan)
@@ -139,7 +159,7 @@ def _solver(task: Task, method: Method, u: Function, span: tuple[float, float], 
         return found
 
     def jacobian(t: float, z: Vector) -> Vector:
-        return task.model.motion_jacobian(t, z, task.prepared, u(t), task.least_norm)
+        return task.model.motion_jacobian(side.clock(t), z, task.prepared, side.u(t), task.least_norm)
 
     first = min(task.first_step, abs(end - start)) or None
     solver = resolve_name(method.solver)(

@@ -53,6 +53,7 @@ cdef extern from "eigenmotion.h" nogil:
         double h
 
     ctypedef struct em_deed:
+        int keeps_apart
         int acts
 
     ctypedef struct em_switch:
@@ -209,3 +210,5 @@ cdef extern from "eigenmotion.h" nogil:
                        em_fault *) noexcept nogil
         int (*act_along)(double, double *, double *, double *, const double *, int, int *, em_pile *, int, double *,
                          const double *, em_fault *) noexcept nogil
+        int n_breaks
+        void (*breaks)(const double *, double *) noexcept nogil

@@ -34,6 +34,8 @@ class StopReason(StrEnum):
     EVENTS_PILE_UP = "events pile up"
     IMPACT_UNDEFINED = "impact undefined"
     RESET_OFF = "reset off the constraints"
+    MODEL_JUMPS = "model jumps"
+    RESET_INSIDE = "reset inside an impact"
 
     @property
     def success(self) -> bool:
@@ -129,6 +131,15 @@ _REMEDY = {
         "The reset of event {event} leaves the constraints: {row} is not met after it. Let it set all that the "
         "constraint joins, or state an impact, which keeps constraints."
     ),
+    StopReason.MODEL_JUMPS: (
+        "The kinetic energy jumps at this time, and so the momentum of {first}: T alone does not say whether its "
+        "velocity does. Let T be continuous in the time (a short ramp), or end the run here and go on from the "
+        "velocities that are meant."
+    ),
+    StopReason.RESET_INSIDE: (
+        "The reset of event {event} puts the state to where phi of the impact of {other} is negative, from where it "
+        "would never come to strike. Let it leave the state where phi is at least 0."
+    ),
     StopReason.START_REFUSED: "No motion starts from these parameters and this start.",
 }
 
@@ -137,6 +148,16 @@ _NEAR_SINGULAR = (
     "The mass matrix comes so near to being singular at coordinate {first} that no step is short enough to follow it, "
     "or rounding leaves fewer digits of it than rtol asks for. Choose coordinates that are regular there (Euler angles "
     "are not everywhere); where rounding is in the way, loosen rtol."
+)
+
+_TORN = (
+    "Holonomic constraint {row} jumps at this time: no motion goes there at once. Let it be "
+    "continuous in the time (a ramp)."
+)
+
+_KICKED = (
+    "The speed of a contact that holds, constraint {row}, jumps at this time: whether it kicks or lets go is not "
+    "stated. Let the speed be continuous in the time (a short ramp)."
 )
 
 _RESTITUTION = "The restitution of event {event} is not from 0 (plastic) to 1 (elastic) there. Give it such a value."
@@ -217,10 +238,13 @@ def explain(
         words = _JAMMED
     if stop is StopReason.IMPACT_UNDEFINED and second == 1:
         words = _RESTITUTION
+    if stop is StopReason.MODEL_JUMPS and second > 0:
+        words = _TORN if second == 1 else _KICKED
     if stop is StopReason.RESET_OFF and second < 0:
         words = _NO_RATES
     at = f" at coordinate {name(first)}" if first >= 0 else ""
     number = second if stop is StopReason.RESET_OFF else first
     row = f"row {number} (counted from 0)" if number >= 0 else "(row unknown)"
-    text = words.format(first=name(first), second=name(second), row=row, at=at, event=name(first, events))
+    of_events = {"event": name(first, events), "other": name(second, events)}
+    text = words.format(first=name(first), second=name(second), row=row, at=at, **of_events)
     return f"{text} [size {size:.3g}]" if first >= 0 and isfinite(size) else text

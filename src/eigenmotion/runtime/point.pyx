@@ -5,6 +5,7 @@ Nothing is shared between calls, so threads need no locks. Where a function has 
 """
 
 from cpython.pycapsule cimport PyCapsule_GetPointer
+from libc.math cimport INFINITY
 from libc.stdint cimport uintptr_t
 from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
@@ -12,7 +13,7 @@ from libc.string cimport memcpy
 from .abi cimport EM_ABI, em_fault, em_model
 from .arrays cimport Numbers, given, takes, zeros
 from .start cimport EM_START_STEPS, em_factored_gradient, em_factored_matrix, em_inside_contact, em_start
-from .start cimport em_start_tolerance
+from .start cimport em_break_sides, em_next_break, em_start_tolerance
 
 import numpy as np
 
@@ -163,14 +164,14 @@ cdef class PointModel:
         return y.array if em_start(self.model, t, q.data, w.data, c.c, rtol, absolute.data, y.data) else None
 
     def inside(self, double t, x, v, Prepared c not None, double rtol, atol):
-        """(name, gap) of the contact that x is inside of, by more than a start may be; or None (em_start.h)."""
+        """(name, gap) of the contact or impact that x is inside of, by more than a start may be; or None (em_start.h)."""
         cdef Numbers q = given(x, (self.n,), "x"), w = given(v, (self.n,), "v"), g = zeros((self.n_events,))
         cdef Numbers absolute = given(atol, (self.n,), "atol")
         cdef int event = em_inside_contact(self.model, t, q.data, w.data, c.c, rtol, absolute.data)
         if event < 0:
             return None
         self.model.event(t, q.data, w.data, c.c, self.model.input_defaults, g.data)
-        return self.events[event], g.data[event]
+        return self.events[event], g.data[event] * self.model.deeds[event].keeps_apart
 
     def identity(self, Prepared c not None):
         """What tells models apart whose runs are kept as bytes: names, and what is made of these parameters."""
@@ -178,6 +179,19 @@ cdef class PointModel:
         return (self.name, self.formulation, self.close_eigenvalues, self.schur, self.coordinates, self.parameters,
                 self.inputs, self.events, self.layout, self.block, self.left_out, self.lanes, <long> self.model.saved(),
                 c.parameters, numbers)
+
+    def piece(self, double t, double direction, Prepared c not None):
+        """(end, low, high) of what is smooth after t: the next break, and between which times it is asked (em_breaks.h)."""
+        cdef int n = self.model.n_breaks
+        cdef double inside[2]
+        cdef Numbers at
+        if n == 0:
+            return direction * INFINITY, -INFINITY, INFINITY
+        at = zeros((n, 3))
+        self.model.breaks(c.c, at.data)
+        cdef double end = em_next_break(n, at.data, t, direction)
+        em_break_sides(n, at.data, t, end, direction, inside)
+        return end, inside[0], inside[1]
 
     def mass_matrix(self, double t, x, Prepared c not None):
         """M (n, n)."""

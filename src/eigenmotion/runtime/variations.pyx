@@ -63,7 +63,9 @@ _ENDS = (
     "", "{} and {} act at once, and which of them is first depends on what is varied",
     "{} only touches zero, so that whether it happens depends on what is varied",
     "the directions went through other events than the run",
-)  # of em_variation_steps.h
+    "a condition in the time changes at the start, or several do at once, whose times change apart with what is varied",
+    "constraint rows jump",
+)  # of em_variation_pass.h
 
 
 cdef int poll(void *argument) noexcept with gil:

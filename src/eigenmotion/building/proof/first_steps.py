@@ -32,14 +32,15 @@ def first_steps(system: System) -> Iterator[tuple[str, str]]:
     A start that cannot be, or a run that ends there for a reason of its own, says nothing. Implicit steps go no farther
     than explicit ones, which are what they are judged by.
     """
-    x, end = system.initial[0], FAR
+    x, far = system.initial[0], min(FAR, system.compiled.piece(0.0, 1.0, system.prepare())[0])  # up to a break
+    end = far
     with np.errstate(all="ignore"):
         for name, method in COMPILED.items():
             try:
-                run = _run(system, name, end if method.implicit else FAR, atol=0.0)
+                run = _run(system, name, end if method.implicit else far, atol=0.0)
             except ModelError:
                 return
-            if _refuses(run) and _refuses(_run(system, name, FAR, atol=TOLERANCE)) and _is_sound(system, x):
+            if _refuses(run) and _refuses(_run(system, name, far, atol=TOLERANCE)) and _is_sound(system, x):
                 yield name, f"ends at the start ({run.message}), where nothing is singular"
             elif run.nsteps and not _jumps(system, run) and (error := _error(system, run)) > 1e3 * TOLERANCE:
                 yield name, f"is off by {error:.1e} of the way after {run.nsteps} steps"
@@ -100,5 +101,7 @@ def _classical_step(system: System, t: float, z: Vector, h: float) -> Vector:
 
 
 def _rate(system: System, t: float, z: Vector) -> Vector:
-    n = system.n
+    """The rate between the breaks of the model about the start, of which the run has gone as far as the next."""
+    n, (_, low, high) = system.n, system.compiled.piece(0.0, 1.0, system.prepare())
+    t = min(max(t, low), high)
     return np.concatenate([z[n:], system.acceleration(z[:n], z[n:], t)[0]])

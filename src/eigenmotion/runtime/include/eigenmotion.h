@@ -12,7 +12,7 @@
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 13 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 14 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -27,7 +27,7 @@ typedef struct em_shape {
 } em_shape;
 
 /* What an event does: which of the model's impacts and resets, which contact it closes or opens; -1: none. keeps_apart:
- * it happens at zero, too, where the motion is about to leave that in its direction. */
+ * it happens at zero, too, where the motion is about to leave that in its direction, 1 downwards, -1 upwards; else 0. */
 typedef struct em_deed {
     int impact, reset, held, keeps_apart, acts;
 } em_deed;
@@ -156,6 +156,10 @@ typedef struct em_model {
      * of the state before. NULL where nothing acts. */
     int (*act_along)(double t, double *x, double *v, double *c, const double *u, int least_norm, int *fired, em_pile *pile,
                      int columns, double *S, const double *P, em_fault *fault);
+
+    int n_breaks; /* conditions in the time alone: they change at times at + k period, k whole (em_breaks.h) */
+    void (*breaks)(const double *c, double *at);        /* (n_breaks, 3): at, period, eps terms its rounding; or NULL */
+    void (*break_partials)(const double *c, double *D); /* (n_breaks, 2, n_arguments), of at and period; or NULL */
 } em_model;
 
 #endif

@@ -10,7 +10,6 @@
 #define EM_AT_ONCE 4096.0 /* times the spacing of t: what follows sooner happens at the same time */
 #define EM_PARTED 1e-13   /* the part of the terms of a speed below which nothing approaches */
 #define EM_RESTS 1e-12    /* the same of a slip */
-#define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may leave a constraint */
 
 /* What acts at one time, and the state and the mode that it acts on; `along`: directions that go with it, or NULL. */
 typedef struct em_acting {
@@ -72,7 +71,7 @@ EM_COLD int em_strike_once(em_acting *a, int event, const double *struck, int la
 /* Up to which speed an event's contact holds after an impact; -1: it never does. */
 EM_COLD double em_rest_speed(const em_acting *a, int event) {
     double level[2 * EM_SOME_SWITCHES];
-    if (deeds[event].held < 0) return -1.0;
+    if (N_SWITCHES == 0 || deeds[event].held < 0) return -1.0;
     levels(a->t, a->x, a->v, a->c, a->u, level);
     return level[2 * deeds[event].held];
 }
@@ -128,6 +127,7 @@ EM_COLD int em_strike_all(em_acting *a) {
     enum { ROUNDS = 1000 };
     double side[N_EVENTS] = {0.0};
     int some = 0, any = 1;
+    if (N_IMPACTS == 0) return 0;
     for (int i = 0; i < N_EVENTS; ++i) some |= em_strikes(a, i);
     if (!some) return 0;
     for (int k = 0; k < N_SWITCHES; ++k)
@@ -161,6 +161,7 @@ EM_COLD int em_check_reset(const em_acting *a, int event) {
 EM_COLD int em_reset(em_acting *a, int event) {
     double after[EM_SOME_RESETS * 2 * N];
     const int number = deeds[event].reset;
+    if (N_RESETS == 0) return 0; /* that compilers see it, too */
     resets(a->t, a->x, a->v, a->c, a->u, after);
     const double *const at = after + number * 2 * N;
     for (int k = 0; k < 2 * N; ++k)
@@ -234,12 +235,16 @@ EM_COLD int em_settle_modes(em_acting *a) {
 }
 
 EM_COLD int em_act_on_all(em_acting *a, em_pile *pile) {
-    int some = 0;
+    int some = 0, last = -1;
+    double from[N];
     if (em_check_pile(a, pile) || em_release_fired(a) || em_strike_all(a)) return -1;
+    memcpy(from, a->x, sizeof from);
     for (int i = 0; i < N_EVENTS; ++i) {
         some |= a->fired[i];
-        if (a->fired[i] && deeds[i].reset >= 0 && em_reset(a, i)) return -1;
+        if (a->fired[i] && deeds[i].reset >= 0) last = i;
+        if (last == i && em_reset(a, i)) return -1;
     }
+    if (last >= 0 && em_check_apart(a->t, from, a->x, a->v, a->c, a->u, last, a->fault)) return -1;
     a->slipped |= !some;
     return em_settle_modes(a);
 }

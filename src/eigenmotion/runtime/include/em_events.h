@@ -36,7 +36,7 @@ static int em_side_of(double g, double noise) { return (g > noise) - (g < -noise
 /* g (n_events) at a state whose velocities are known. 0, or -1 and w->reason: an event has no value there. */
 static int em_events_at(em_walk *w, double t, const double *y, const double *v, double *g) {
     em_signals(w, t);
-    if (em_events_in_mode(w, t, y, v, g)) return -1;
+    if (em_events_in_mode(w, em_clock(w, t), y, v, g)) return -1;
     for (int i = 0; i < N_EVENTS; ++i)
         if (isnan(g[i])) return em_fail(&w->reason, EM_EVENT_UNDEFINED, i, -1, NAN);
     return 0;

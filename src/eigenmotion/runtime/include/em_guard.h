@@ -65,7 +65,7 @@ EM_COLD int em_fail_weakest(em_walk *w, double size) {
 static int em_check_dependent(em_walk *w) {
     double a[N], lambda[EM_SOME_ROWS];
     if (N_INPUTS > 0) em_signals(w, w->t_new);
-    return em_acceleration(w->t_new, w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
+    return em_acceleration(em_clock(w, w->t_new), w->y_new, w->f_new, w->run->prepared, w->u, EM_LEAST_NORM, a, lambda, &w->reason);
 }
 
 /* How far q (n) is from `other` in units of the tolerances. */

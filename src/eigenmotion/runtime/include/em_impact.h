@@ -30,7 +30,7 @@ EM_COLD double em_fastest(const em_root *root, const double *struck, const doubl
 
 /* Whether the constraints that hold leave nothing free to move along N. */
 EM_COLD int em_is_blocked(const em_root *root, const double *struck) {
-    double Q[EM_STRUCK_ROWS * N], row[N];
+    double Q[EM_STRUCK_ROWS * N] = {0.0}, row[N];
     int count = 0;
     for (int k = 0; k <= N_ROWS; ++k) {
         memcpy(row, k < N_ROWS ? root->B + k * N : struck, sizeof row);

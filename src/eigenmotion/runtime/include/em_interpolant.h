@@ -13,7 +13,7 @@ static int em_inside(em_walk *w, double t, double *y, double *memory) {
     int mode = w->mode;
     w->scheme.evaluate(w->F[0], w->scheme.terms, (t - w->t) / w->h, y);
     memcpy(memory, w->memory, sizeof w->memory);
-    return em_settle(w->run, &mode, EM_KEEP_MODE, t, y, memory, t - w->t, &w->reason) < 0 ? -1 : 0;
+    return em_settle(w->run, &mode, EM_KEEP_MODE, em_clock(w, t), y, memory, t - w->t, &w->reason) < 0 ? -1 : 0;
 }
 
 /* em_model.interpolate: y (n_state) at t from the kept step number `step`, settled and published. 0, or -1. */

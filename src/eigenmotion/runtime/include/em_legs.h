@@ -2,6 +2,7 @@
 #ifndef EM_LEGS_H
 #define EM_LEGS_H
 
+#include "em_pieces.h"
 #include "em_step.h"
 
 static int em_begin(em_walk *w);
@@ -38,7 +39,7 @@ static int em_act_on(em_walk *w, double t, double *row) {
 /* The mode in which a run starts. 0, or -1 and w->reason. */
 static int em_first_leg(em_walk *w) {
     if (N_SWITCHES == 0) return 0;
-    for (int i = 0; i < N_INPUTS; ++i) w->piece[i] = em_signal_piece(&w->run->inputs[i], w->t, w->direction);
+    em_enter_pieces(w);
     return em_act_on(w, w->t, w->y);
 }
 

@@ -14,11 +14,20 @@ static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
     f->t_look[lane] = w->next_t_eval < run->n_t_eval ? run->t_eval[w->next_t_eval] : run->t_end;
 }
 
+/* Whether a step would end at a break, which lanes do not know of. */
+static int em_breaks_on_the_way(EM_UNUSED const em_walk *w) {
+#ifdef EM_BREAKS
+    return isfinite(w->inside[w->direction > 0.0 ? 0 : 1]) || w->direction * (w->pieces_end - w->run->t_end) <= 0.0;
+#else
+    return 0;
+#endif
+}
+
 /* em_model.enter */
 EM_ACROSS void *em_member_enter(em_run *run, int *mode) {
     em_walk *const w = em_open(run);
     if (w == NULL) return NULL;
-    if (w->ended || w->t == run->t_end || em_begin(w)) return em_close(w), NULL;
+    if (w->ended || w->t == run->t_end || em_begin(w) || em_breaks_on_the_way(w)) return em_close(w), NULL;
     *mode = w->mode;
     return w;
 }

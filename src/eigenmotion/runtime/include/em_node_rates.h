@@ -32,7 +32,7 @@ static void em_begin_nodes(em_walk *w) {
     for (int i = 0; q->on_lanes && i < EM_NODE_COUNT; ++i) {
         const int b = i / EM_LANES, lane = i % EM_LANES;
         const double t = w->t + em_node_place[i] * w->h;
-        ((double *)&q->times[b])[lane] = t;
+        ((double *)&q->times[b])[lane] = em_clock(w, t);
         if (N_INPUTS > 0) em_signals(w, t);
         for (int k = 0; k < N_INPUTS; ++k) ((double *)&q->u[b][k])[lane] = w->u[k];
     }

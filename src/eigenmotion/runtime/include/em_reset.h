@@ -4,6 +4,8 @@
 
 #include "em_modes.h"
 
+#define EM_RESET_MAY 1e-8 /* the part of its terms by which a reset may leave a constraint */
+
 enum { EM_SOME_IMPACTS = N_IMPACTS > 0 ? N_IMPACTS : 1, EM_SOME_RESETS = N_RESETS > 0 ? N_RESETS : 1 };
 
 /* S (2 n, columns) of x, v, and P (n_given, columns) of inputs, parameters, time. */
@@ -90,10 +92,32 @@ EM_COLD int em_quasi_along(const em_directions *d, double t, const double *x, co
 }
 #endif
 
+/* Whether resets, `event`'s the last, have put x to where an impact never lets it come, further than it was at `from`, and
+ * beyond rounding: -1 and *fault. */
+EM_COLD int em_check_apart(double t, const double *from, const double *x, const double *v, const double *c,
+                           const double *u, int event, em_fault *fault) {
+    double g[N_EVENTS], near[N], there[N_EVENTS], before[N_EVENTS];
+    model_events(t, from, v, c, u, before);
+    model_events(t, x, v, c, u, g);
+    for (int i = 0; i < N_EVENTS; ++i) {
+        if (deeds[i].impact < 0 || !(g[i] * deeds[i].keeps_apart < 0.0)) continue;
+        double reach = 2.0 * fmax(0.0, -before[i] * deeds[i].keeps_apart);
+        for (int k = 0; k < N; ++k) {
+            memcpy(near, x, sizeof near);
+            near[k] += EM_RESET_MAY * fabs(near[k]);
+            model_events(t, near, v, c, u, there);
+            reach += fabs(there[i] - g[i]);
+        }
+        if (fabs(g[i]) > reach) return em_fail(fault, EM_RESET_INSIDE, event, i, g[i] * deeds[i].keeps_apart);
+    }
+    return 0;
+}
+
 /* Directions after reset `number` of x, v; those of rates are of the quasi-velocities where these are set. */
 EM_COLD void em_reset_along(const em_directions *d, double t, const double *x, const double *v, const double *c,
                             const double *u, int number) {
     double by[EM_SOME_RESETS * 2 * N * N_ARGUMENTS], W[2 * N * d->columns];
+    if (N_RESETS == 0) return;
     reset_partials(t, x, v, c, u, by);
     em_along(d, 2 * N, by + number * 2 * N * N_ARGUMENTS, W);
     memcpy(d->S, W, sizeof W);

@@ -30,8 +30,12 @@ typedef enum em_status {
     EM_EVENTS_PILE_UP,            /* events that act follow each other without time passing; fault.first: the event */
     EM_IMPACT_UNDEFINED,          /* the constraints leave no freedom along N, or, fault.second = 1, the restitution is not
                                      from 0 to 1 but fault.size; fault.first: the event */
-    EM_RESET_OFF                  /* a reset leaves a constraint; fault.first: the event, fault.second: the row, -1: it
+    EM_RESET_OFF,                 /* a reset leaves a constraint; fault.first: the event, fault.second: the row, -1: it
                                      names quasi-velocities where P is singular */
+    EM_MODEL_JUMPS,               /* at a time that the model names: fault.second = 0, the momentum of coordinate
+                                     fault.first; 1, phi of row fault.first; 2, the row of a contact that holds */
+    EM_RESET_INSIDE               /* a reset puts the state where an impact's phi is negative; fault.first: the event,
+                                     fault.second: that of the impact, fault.size: phi */
 } em_status;
 
 /* Where a failure sits: indices of coordinates or constraint rows, -1 where there is none. */

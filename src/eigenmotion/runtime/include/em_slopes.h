@@ -6,7 +6,7 @@
 
 #ifdef EM_MECHANICS_H
 static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
-    return em_motion_jacobian(t, z, w->run->prepared, w->u, em_constraint_flags(w->run), J, &w->reason);
+    return em_motion_jacobian(em_clock(w, t), z, w->run->prepared, w->u, em_constraint_flags(w->run), J, &w->reason);
 }
 #else
 /* A model written by hand states no derivatives: differences, which an iteration needs no better. */

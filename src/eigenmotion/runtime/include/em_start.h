@@ -5,6 +5,7 @@
 #ifndef EM_START_H
 #define EM_START_H
 
+#include "em_breaks.h"
 #include "em_linear.h"
 
 #define EM_START_STEPS 10      /* how many times the tolerances of a run its start may be off the constraints; */
@@ -56,11 +57,30 @@ static int em_meets_constraints(const em_model *model, double t, const double *x
     return 1;
 }
 
-/* The contact that x is inside of, its event; -1: none. As off as constraints may be it may be off its gap, by what such
+/* Whether an event is an impact where phi passes zero, downwards, and no contact. */
+static int em_strikes_alone(const em_deed *deed) { return deed->impact >= 0 && deed->keeps_apart && deed->held < 0; }
+
+static int em_keeps_anything_apart(const em_model *model) {
+    for (int i = 0; model->deeds != NULL && i < model->n_events; ++i)
+        if (em_strikes_alone(&model->deeds[i])) return 1;
+    return model->n_switches > 0;
+}
+
+/* Whether an impact's phi grows: nothing strikes at once where it begins within by rounding. */
+static int em_comes_out(const em_model *model, int event, double t, const double *x, const double *v, const double *c) {
+    const int n = model->n, width = model->n_arguments;
+    double D[model->n_events * width];
+    model->event_partials(t, x, v, c, model->input_defaults, D);
+    double rate = D[event * width + width - 1];
+    for (int k = 0; k < n; ++k) rate += D[event * width + k] * v[k];
+    return model->deeds[event].keeps_apart * rate > 0.0;
+}
+
+/* The contact or impact that x is inside of, its event; -1: none. As off as constraints may be it may be off its gap, by what such
  * changes of x make of that. With rtol 0 nobody starts there, and it is not asked. */
 static int em_inside_contact(const em_model *model, double t, const double *x, const double *v, const double *c,
                              double rtol, const double *atol) {
-    if (model->n_switches == 0 || rtol == 0.0) return -1;
+    if (!em_keeps_anything_apart(model) || rtol == 0.0) return -1;
     const int n = model->n, events = model->n_events;
     double gap[events], elsewhere[events], reach[events], near[n];
     model->event(t, x, v, c, model->input_defaults, gap);
@@ -75,6 +95,9 @@ static int em_inside_contact(const em_model *model, double t, const double *x, c
         const em_switch *const s = &model->switches[k];
         if (s->slides < 0 && c[s->holds] == 0.0 && gap[s->event] < -reach[s->event]) return s->event;
     }
+    for (int i = 0; i < events; ++i)
+        if (em_strikes_alone(&model->deeds[i]) && model->deeds[i].keeps_apart * gap[i] < 0.0 &&
+            (fabs(gap[i]) > reach[i] || !em_comes_out(model, i, t, x, v, c))) return i;
     return -1;
 }
 

@@ -19,9 +19,9 @@ static double em_equal_part(double way, double size) {
     return count > 1.0 ? way / count : 2.0 * way;
 }
 
-/* t_new and h of a step of size `size`, no further than the goal or the signals' next sample. */
+/* t_new and h of a step of size `size`, no further than the goal or the end of what is smooth. */
 static void em_aim(em_walk *w, double size) {
-    const double bound = w->direction * (w->signals_end - w->t_goal) < 0.0 ? w->signals_end : w->t_goal;
+    const double bound = w->direction * (w->pieces_end - w->t_goal) < 0.0 ? w->pieces_end : w->t_goal;
     if (w->scheme.fixed) size = em_equal_part(fabs(bound - w->t), size);
     w->t_new = w->t + w->direction * size;
     if (w->direction * (w->t_new - bound) > 0.0) w->t_new = bound;
@@ -41,7 +41,7 @@ static int em_land(em_walk *w) {
     w->mode_new = w->mode;
     memcpy(w->memory_new, w->memory, sizeof w->memory);
     memcpy(w->y_raw, w->y_new, sizeof w->y_new);
-    w->moved = em_settle(w->run, &w->mode_new, 0, w->t_new, w->y_new, w->memory_new, w->h * w->stretch,
+    w->moved = em_settle(w->run, &w->mode_new, 0, em_clock(w, w->t_new), w->y_new, w->memory_new, w->h * w->stretch,
                          &w->reason);
     if (w->moved < 0) return -1;
     if (w->mode_new != w->mode) w->moved = 1;
@@ -91,8 +91,8 @@ static int em_step_forward(em_walk *w) {
         else if (w->error_norm < 1.0) break;
         ++run->n_rejected;
     }
-    /* A step cut short, at a sample or the goal, says little: the size proposed before stands. */
-    const int cut = (w->t_new == w->signals_end || w->t_new == w->t_goal) && size >= fabs(w->h);
+    /* A step cut short, at the end of a piece or the goal, says little: the size proposed before stands. */
+    const int cut = (w->t_new == w->pieces_end || w->t_new == w->t_goal) && size >= fabs(w->h);
     w->h_next = cut ? em_max(size, proposed) : size;
     return EM_GO_ON;
 }

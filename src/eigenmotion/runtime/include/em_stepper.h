@@ -9,24 +9,10 @@
 #ifndef EM_STEPPER_H
 #define EM_STEPPER_H
 
+#include "em_crossing.h"
 #include "em_legs.h"
 
 _Static_assert(N_STATE == 2 * N + N_C + N_S + N_CD + N_SD, "y is x, eta or v, C, s, C_delta, s_delta");
-
-/* The pieces that hold after w->t. Returns whether one of them jumps there, so that f does too. */
-static int em_enter_pieces(em_walk *w) {
-    int jumps = 0;
-    w->signals_end = w->direction * INFINITY;
-    for (int i = 0; i < N_INPUTS; ++i) {
-        const em_signal *u = &w->run->inputs[i];
-        if (u->kind == EM_CONSTANT) continue;
-        w->piece[i] = em_signal_piece(u, w->t, w->direction);
-        const double end = em_signal_end(u, w->piece[i], w->direction, w->scheme.averages);
-        if (w->direction * (end - w->signals_end) < 0.0) w->signals_end = end;
-        jumps |= u->kind == EM_HOLD;
-    }
-    return jumps;
-}
 
 /* --- the start of a run --- */
 
@@ -66,6 +52,9 @@ static void em_walk_prepare(em_walk *w) {
     w->fresh = EM_FIRST_LEG;
     w->direction = run->t_end < run->t_start ? -1.0 : 1.0;
     w->t_goal = run->t_end;
+#ifdef EM_BREAKS
+    w->inside[0] = -INFINITY, w->inside[1] = INFINITY;
+#endif
     w->most_steps = run->max_steps;
 }
 
@@ -106,10 +95,23 @@ static void em_commit(em_walk *w) {
     w->fresh = 0;
 }
 
-/* Rates and event values anew at a state whose rates have jumped: where another piece of a signal begins. */
+/* Rates and event values anew at a state whose rates have jumped: where another piece begins. */
 static int em_resume(em_walk *w) {
+#ifdef EM_BREAKS
+    if (w->crosses && em_cross(w)) return em_end_with(w, w->reason);
+    w->crosses = 0;
+#endif
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     return N_EVENTS > 0 && em_events_at(w, w->t, w->y, w->K[0], w->g) ? em_end_with(w, w->reason) : EM_GO_ON;
+}
+
+/* From one piece to the next; where the run may end there, not before it goes on. */
+static int em_go_over(em_walk *w) {
+#ifdef EM_BREAKS
+    const double end = em_is_told(w->run) ? w->run->t_end : w->t_goal;
+    if (w->crosses && w->t == end) return w->stale = 1, EM_GO_ON;
+#endif
+    return em_resume(w);
 }
 
 /* One accepted step. */
@@ -124,7 +126,7 @@ static int em_go_on(em_walk *w) {
     em_commit(w);
     w->run->t_reached = t_stop;
     if (terminal) return em_end(w, EM_TERMINAL_EVENT);
-    return w->t == w->signals_end && em_enter_pieces(w) ? em_resume(w) : EM_GO_ON;
+    return w->t == w->pieces_end && em_enter_pieces(w) ? em_go_over(w) : EM_GO_ON;
 }
 
 /* --- the handle --- */

@@ -20,7 +20,7 @@
 /* Whether y_raw, settled to y_new with f_new there, moved no farther than it may. 0, or -1 and w->reason. */
 static int em_check_settled(em_walk *w) {
     double v[N], moved[2 * N];
-    if (em_xdot(w->run, w->mode, w->t_new, w->y_raw, v, &w->reason)) return -1;
+    if (em_xdot(w->run, w->mode, em_clock(w, w->t_new), w->y_raw, v, &w->reason)) return -1;
     for (int k = 0; k < N; ++k) {
         moved[k] = w->y_new[k] - w->y_raw[k];
         moved[N + k] = w->f_new[k] - v[k];

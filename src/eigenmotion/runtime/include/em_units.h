@@ -25,6 +25,7 @@ int model_velocity(int mode, double t, const double *y, const double *c, double 
 void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev);
 int model_publish(int mode, double t, const double *y, const double *c, const double *memory, double *row, em_fault *fault);
 void model_events(double t, const double *x, const double *v, const double *c, const double *u, double *crossing);
+void model_breaks(const double *c, double *at);
 void mass_matrix(double t, const double *x, const double *c, double *M);
 void factored_matrix(double t, const double *x, const double *c, double *M);
 void factored(double t, const double *x, const double *c, double *M);
@@ -56,6 +57,7 @@ void constraint_partials(double t, const double *x, const double *v, const doubl
 void output_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
                      const double *u, double *D);
 void event_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D);
+void break_partials(const double *c, double *D);
 void quasi_partials(double t, const double *x, const double *v, const double *c, double *D);
 int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J, em_fault *fault);
 int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,

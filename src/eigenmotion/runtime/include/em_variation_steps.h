@@ -6,102 +6,7 @@
 #ifndef EM_VARIATION_STEPS_H
 #define EM_VARIATION_STEPS_H
 
-#include <stdlib.h>
-
-#include "em_elimination.h"
-#include "em_signals.h"
-
-#define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
-
-/* What ends a pass but faults of the model. */
-enum { EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION };
-
-enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which that takes less */ };
-
-/* Stops are the start, events, and the end: t, z (n_stops, 2 n) = x, v; where what happens at one acts, the next is what
- * comes of it. Between two of them lie `steps`, each from `from` to `to`, with z at its nodes. Marks are events, in the
- * order of their stops. P (n_given, columns). */
-typedef struct em_variations {
-    const em_model *model;
-    const double *c; /* of the first stop */
-    const em_signal *inputs;
-    int columns, least_norm, stabilise, n_given;
-    double direction;
-    size_t n_stops, n_marks, n_steps;
-    const double *t, *z, *P;
-    const long *steps, *mark_stop;
-    const int *mark_event;
-    const double *from, *to, *nodes;       /* (n_steps), (n_steps), (n_steps, EM_VARIATION_NODES, 2 n) */
-    const double *place, *A, *A2;          /* of the nodes in a step; A, and its square */
-    double *S, *dt;                        /* (n_stops, 2 n, columns), row 0 given; (n_marks, columns): of times of events */
-    double *apart;                         /* (n_steps), how far the witness is off */
-    double *S_from, *K;                    /* (n_steps, 2 n, columns), (n_steps, nodes, n, columns); NULL: not asked */
-    int (*poll)(void *);
-    void *poll_argument;
-    em_fault fault;
-    int why;
-    double t_reached;
-} em_variations;
-
-/* What a pass works with. Directions are rows of `columns` numbers, the last of them the witness's, and zeros before it
- * that make them a multiple of four: S (2 n, columns) and P (n_given, columns), zero but at `places`, (row, column). z is
- * where the motion is; J (n, n_arguments) at each node, G there what does not hang on K; L the linear system with its
- * right-hand sides, in `rows`. */
-typedef struct em_pass {
-    em_variations *of;
-    int n, m, columns, wide, n_places, (*places)[2];
-    double *S, *z, *P, *u, *a, *lambda, *dlambda, *c, *J, *L, *K, *G, *Y, *W, **rows;
-    em_pile *pile;
-    long *piece;
-} em_pass;
-
-static int em_end_pass(em_variations *w, int why, int first, int second) {
-    w->why = why;
-    return em_fail(&w->fault, EM_NON_FINITE_STATE, first, second, NAN);
-}
-
-static double em_signal_rate(const em_signal *u, long piece, double t) {
-    const long last = (long)u->count - 1;
-    if (u->kind == EM_LINEAR && piece >= 0 && piece < last)
-        return (u->values[piece + 1] - u->values[piece]) / (u->times[piece + 1] - u->times[piece]);
-    if (u->kind != EM_CUBIC || t < u->times[0] || t > u->times[last]) return 0.0;
-    long at = em_signal_piece(u, t, 1.0);
-    if (at > last - 1) at = last - 1;
-    const double *b = u->values + 4 * at, x = t - u->times[at];
-    return (3.0 * b[0] * x + 2.0 * b[1]) * x + b[2];
-}
-
-/* The inputs at t, and their rates, with which the witness goes. */
-static void em_pass_inputs(em_pass *p, double t) {
-    for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        p->u[i] = em_signal_at(&p->of->inputs[i], p->piece[i], t);
-        p->P[i * p->columns + p->columns - 1] = em_signal_rate(&p->of->inputs[i], p->piece[i], t);
-    }
-}
-
-/* The pieces of inputs that hold after t. Returns whether others did before. */
-static int em_pass_pieces(em_pass *p, double t) {
-    int other = 0;
-    for (int i = 0; i < p->of->model->n_inputs; ++i) {
-        const long piece = em_signal_piece(&p->of->inputs[i], t, p->of->direction);
-        other |= piece != p->piece[i];
-        p->piece[i] = piece;
-    }
-    return other;
-}
-
-/* rate (2 n) <- (v, a) at z. */
-static int em_motion_rate(em_pass *p, double t, const double *z, double *rate) {
-    em_variations *const w = p->of;
-    em_pass_inputs(p, t);
-    memcpy(rate, z + p->n, p->n * sizeof *rate);
-    return w->model->acceleration(t, z, z + p->n, p->c, p->u, w->least_norm, rate + p->n, p->lambda, &w->fault);
-}
-
-/* The witness <- rates (2 n) of z. */
-static void em_set_witness(em_pass *p, const double *rate) {
-    for (int i = 0; i < 2 * p->n; ++i) p->S[i * p->columns + p->columns - 1] = rate[i];
-}
+#include "em_variation_breaks.h"
 
 /* W (rows, columns) += D (rows, inner; `width` apart) S (inner, columns) */
 EM_INLINE void em_add_product(int rows, int inner, int width, int columns, const double *D, const double *S, double *W) {
@@ -141,7 +46,7 @@ static int em_variation_nodes(em_pass *p, size_t step) {
         const double t = j + 1 < EM_VARIATION_NODES ? w->from[step] + w->place[j] * h : w->to[step];
         const double *const z = w->nodes + (step * EM_VARIATION_NODES + j) * 2 * n;
         em_pass_inputs(p, t);
-        if (w->model->motion_derivatives(t, z, z + n, p->c, p->u, w->least_norm, p->a, p->lambda, p->J + j * n * width,
+        if (w->model->motion_derivatives(em_pass_clock(p, t), z, z + n, p->c, p->u, w->least_norm, p->a, p->lambda, p->J + j * n * width,
                                          p->dlambda, &w->fault)) return -1;
         (p->wide ? em_node_wide : em_node_narrow)(p, j, h);
     }
@@ -256,6 +161,7 @@ static int em_variation_step(em_pass *p, size_t step) {
         if (em_motion_rate(p, w->from[step], p->z, rate)) return -1;
         em_set_witness(p, rate);
     }
+    if (em_pass_breaks(p, w->from[step], w->to[step], step == 0)) return -1;
     if (em_variation_nodes(p, step)) return -1;
     em_keep_step(p, step, p->S, 2 * n, w->S_from);
     if ((p->wide ? em_step_wide : em_step_narrow)(p, h)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
@@ -265,7 +171,7 @@ static int em_variation_step(em_pass *p, size_t step) {
     memcpy(p->z, z, 2 * n * sizeof *z);
     if (!em_is_finite((size_t)2 * n * p->columns, p->S)) return em_fail(&w->fault, EM_NON_FINITE_STATE, -1, -1, NAN);
     if (!w->stabilise || !w->model->m) return 0;
-    return w->model->tangent(w->to[step], z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault);
+    return w->model->tangent(em_pass_clock(p, w->to[step]), z, z + n, p->c, w->least_norm, p->columns, p->S, p->P, &w->fault);
 }
 
 #endif

@@ -19,6 +19,7 @@ static int em_variation_leg(em_pass *p, size_t stop, size_t *step, int leaves, i
     em_variations *const w = p->of;
     double rate[2 * p->n];
     em_pass_pieces(p, w->t[stop]);
+    p->inside[0] = -INFINITY, p->inside[1] = INFINITY;
     if (leaves && em_move_beside(p, w->t[stop], beside)) return -1;
     if (leaves ? em_rate_on_side(p, w->t[stop], beside, rate) : em_motion_rate(p, w->t[stop], p->z, rate)) return -1;
     em_set_witness(p, rate);
@@ -61,7 +62,8 @@ static int em_pass_open(em_pass *p, em_variations *w) {
     enum { NODES = EM_VARIATION_NODES };
     const em_model *const model = w->model;
     const int n = model->n, m = model->m, k = w->columns / 4 * 4 + 4, size = NODES * n;
-    *p = (em_pass){.of = w, .n = n, .m = m, .columns = k, .wide = EM_IS_WIDE};
+    *p = (em_pass){.of = w, .n = n, .m = m, .columns = k, .wide = EM_IS_WIDE,
+                   .inside = {-INFINITY, INFINITY}};
     const struct {
         double **part;
         size_t count;

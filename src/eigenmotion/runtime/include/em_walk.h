@@ -4,6 +4,9 @@
 
 #include <time.h>
 
+#ifdef EM_BREAKS
+#include "em_breaks.h"
+#endif
 #include "em_motion.h"
 #include "em_radau.h"
 #include "em_radau_iia.h"
@@ -137,7 +140,11 @@ struct em_walk {
     long most_steps;                           /* accepted ones there may be on the way */
     double stretch;                            /* rtol^(-1 / order): h stretch is the time on which the motion varies */
     double h_next;                             /* size the controller proposes, positive */
-    double signals_end;                        /* where the first piece ends: no step goes beyond */
+    double pieces_end;                         /* where the first piece ends: no step goes beyond */
+#ifdef EM_BREAKS
+    double inside[2];                          /* times between which conditions in the time alone are what they are */
+    int crosses;                               /* whether w->t is a break, whose other side the state is not yet on */
+#endif
     double error_norm;                         /* of the step under way: it counts below 1 */
     double size_norm, last_error;              /* what the next step is chosen by; log of that of the last accepted one */
     double longest[EM_ROWS_OR_ONE];            /* squared lengths of the rows of B, the largest so far */
@@ -173,6 +180,15 @@ struct em_walk {
     int c_is_known;
 };
 
+/* The time at which the model is asked for what holds at t in the step under way (em_breaks.h). */
+EM_INLINE double em_clock(EM_UNUSED const em_walk *w, double t) {
+#ifdef EM_BREAKS
+    return em_min(em_max(t, w->inside[0]), w->inside[1]);
+#else
+    return t;
+#endif
+}
+
 static void em_signals(em_walk *w, double t) {
     for (int i = 0; i < N_INPUTS; ++i) {
         const em_signal *u = &w->run->inputs[i];
@@ -195,7 +211,7 @@ EM_COLD int em_motion_rate_here(em_walk *w, double t, const double *y, double *d
     em_run *run = w->run;
     ++run->n_rhs;
     const int flags = em_constraint_flags(run);
-    return em_motion_rhs(t, y, run->prepared, w->u, w->memory, flags, dy, &w->reason) ? em_blame(w, t, y) : 0;
+    return em_motion_rhs(em_clock(w, t), y, run->prepared, w->u, w->memory, flags, dy, &w->reason) ? em_blame(w, t, y) : 0;
 }
 
 /* dy <- f(t, y) with the signals at t. */
@@ -204,6 +220,7 @@ EM_INLINE int em_rhs(em_walk *w, int mode, double t, const double *y, double *me
     if (N_INPUTS > 0) em_signals(w, t);
     if (mode == EM_MOTION && !EM_CARRIES_MOTION) return em_motion_rate_here(w, t, y, dy);
     ++run->n_rhs;
+    t = em_clock(w, t);
     return model_rhs(mode, t, y, run->prepared, w->u, memory, em_constraint_flags(run), dy, &w->reason) ? em_blame(w, t, y) : 0;
 }
 
@@ -254,7 +271,7 @@ EM_COLD int em_settled_rhs(em_walk *w, double t, const double *y, double *dy) {
     int mode = w->mode;
     memcpy(settled, y, sizeof settled);
     memcpy(memory, w->memory, sizeof memory);
-    if (em_settle(w->run, &mode, EM_KEEP_MODE, t, settled, memory, 0.0, &w->reason) < 0) return -1;
+    if (em_settle(w->run, &mode, EM_KEEP_MODE, em_clock(w, t), settled, memory, 0.0, &w->reason) < 0) return -1;
     return em_rhs(w, mode, t, settled, memory, dy);
 }
 

@@ -1,0 +1,97 @@
+/* em_crossing.h: a run at a break, where conditions in the time alone change (em_breaks.h).
+ *
+ * Forces may jump there. Rows of constraints on velocities may, too: velocities then change by an impulse along the rows that
+ * hold from there on, to the nearest that these allow in the mass metric. Where phi jumps no motion goes on, and where
+ * T's momenta do, as a mass that changes at once, T alone does not say what velocities do: both are refused by name. */
+#ifndef EM_CROSSING_H
+#define EM_CROSSING_H
+
+#include "em_pieces.h"
+
+#ifdef EM_BREAKS
+
+#define EM_JUMPS 1e-9 /* the part of its terms by which a number jumps */
+
+/* Two times on each side of a break: where its condition has changed by all means, and further away. */
+typedef struct em_sides {
+    double t[4]; /* far before, before, after, far after */
+} em_sides;
+
+static em_sides em_sides_of(const em_walk *w) {
+    const double after = w->direction > 0.0 ? w->inside[0] : w->inside[1], reach = after - w->t;
+    return (em_sides){{w->t - 100.0 * reach, w->t - reach, after, w->t + 100.0 * reach}};
+}
+
+/* Whether a number that is g (4) at these times jumps: what varies without changes by more further away. */
+static int em_number_jumps(const double *g, double size) {
+    const double near = fabs(g[2] - g[1]), far = fabs(g[3] - g[0]);
+    return near > EM_JUMPS * size && near > 0.1 * far;
+}
+
+/* Whether one of `count` numbers g (4, most) jumps, with `terms` of each: its index, or -1. */
+static int em_first_jump(int count, int most, const double *g, const double *terms) {
+    for (int i = 0; i < count; ++i) {
+        const double one[4] = {g[i], g[most + i], g[2 * most + i], g[3 * most + i]};
+        if (em_number_jumps(one, terms[i])) return i;
+    }
+    return -1;
+}
+
+/* The coordinate whose momentum M v + G jumps, or -1. */
+static int em_momentum_jumps(const em_walk *w, const em_sides *at) {
+    enum { NUMBERS = N * N + N };
+    double g[4][NUMBERS], terms[NUMBERS], e[4], one[N];
+    for (int side = 0; side < 4; ++side) {
+        mass_matrix(at->t[side], w->y, w->run->prepared, g[side]);
+        for (int k = 0; k < N; ++k) {
+            memset(one, 0, sizeof one);
+            one[k] = 1.0;
+            energy(at->t[side], w->y, one, w->run->prepared, e);
+            g[side][N * N + k] = e[1];
+        }
+    }
+    for (int i = 0; i < N * N; ++i) terms[i] = sqrt(fabs(g[1][i / N * (N + 1)] * g[1][i % N * (N + 1)]));
+    for (int k = 0; k < N; ++k) terms[N * N + k] = fabs(g[1][N * N + k]) + fabs(g[2][N * N + k]);
+    const int first = em_first_jump(NUMBERS, NUMBERS, g[0], terms);
+    return first < 0 ? -1 : first < N * N ? first / N : first - N * N;
+}
+
+#ifdef EM_SWITCHED_ROWS
+/* The contact whose row jumps while it holds, or -1: it may push, but not pull, as the nearest velocities would have it. */
+static int em_contact_jumps(const em_walk *w, const em_sides *at) {
+    enum { NUMBERS = N_ROWS * N + N_ROWS };
+    double rows[4][NUMBERS], terms[NUMBERS];
+    for (int side = 0; side < 4; ++side)
+        pfaffian(at->t[side], w->y, w->run->prepared, rows[side], rows[side] + N_ROWS * N);
+    for (int i = 0; i < NUMBERS; ++i) terms[i] = fabs(rows[1][i]) + fabs(rows[2][i]);
+    const int first = em_first_jump(NUMBERS, NUMBERS, rows[0], terms);
+    const int row = first < N_ROWS * N ? first / N : first - N_ROWS * N;
+    return first >= 0 && (EM_SWITCHED_ROWS >> row & 1) ? row : -1;
+}
+#else
+static int em_contact_jumps(const em_walk *w, const em_sides *at) { return (void)w, (void)at, -1; }
+#endif
+
+/* Velocities as the rows after a break want them. 0, or -1 and w->reason. */
+static int em_meet_rows(em_walk *w, const em_sides *at) {
+    double phi[4][EM_ROWS_OR_ONE], terms[EM_ROWS_OR_ONE];
+    if (N_ROWS == 0) return 0;
+    for (int side = 0; N_POSITIONS > 0 && side < 4; ++side) position(at->t[side], w->y, w->run->prepared, phi[side], terms);
+    const int row = em_first_jump(N_POSITIONS, EM_ROWS_OR_ONE, phi[0], terms);
+    if (row >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, row, 1, fabs(phi[2][row] - phi[1][row]));
+    const int contact = em_contact_jumps(w, at);
+    if (contact >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, contact, 2, NAN);
+    return em_settle(w->run, &w->mode, EM_STABILISE, at->t[2], w->y, w->memory, 0.0, &w->reason) < 0 ? -1 : 0;
+}
+
+/* From one side of a break to the other. 0, or -1 and w->reason. */
+EM_COLD int em_cross(em_walk *w) {
+    const em_sides at = em_sides_of(w);
+    const int first = em_momentum_jumps(w, &at);
+    if (first >= 0) return em_fail(&w->reason, EM_MODEL_JUMPS, first, 0, NAN);
+    return em_meet_rows(w, &at);
+}
+
+#endif
+
+#endif

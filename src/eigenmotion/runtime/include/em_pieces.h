@@ -1,0 +1,35 @@
+/* em_pieces.h: the smooth pieces of what a motion is driven by: between samples of signals, and between breaks. */
+#ifndef EM_PIECES_H
+#define EM_PIECES_H
+
+#include "em_walk.h"
+
+#ifdef EM_BREAKS
+/* What holds after w->t of conditions in the time alone. Returns whether others did before. */
+static int em_enter_break(em_walk *w) {
+    double at[3 * N_BREAKS];
+    model_breaks(w->run->prepared, at);
+    const double next = em_next_break(N_BREAKS, at, w->t, w->direction);
+    if (w->direction * (next - w->pieces_end) < 0.0) w->pieces_end = next;
+    return w->crosses = em_break_sides(N_BREAKS, at, w->t, next, w->direction, w->inside);
+}
+#else
+static int em_enter_break(em_walk *w) { return (void)w, 0; }
+#endif
+
+/* The pieces that hold after w->t. Returns whether one of them jumps there, so that f does too. */
+static int em_enter_pieces(em_walk *w) {
+    int jumps = 0;
+    w->pieces_end = w->direction * INFINITY;
+    for (int i = 0; i < N_INPUTS; ++i) {
+        const em_signal *u = &w->run->inputs[i];
+        if (u->kind == EM_CONSTANT) continue;
+        w->piece[i] = em_signal_piece(u, w->t, w->direction);
+        const double end = em_signal_end(u, w->piece[i], w->direction, w->scheme.averages);
+        if (w->direction * (end - w->pieces_end) < 0.0) w->pieces_end = end;
+        jumps |= u->kind == EM_HOLD;
+    }
+    return em_enter_break(w) | jumps;
+}
+
+#endif

@@ -1,0 +1,218 @@
+"""Breaks: what changes at times that follow from parameters alone is neither stepped over nor smeared."""
+
+import numpy as np
+import pytest
+from eigenmotion.codegen import compiler
+from sympy import Abs, Heaviside, Max, Mod, Piecewise, Symbol, sign, sin, symbols
+from sympy.physics.mechanics import dynamicsymbols
+
+import eigenmotion as em
+from eigenmotion import Contact, Event, Model, ModelError, StopReason, simulate_ensemble, t
+from eigenmotion.running.methods import METHODS
+
+from .generation import system_for
+
+X, Y = dynamicsymbols("x y")
+F, START, LAST, K, DUTY = symbols("F t0 d k duty")
+PULSE = (t >= START) & (t < START + LAST)
+
+
+def driven(name: str, force: object, parameters: dict[Symbol, float] | None = None, **given: object) -> Model:
+    """A mass of 1 kg on a line."""
+    fields = {"coordinates": [X], "kinetic_energy": X.diff() ** 2 / 2, "forces": {X: force}, **given}
+    return Model(name=name, parameters=parameters or {}, **fields)
+
+
+PULSED = driven("pulsed", Piecewise((F, PULSE), (0, True)), {F: 1000.0, START: 3.3, LAST: 1e-3})
+SWINGING = driven("swinging", Piecewise((F, PULSE), (0, True)), {F: 1000.0, START: 3.3, LAST: 1e-3},
+                  potential_energy=X**2 / 2)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def pulsed() -> em.System:
+    return system_for(PULSED, "lagrange")
+
+
+@pytest.fixture(scope="module")
+def swinging() -> em.System:
+    return system_for(SWINGING, "lagrange")
+
+
+def after_pulse(start: float, last: float, end: float) -> tuple[float, float]:
+    """Where a mass is that was pushed by F = 1000 N for so long, and how fast."""
+    return 1000 * last * (end - start - last / 2), 1000 * last
+
+
+@pytest.mark.parametrize("method", sorted(METHODS))
+@pytest.mark.parametrize("last", [1e-3, 1e-6])
+def test_no_pulse_is_stepped_over(pulsed, method, last):
+    """At rest before it, by every method, at times that nothing else knows of."""
+    if method == "CVODE":
+        pytest.importorskip("sksundae")
+    for start in np.random.default_rng(7).uniform(0.1, 9.9, 2):
+        run = pulsed.simulate((0.0, 10.0), method=method, parameters={"t0": start, "d": last})
+        x, v = after_pulse(start, (start + last) - start, 10.0)
+        assert run.success
+        assert run.v[0, -1] == pytest.approx(v, rel=2e-6)
+        assert run.x[0, -1] == pytest.approx(x, rel=2e-6)
+
+
+def test_each_side_of_a_jump_is_seen_from_there_alone(pulsed):
+    """Steps end at the jumps to the last digit, and none after the first is rejected."""
+    run = pulsed.simulate((0.0, 10.0), parameters={"t0": 0.1, "d": 0.2}, method="dop853")
+    assert {0.1, 0.1 + 0.2} <= set(run.t.tolist())
+    assert run.nrejected == 0
+    assert np.allclose(run.x[0, -1], after_pulse(0.1, 0.2, 10.0)[0], rtol=1e-13)
+
+
+def test_backwards_and_from_a_break_to_a_break(pulsed):
+    there = pulsed.simulate((0.0, 10.0))
+    back = pulsed.simulate((10.0, 0.0), x0=there.x[:, -1], v0=there.v[:, -1])
+    assert np.allclose([back.x[0, -1], back.v[0, -1]], 0.0, atol=1e-12)
+    within = pulsed.simulate((3.3, 3.3 + 1e-3))
+    assert within.v[0, -1] == pytest.approx(1.0, rel=1e-12)
+    assert pulsed.simulate((3.3, 1.0)).v[0, -1] == 0.0
+    assert pulsed.simulate((3.3 + 1e-3, 9.0)).v[0, -1] == 0.0
+
+
+LAWS = {  # what pushes a mass of 1 kg, and where it is after 3 s
+    "ramp": (Max(0, t - 1), 4 / 3),
+    "window": (Piecewise((1e6, Abs(t - 2) < 1e-6), (0, True)), 2.0),
+    "square": (sign(sin(2 * np.pi * t)), 0.75),
+    "periodic": (Piecewise((1, Mod(t, 0.1) < 0.03), (0, True)), 1.3815),
+    "factors": (Piecewise((1, (t - 1) * (t - 2) < 0), (0, True)), 1.5),
+    "quadratic": (Piecewise((1, t**2 - 3 * t + 2 < 0), (0, True)), 1.5),
+    "twice": (Piecewise((1, t < 0.1 + 0.2), (0, True)) + Piecewise((1, t < 0.3), (0, True)), 1.71),
+    "nested": (Max(0, Piecewise((Heaviside(t - 1), t < 2), (-1, True))), 1.5),
+}
+
+
+def test_forms_of_conditions_are_solved():
+    masses = dynamicsymbols(" ".join(LAWS))
+    model = Model(name="laws", coordinates=masses, kinetic_energy=sum(x.diff() ** 2 for x in masses) / 2,
+                  forces=dict(zip(masses, (force for force, _ in LAWS.values()), strict=True)))  # fmt: skip
+    run = system_for(model, "lagrange").simulate((0.0, 3.0))
+    for name, x in zip(LAWS, run.x[:, -1], strict=True):
+        assert x == pytest.approx(LAWS[name][1], rel=1e-9), name
+
+
+def test_factors_of_the_time_may_have_either_sign_or_vanish():
+    system = system_for(driven("factor", Piecewise((1, K * t < 1), (0, True)), {K: 1.0}), "lagrange")
+    for k, x in {1.0: 1.5, 0.0: 2.0, -1.0: 2.0, 1e300: 0.0}.items():
+        assert system.simulate((0.0, 2.0), parameters={"k": k}).x[0, -1] == pytest.approx(x, abs=1e-12)
+
+
+def test_times_that_meet_or_pass_each_other(pulsed):
+    for last in (0.0, -1.0):
+        assert pulsed.simulate((0.0, 10.0), parameters={"d": last}).v[0, -1] == 0.0
+
+
+def test_a_force_may_end_with_its_run():
+    """What has no value behind a break is not asked there by who does not go on."""
+    system = system_for(driven("ends", Piecewise((1, t <= 1))), "lagrange")
+    assert system.simulate((0.0, 1.0)).x[0, -1] == pytest.approx(0.5)
+    beyond = system.simulate((0.0, 2.0))
+    assert (beyond.stop, beyond.t[-1]) == (StopReason.NON_FINITE_STATE, 1.0)
+
+
+def test_members_are_the_same_in_any_company(swinging):
+    """Those with a pulse in their span go number by number, the others in lanes."""
+    starts = np.random.default_rng(3).uniform(-5.0, 15.0, 37)
+    runs = simulate_ensemble(swinging, (0.0, 10.0), parameters={"t0": starts}, rtol=1e-9, atol=1e-12)
+    other = simulate_ensemble(swinging, (0.0, 10.0), parameters={"t0": starts[::-1]}, rtol=1e-9, atol=1e-12)
+    assert np.array_equal(runs.y, other.y[::-1])
+    expected = np.where((starts > 0) & (starts < 9.999), 1000 * (np.cos(9.999 - starts) - np.cos(10 - starts)), 0.0)
+    assert np.allclose(runs.x[:, 0, -1], expected, rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("method", ["rk4", "midpoint", "dop853"])
+def test_steppers_stop_there_too(pulsed, method):
+    options = {"method": method} | ({"step": 0.5} if method != "dop853" else {})
+    one = pulsed.stepper(**options)
+    for end in (1.0, 3.3, 7.0, 10.0):
+        one.advance(end)
+    assert one.v[0] == pytest.approx(1.0, rel=1e-9)
+    one.advance(1.0)
+    assert one.v[0] == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["t0", "d", "F"])
+def test_times_that_depend_on_parameters_have_derivatives(swinging, name):
+    """By a closed form: x = F (cos(T - t0 - d) - cos(T - t0))."""
+    run = swinging.simulate((0.0, 10.0), sensitivities=[name], rtol=1e-10, atol=1e-13)
+    early, late = 10.0 - 3.3, 10.0 - 3.3 - 1e-3
+    by_start = 1000 * (np.sin(late) - np.sin(early))
+    expected = {"t0": by_start, "d": 1000 * np.sin(late), "F": np.cos(late) - np.cos(early)}
+    assert run.sensitivity[name].dx[0, -1] == pytest.approx(expected[name], rel=1e-6)
+
+
+def test_derivatives_end_by_name_where_times_part(pulsed):
+    with pytest.raises(ModelError, match=r"times change apart"):
+        pulsed.simulate((0.0, 10.0), parameters={"d": 0.0}, sensitivities=["d"])
+    with pytest.raises(ModelError, match=r"times change apart"):
+        pulsed.simulate((3.3, 10.0), sensitivities=["t0"])
+
+
+RAISED = {"name": "raised", "coordinates": [X, Y], "kinetic_energy": X.diff() ** 2 / 2 + Y.diff() ** 2}
+
+
+@pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
+@pytest.mark.parametrize("method", ["dop853", "radau9", "LSODA"])
+@pytest.mark.parametrize("stabilisation", ["project", "none"])
+def test_a_prescribed_motion_may_set_in_at_once(formulation, method, stabilisation):
+    """The impulse along the constraint is shared by the masses 1 and 2 that it joins."""
+    system = system_for(Model(**RAISED, holonomic_constraints=[X + Y - Max(0, t - 1)]), formulation)
+    run = system.simulate((0.0, 2.0), method=method, stabilisation=stabilisation)
+    assert np.allclose(run.v[:, -1], [2 / 3, 1 / 3], rtol=0, atol=1e-9)
+
+
+MOMENTA = {
+    "mass": ((1 + Heaviside(t - 1)) * X.diff() ** 2 / 2, "momentum of 'x'"),
+    "frame": ((X.diff() + Heaviside(t - 1)) ** 2 / 2, "momentum of 'x'"),
+}
+
+
+@pytest.mark.parametrize("name", MOMENTA)
+def test_momenta_that_jump_are_refused_by_name(name):
+    kinetic_energy, words = MOMENTA[name]
+    model = driven(f"momentum_{name}", 0, kinetic_energy=kinetic_energy, initial={X.diff(): 1.0})
+    run = system_for(model).simulate((0.0, 2.0))
+    assert (run.stop, run.t[-1]) == (StopReason.MODEL_JUMPS, 1.0)
+    assert words in run.message
+
+
+def test_those_that_bend_are_not():
+    model = driven("growing", 0, kinetic_energy=(1 + Max(0, t - 1)) * X.diff() ** 2 / 2, initial={X.diff(): 1.0})
+    run = system_for(model).simulate((0.0, 2.0), rtol=1e-9)
+    assert run.x[0, -1] == pytest.approx(1 + np.log(2), rel=1e-8)
+
+
+def test_positions_and_contacts_that_jump_are_refused_by_name():
+    torn = system_for(Model(**RAISED, holonomic_constraints=[X + Y - Heaviside(t - 1)])).simulate((0.0, 2.0))
+    assert (torn.stop, torn.t[-1]) == (StopReason.MODEL_JUMPS, 1.0)
+    assert "Holonomic constraint row 0" in torn.message
+    floor = Contact(X - Max(0, t - 1) ** 2 + Max(0, t - 1.5), restitution=0, rest=1e-3)
+    kicked = system_for(driven("kicked", -10, contacts={"floor": floor})).simulate((0.0, 2.0))
+    assert (kicked.stop, kicked.t[-1]) == (StopReason.MODEL_JUMPS, 1.5)
+    assert "contact that holds" in kicked.message
+
+
+@pytest.mark.parametrize("method", ["dop853", "radau9", "LSODA"])
+def test_an_event_that_jumps_happens(method):
+    model = driven("noticed", 0, events={"on": Event(Piecewise((-1, t < 1), (1, True)))}, initial={X.diff(): 1.0})
+    for span in ((0.0, 2.0), (2.0, 0.0)):
+        (times,) = system_for(model).simulate(span, method=method).t_events
+        assert times == pytest.approx([1.0], abs=1e-12)
+
+
+def test_what_is_not_solved_is_said():
+    words = compiler.explain(driven("unsolved", Piecewise((1, t**3 + t < DUTY), (0, True)), {DUTY: 1.0}))
+    assert "that steps may pass over" in words
+    assert "t**3 + t" in words
+    assert "Breaks" not in words
+
+
+def test_what_is_solved_is_said_and_others_pay_nothing():
+    assert "t0 + d" in compiler.explain(PULSED) or "d + t0" in compiler.explain(PULSED)
+    plain = compiler.generate(driven("plain", sin(t))).files
+    assert not any("breaks" in part.text.lower() for part in plain)
