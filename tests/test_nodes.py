@@ -81,22 +81,22 @@ def test_coefficients_are_those_of_left_radau():
 
 @KINDS
 def test_order_seen_on_a_smooth_problem(build: Build, second_order: int) -> None:
-    """The error over many tolerances, rows within included, falls with the number of steps: in (x, v) as that of the
-    polynomial; in a state of first order as that of the iteration, which gains a power each time, and not two."""
+    """The error over many tolerances at the ends of steps falls with their number: in (x, v) as that of the polynomial; in
+    a state of first order as that of the iteration, which gains a power each time, and not two."""
     compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
-    times, steps, errors = np.linspace(0.0, 200.0, 1000), [], []
+    steps, errors = [], []
     for rtol in 10.0 ** -np.arange(3, 13):
-        run = simulate(compiled, [2.0, 0.0], (0.0, 200.0), "ra15", rtol=rtol, atol=rtol, t_eval=times)
+        run = simulate(compiled, [2.0, 0.0], (0.0, 200.0), "ra15", rtol=rtol, atol=rtol)
         assert run.status == FINISHED
         steps.append(run.run.n_steps)
-        errors.append(np.abs(run.y[0] - pendulum_angle(times, 2.0)).max())
+        errors.append(np.abs(run.y[0] - pendulum_angle(run.t, 2.0)).max())
     order = -np.polyfit(np.log(steps), np.log(errors), 1)[0]
     assert (12.5 if second_order else 10.5) < order < 19.0
 
 
 @KINDS
 def test_rates_within_steps(build: Build, second_order: int) -> None:
-    """Ends of steps are of order 15, the polynomial between of order 10: steps within which a row is due are shorter."""
+    """Ends of steps are of order 15, the polynomial between of order 10: where a row is due within, steps are shorter."""
     compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
     times = np.linspace(0.0, 20.0, 1001)
     squares = 2.0 * (np.cos(pendulum_angle(times, 2.0)) - np.cos(2.0))

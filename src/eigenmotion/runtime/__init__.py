@@ -9,8 +9,8 @@ from .faults import stiffness as stiffness
 from .model import CompiledModel as CompiledModel
 from .parts import TOLD as TOLD
 from .parts import RunInParts as RunInParts
+from .plain import forgiven as forgiven
 from .point import Prepared as Prepared
-from .point import forgiven as forgiven
 from .record import COUNTS as COUNTS
 from .record import modes_of as modes_of
 from .record import record as record

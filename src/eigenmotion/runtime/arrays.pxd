@@ -25,6 +25,8 @@ cdef Numbers given(object a, tuple shape, str name)
 cdef bint takes(object out, tuple shape) except -1
 cdef Numbers unset(tuple shape)
 cdef Numbers zeros(tuple shape)
+cdef object constants(const double *values, int count)
+cdef tuple texts(const char *const *names, int count)
 
 
 cdef inline void blank(double *a, Py_ssize_t count) noexcept nogil:

@@ -130,6 +130,16 @@ cdef Numbers zeros(tuple shape):
     return made
 
 
+cdef object constants(const double *values, int count):
+    """Numbers of a model as an array (count,)."""
+    return np.array([values[k] for k in range(count)], dtype=np.float64)
+
+
+cdef tuple texts(const char *const *names, int count):
+    """Its words."""
+    return tuple([names[k].decode("utf-8") for k in range(count)])
+
+
 cdef bint layout_is_known() except -1:
     """Whether the fields of an array are where this module reads them, by what their buffers say."""
     cdef Py_buffer view

@@ -18,7 +18,7 @@ from libc.string cimport memcpy
 from .abi cimport em_fault
 from .arrays cimport Numbers, zeros
 from .point cimport PointModel, Prepared
-from .start cimport em_start
+from .start cimport EM_START_STEPS, em_start, em_start_tolerance
 
 import numpy as np
 
@@ -211,6 +211,11 @@ cdef Numbers read_start(PointModel model, object x0, object v0, double t, const 
         return None
     y = zeros((model.n_state,))
     return y if em_start(model.model, t, x.data, v.data, c, rtol, atol.data, y.data) else None
+
+
+def forgiven(double rtol, atol):
+    """What a start may be off the constraints: relative to their terms, and (n,) by changes of x_k and v_k."""
+    return em_start_tolerance(rtol), EM_START_STEPS * atol
 
 
 cdef object named(type kind, tuple fields):

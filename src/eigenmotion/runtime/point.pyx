@@ -11,9 +11,8 @@ from libc.stdlib cimport calloc, free
 from libc.string cimport memcpy
 
 from .abi cimport EM_ABI, em_fault, em_model
-from .arrays cimport Numbers, given, takes, zeros
-from .start cimport EM_START_STEPS, em_factored_gradient, em_factored_matrix, em_inside_contact, em_start
-from .start cimport em_break_sides, em_next_break, em_start_tolerance
+from .arrays cimport Numbers, constants, given, takes, texts, zeros
+from .start cimport em_break_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_break, em_start
 
 import numpy as np
 
@@ -22,14 +21,6 @@ from .faults import EvaluationError, StopReason, explain
 ctypedef void (*em_rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil
 
 _REASONS = tuple(StopReason)
-
-
-cdef tuple texts(const char *const *names, int count):
-    return tuple([names[k].decode("utf-8") for k in range(count)])
-
-
-cdef object constants(const double *values, int count):
-    return np.array([values[k] for k in range(count)], dtype=np.float64)
 
 
 cdef class Prepared:
@@ -302,11 +293,6 @@ cdef class PointModel:
         if self.model.motion_jacobian(t, q.data, c.c, s.data, least_norm, J.data, &fault) != 0:
             raise self.failure(&fault)
         return J.array
-
-
-def forgiven(double rtol, atol):
-    """What a start may be off the constraints: relative to their terms, and (n,) by changes of x_k and v_k."""
-    return em_start_tolerance(rtol), EM_START_STEPS * atol
 
 
 def _compiled(recipe):
