@@ -81,8 +81,8 @@ def test_coefficients_are_those_of_left_radau():
 
 @KINDS
 def test_order_seen_on_a_smooth_problem(build: Build, second_order: int) -> None:
-    """The error over many tolerances at the ends of steps falls with their number: in (x, v) as that of the polynomial; in
-    a state of first order as that of the iteration, which gains a power each time, and not two."""
+    """The error over many tolerances at the ends of steps falls with their number: in (x, v) as that of the polynomial;
+    in a state of first order as that of the iteration, which gains a power each time, and not two."""
     compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
     steps, errors = [], []
     for rtol in 10.0 ** -np.arange(3, 13):
@@ -96,7 +96,7 @@ def test_order_seen_on_a_smooth_problem(build: Build, second_order: int) -> None
 
 @KINDS
 def test_rates_within_steps(build: Build, second_order: int) -> None:
-    """Ends of steps are of order 15, the polynomial between of order 10: where a row is due within, steps are shorter."""
+    """Ends of steps are of order 15, the polynomial between of order 10: with rows due within, steps are shorter."""
     compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
     times = np.linspace(0.0, 20.0, 1001)
     squares = 2.0 * (np.cos(pendulum_angle(times, 2.0)) - np.cos(2.0))
