@@ -103,8 +103,8 @@ def test_the_error_at_the_end_is_that_of_a_run(found, formulation, method, rtol)
         assert (m.nfev, m.nsteps) == (run.nfev, run.nsteps)
 
 
-SCATTER = {"ra15": 5.0}
-"""Of a fitted order. Nine decades of tolerance are some 15 to 60 steps by nodes, and from one to the next the slope is
+SCATTER = {"ra15": (5.0, 5.0)}
+"""Of a fitted order, below and above. Nine decades of tolerance are some 15 to 60 steps by nodes, and from one to the next the slope is
 anything between 4 and 34, since the error at so few steps is a matter of where they end; `test_nodes` sees the order at
 steps of one size."""
 
@@ -117,7 +117,8 @@ def test_curves_slope_as_the_orders_say(found):
     assert len(orders) == len(FORMULATIONS) * len(METHODS)
     for label, order in orders.items():
         method = label.split()[1]
-        assert METHODS[method] - SCATTER.get(method, 0.5) < order < METHODS[method] + 1.5, label
+        below, above = SCATTER.get(method, (0.5, 1.5))
+        assert METHODS[method] - below < order < METHODS[method] + above, label
 
 
 def test_progress_runs_from_start_to_end(found, progress):

@@ -33,12 +33,17 @@ def no_system(call: str, given: object, more: str = "") -> OptionError:
     )
 
 
+TO_DERIVE = 2
+"""Task.dense: what is between rows is kept for derivatives, which do without steps as short as states there need."""
+
+
 class Task(NamedTuple):
     """One run.
 
     y : (n_state,), published meaning, at t_start
     atol : (n,), of x_k [u_k] and of its velocity [u_k / s]
     t_eval : (k,) in the direction of time, or None: a row for every accepted step
+    dense : 1 to keep what is between rows, to be asked for states; TO_DERIVE to keep it as it is
     first_step : 0 where it is chosen
     stabilise : whether constraints and eigenfactors are restored on the way
     """
@@ -52,7 +57,7 @@ class Task(NamedTuple):
     rtol: float
     atol: Vector
     t_eval: Vector | None
-    dense: bool
+    dense: int
     first_step: float
     max_step: float
     max_steps: int

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..arguments.members import Asked, Members
 from ..arguments.names import Vector
-from ..arguments.options import Task
+from ..arguments.options import TO_DERIVE, Task
 from ..codegen.model.normalise import ModelError
 from ..results.found import REASONS, Found
 from ..results.solution import Solution
@@ -33,7 +33,7 @@ def vary_members(asked: Asked, members: Members, found: Found, stop: Stop) -> Sh
         if stop or REASONS[found.status[k]] is StopReason.START_REFUSED:
             continue
         try:
-            task = task_of(asked, members, k)._replace(dense=True)
+            task = task_of(asked, members, k)._replace(dense=TO_DERIVE)
             solution = run_task(task, METHODS[asked.name])
         except (ModelError, EvaluationError) as error:
             _none(asked, k, found, error)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..arguments.members import Asked, Members
+from ..arguments.options import TO_DERIVE
 from ..codegen.model.normalise import ModelError
 from ..results.found import REASONS, Found
 from ..results.solution import Solution
@@ -57,7 +58,7 @@ def _look_again(asked: Asked, members: Members, k: int, found: Found, stop: Stop
         found.y[k], found.t_end[k] = np.nan, asked.t_start
         return
     if _one_by_one(asked) or found.status[k] == _REFUSED:
-        task = task._replace(dense=in_one_run(asked))
+        task = task._replace(dense=TO_DERIVE if in_one_run(asked) else 0)
         solution = run_task(task, METHODS[asked.name])
         _keep(asked, k, solution, found)
         if task.dense:

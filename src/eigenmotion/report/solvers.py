@@ -125,11 +125,13 @@ def _attempt(system: System, problem: Problem, method: str, tolerance: float) ->
 
 
 def _track(system: System, at_rows: Solution, at_steps: Solution) -> Track:
-    """Rows of one run, counts of the other: interpolation costs right-hand sides that a plain run does not need."""
+    """Rows of one run; the end and counts of the other, which is timed: rows cost right-hand sides, or shorter steps."""
+    x, v = at_rows.x.T.copy(), at_rows.v.T.copy()
+    x[-1:], v[-1:] = at_steps.x.T[-1:], at_steps.v.T[-1:]
     factors = at_rows.factor_residual if system.formulation == "eigenfactor" else np.empty(0)
     return Track(
-        at_rows.x.T,
-        at_rows.v.T,
+        x,
+        v,
         nfev=at_steps.nfev,
         nsteps=at_steps.nsteps,
         nrejected=at_steps.nrejected,

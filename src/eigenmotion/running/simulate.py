@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ..arguments import options
 from ..arguments.differentiated import differentiated
 from ..arguments.names import Vector, unknown
-from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, OptionError, Task, choice, is_system, no_system
+from ..arguments.options import SCIPY_METHODS, SCIPY_OPTIONS, TO_DERIVE, OptionError, Task, choice, is_system, no_system
 from ..codegen.model.normalise import ModelError, shown, truth
 from ..results.solution import DenseOutput, Solution
 from ..runtime import CompiledModel, EvaluationError, plain
@@ -148,7 +148,7 @@ def _answered(task: Task, named: str, v0: Any, estimate_error: "bool | System", 
     if sensitivities is not None:
         check_method(chosen)
         asked = directions(differentiated(task.model, sensitivities, v0), task)
-        dense, task = task.dense, task._replace(dense=True)
+        dense, task = task.dense, task._replace(dense=task.dense or TO_DERIVE)
     if estimate_error is False:
         solution = run_task(task, chosen)
     else:

@@ -19,7 +19,7 @@
     static em_scheme em_##name(void) {                                                                   \
         return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
                            tableau.errors == 0, em_##name##_step, judge,                                 \
-                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL};     \
+                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL, NULL}; \
     }
 
 /* rk34 has no second state at the end of a step. */
@@ -34,17 +34,17 @@ EM_RUNGE_KUTTA(midpoint, EM_MIDPOINT_TABLEAU, NULL)
 
 static em_scheme em_ra15(void) {
     return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
-                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL};
+                       em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within};
 }
 
 static em_scheme em_collocation(const em_radau_iia *rk) {
     return (em_scheme){rk->stages, 1.0, 0.0, 8.0, rk->stages, 0, em_collocation_step, NULL, em_collocation_interpolate,
-                       em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk};
+                       em_collocation_sketch, em_collocation_evaluate, EM_MOTION, 1, rk, NULL};
 }
 
 static em_scheme em_told(void) {
     return (em_scheme){EM_TOLD_ORDER, 1.0, 0.0, INFINITY, EM_TOLD_DEGREE, 0, em_told_step, NULL, em_told_interpolate,
-                       em_told_sketch, em_told_evaluate, EM_MOTION, 0, NULL};
+                       em_told_sketch, em_told_evaluate, EM_MOTION, 0, NULL, NULL};
 }
 
 /* The table. */

@@ -7,7 +7,7 @@
 #include "em_node_start.h"
 
 /* F <- y, then h times the coefficients of the rate on P_0 .. P_8. */
-static void em_nodes_fill(em_walk *w) {
+static int em_nodes_interpolate(em_walk *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
     memset(w->F, 0, sizeof w->F);
@@ -27,17 +27,16 @@ static void em_nodes_fill(em_walk *w) {
         w->F[EM_NODE_COUNT][k] += 0.5 * h * w->nodes.miss[k];
         w->F[EM_NODE_COUNT + 1][k] = 0.5 * h * w->nodes.miss[k];
     }
-}
-
-/* Where a state within is asked for, the step is to be short enough for that, too. Its error is of order 10. */
-static int em_nodes_interpolate(em_walk *w) {
-    em_nodes_fill(w);
-    w->error_norm = em_max(w->error_norm, w->nodes.within);
-    w->size_norm = em_max(w->size_norm, pow(w->nodes.within, (w->scheme.error_order + 1) / 10.0));
     return 0;
 }
 
-static int em_nodes_sketch(em_walk *w) { return em_nodes_fill(w), w->scheme.terms; }
+/* Where a state within the step is asked for, the step is to be short enough for that, too: to order 10. */
+static void em_nodes_within(em_walk *w) {
+    w->error_norm = em_max(w->error_norm, w->nodes.within);
+    w->size_norm = em_max(w->size_norm, pow(w->nodes.within, (w->scheme.error_order + 1) / 10.0));
+}
+
+static int em_nodes_sketch(em_walk *w) { return em_nodes_interpolate(w), w->scheme.terms; }
 
 /* y <- F_0 + sum_l F_(l + 1) times the integral of P_l from 0 to theta. */
 static void em_nodes_evaluate(const double *F, int terms, double theta, double *y) {

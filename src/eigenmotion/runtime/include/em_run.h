@@ -70,6 +70,9 @@ typedef struct em_rows {
     double *y; /* (capacity, width) */
 } em_rows;
 
+/* EM_DENSE: to be asked for states, so that steps are as short as that needs. EM_TO_DERIVE: it may be as it is. */
+typedef enum em_kept { EM_NOT_KEPT, EM_DENSE, EM_TO_DERIVE } em_kept;
+
 /* One accepted step kept for dense output: t in [t, t + h], coefficients in the run's dense table. */
 typedef struct em_dense_step {
     double t, h;
@@ -102,7 +105,7 @@ typedef struct em_run {
     long max_steps;              /* accepted ones */
     int stabilise;               /* 1 "project", 0 "none" */
     int least_norm;              /* 1: dependent rows get multipliers of least norm, 0: they are a fault */
-    int dense;                   /* 1: keep every step's interpolant */
+    int dense;                   /* em_kept: whether to keep every step's interpolant, and for what */
     const double *t_eval;        /* (n_t_eval) in the direction of time, or NULL: a row for every accepted step */
     size_t n_t_eval;
     const int *event_direction;  /* (n_events) -1, 0, 1 */

@@ -2,7 +2,7 @@
 #ifndef EM_SLOPES_H
 #define EM_SLOPES_H
 
-#include "em_walk.h"
+#include "em_blame.h"
 
 #ifdef EM_MECHANICS_H
 static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
@@ -16,21 +16,29 @@ static int em_bare_rate(em_walk *w, double t, const double *z, double *rate) {
     memcpy(memory, w->memory, sizeof memory);
     if (em_motion_rhs(t, y, w->run->prepared, w->u, memory, 0, dy, &w->reason)) return -1;
     memcpy(rate, dy, 2 * N * sizeof *rate);
+    for (int k = 0; k < 2 * N; ++k)
+        if (!isfinite(rate[k])) return em_not_finite(w, z, rate);
     return 0;
 }
 
+/* Column k: over both sides, or the one on which there are rates. */
+static int em_bare_slope(em_walk *w, double t, double *at, int k, const double *here, double *J) {
+    double up[2 * N], down[2 * N], z = at[k], high = z + 1e-3 * fmax(1.0, fabs(z)), low = z - (high - z);
+    at[k] = high;
+    if (em_bare_rate(w, t, at, up)) high = z, memcpy(up, here, sizeof up);
+    at[k] = low;
+    if (em_bare_rate(w, t, at, down)) low = z, memcpy(down, here, sizeof down);
+    at[k] = z;
+    for (int row = 0; row < 2 * N; ++row) J[row * 2 * N + k] = (up[row] - down[row]) / (high - low);
+    return high > low ? 0 : -1;
+}
+
 static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
-    double at[2 * N], up[2 * N], down[2 * N];
+    double at[2 * N], here[2 * N];
     memcpy(at, z, sizeof at);
-    for (int k = 0; k < 2 * N; ++k) {
-        const double step = 1e-5 * fmax(1.0, fabs(z[k]));
-        at[k] = z[k] + step;
-        if (em_bare_rate(w, t, at, up)) return -1;
-        at[k] = z[k] - step;
-        if (em_bare_rate(w, t, at, down)) return -1;
-        at[k] = z[k];
-        for (int row = 0; row < 2 * N; ++row) J[row * 2 * N + k] = (up[row] - down[row]) / (2.0 * step);
-    }
+    if (em_bare_rate(w, t, at, here)) return -1;
+    for (int k = 0; k < 2 * N; ++k)
+        if (em_bare_slope(w, t, at, k, here, J)) return -1;
     return 0;
 }
 #endif

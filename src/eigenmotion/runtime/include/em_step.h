@@ -29,11 +29,14 @@ static void em_aim(em_walk *w, double size) {
 }
 
 /* Whether somebody asks for a state inside the step. */
-static int em_needs_interpolant(const em_walk *w) {
+static int em_asks_within(const em_walk *w) {
     const em_run *run = w->run;
-    if (w->has_interpolant) return 0;
-    if (run->dense) return 1;
+    if (run->dense == EM_DENSE || w->n_found > 0) return 1;
     return run->t_eval != NULL && em_row_is_due(w, w->t_new) && run->t_eval[w->next_t_eval] != w->t_new;
+}
+
+static int em_needs_interpolant(const em_walk *w) {
+    return !w->has_interpolant && (w->run->dense || em_asks_within(w));
 }
 
 /* What follows a step whose error is small enough. 0, or -1 and w->reason. */
@@ -53,7 +56,8 @@ static int em_land(em_walk *w) {
     if (!(w->error_norm < 1.0)) return 0;
     if (!w->scheme.fixed && !em_is_told(w->run) && em_check_step(w)) return -1;
     if (N_EVENTS > 0 && em_watch(w)) return -1;
-    return em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
+    if (w->scheme.within != NULL && em_asks_within(w)) w->scheme.within(w);
+    return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
 /* 0, or -1 and w->reason; then the error norm may still be 1 or more. */

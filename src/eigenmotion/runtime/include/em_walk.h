@@ -54,6 +54,7 @@ typedef struct em_scheme {
     int mode;                       /* in which it starts: 0, or EM_MOTION, in which it stays */
     int averages;                   /* whether steps cross the samples of linear signals */
     const em_radau_iia *radau_iia;  /* coefficients of an implicit method, else NULL */
+    void (*within)(em_walk *w);     /* error_norm, size_norm anew where a state within the step is asked for; or NULL */
 } em_scheme;
 
 /* A number g at a time; two of different signs, and whose they are. */
