@@ -104,9 +104,9 @@ def test_the_error_at_the_end_is_that_of_a_run(found, formulation, method, rtol)
 
 
 SCATTER = {"ra15": (5.0, 5.0)}
-"""Of a fitted order, below and above. Nine decades of tolerance are some 15 to 60 steps by nodes, and from one to the next the slope is
-anything between 4 and 34, since the error at so few steps is a matter of where they end; `test_nodes` sees the order at
-steps of one size."""
+"""Of a fitted order, below and above. Nine decades of tolerance are some 15 to 60 steps by nodes, and from one to the
+next the slope is anything between 4 and 34, since the error at so few steps is a matter of where they end;
+`test_nodes` sees the order at steps of one size."""
 
 
 def test_curves_slope_as_the_orders_say(found):

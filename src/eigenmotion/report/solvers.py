@@ -125,7 +125,7 @@ def _attempt(system: System, problem: Problem, method: str, tolerance: float) ->
 
 
 def _track(system: System, at_rows: Solution, at_steps: Solution) -> Track:
-    """Rows of one run; the end and counts of the other, which is timed: rows cost right-hand sides, or shorter steps."""
+    """Rows of one run; the end and counts of the other, which is timed: rows cost right-hand sides, shorter steps."""
     x, v = at_rows.x.T.copy(), at_rows.v.T.copy()
     x[-1:], v[-1:] = at_steps.x.T[-1:], at_steps.v.T[-1:]
     factors = at_rows.factor_residual if system.formulation == "eigenfactor" else np.empty(0)
