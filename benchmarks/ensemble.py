@@ -124,15 +124,19 @@ def half(system: System) -> None:
 
 
 def threads() -> None:
-    """Two threads over one, and two processes, which share nothing: what those gain is what the machine has to give."""
+    """Two threads over one, on short work and on ten times that; and two processes, which share nothing: what those gain
+    is what the machine has to give."""
     system = build(MODELS / "dual_link.py", formulation="lagrange")
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
-        calls = {f"{workers}": partial(ensemble, system, 4000, 1e-10, workers=workers) for workers in (1, 2)}
+        calls = {f"{runs} by {workers}": partial(ensemble, system, runs, 1e-10, workers=workers)
+                 for runs in (4000, 40_000) for workers in (1, 2)}  # fmt: skip
         calls["processes"] = lambda: list(pool.map(half, [system] * 2))
         calls["processes"]()  # they load what they need
         seconds = interleaved(calls, ROUNDS)
-    print(f"\n4000 runs: two threads {ratio(seconds['1'], seconds['2'])} times as fast as one, ", end="")
-    print(f"two processes {ratio(seconds['1'], seconds['processes'])} times")
+    for runs in (4000, 40_000):
+        gained = ratio(seconds[f"{runs} by 1"], seconds[f"{runs} by 2"])
+        print(f"\n{runs} runs: two threads {gained} times as fast as one", end="")
+    print(f"\n4000 runs: two processes {ratio(seconds['4000 by 1'], seconds['processes'])} times as fast as one thread")
 
 
 class Watched(Executor):
