@@ -124,8 +124,8 @@ def half(system: System) -> None:
 
 
 def threads() -> None:
-    """Two threads over one, on short work and on ten times that; and two processes, which share nothing: what those gain
-    is what the machine has to give."""
+    """Two threads over one, on short work and on ten times that; and two processes, which share nothing: what those
+    gain is what the machine has to give."""
     system = build(MODELS / "dual_link.py", formulation="lagrange")
     with ProcessPoolExecutor(2, get_context("spawn")) as pool:
         calls = {f"{runs} by {workers}": partial(ensemble, system, runs, 1e-10, workers=workers)
