@@ -74,7 +74,7 @@ static int em_contact_jumps(const em_walk *w, const em_sides *at) { return (void
 
 /* Velocities as the rows after a break want them. 0, or -1 and w->reason. */
 static int em_meet_rows(em_walk *w, const em_sides *at) {
-    double phi[4][EM_ROWS_OR_ONE], terms[EM_ROWS_OR_ONE];
+    double phi[4][EM_ROWS_OR_ONE] = {{0.0}}, terms[EM_ROWS_OR_ONE] = {0.0};
     if (N_ROWS == 0) return 0;
     for (int side = 0; N_POSITIONS > 0 && side < 4; ++side) position(at->t[side], w->y, w->run->prepared, phi[side], terms);
     const int row = em_first_jump(N_POSITIONS, EM_ROWS_OR_ONE, phi[0], terms);

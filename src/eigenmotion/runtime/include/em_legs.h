@@ -26,7 +26,7 @@ static int em_leg_begin(em_walk *w, const double *c) {
 /* row (n_state), published <- after the events w->fired at t, in a leg of its own. 0, or -1 and w->reason. */
 static int em_act_on(em_walk *w, double t, double *row) {
     const em_run *run = w->run;
-    double x[N], v[N], c[N_PREPARED + 1];
+    double x[N], v[N], c[N_PREPARED + 1] = {0.0};
     memcpy(x, row, sizeof x);
     memcpy(c, run->prepared, N_PREPARED * sizeof *c);
     if (model_velocity(0, t, row, c, v, &w->reason)) return -1;
