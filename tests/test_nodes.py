@@ -96,13 +96,27 @@ def test_order_seen_on_a_smooth_problem(build: Build, second_order: int) -> None
 
 @KINDS
 def test_rates_within_steps(build: Build, second_order: int) -> None:
-    """Ends of steps are of order 15, the polynomial between of order 10: with rows due within, steps are shorter."""
+    """Ends of steps are of order 15, the polynomial between of order 10: what is asked within shortens them."""
     compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order))
     times = np.linspace(0.0, 20.0, 1001)
-    squares = 2.0 * (np.cos(pendulum_angle(times, 2.0)) - np.cos(2.0))
     for rtol in 10.0 ** -np.arange(5, 13):
-        run = simulate(compiled, [2.0, 0.0], (0.0, 20.0), "ra15", rtol=rtol, atol=rtol, t_eval=times)
-        assert np.abs(run.y[1] ** 2 - squares).max() < 10.0 * rtol
+        options = {"rtol": rtol, "atol": rtol}
+        rows = simulate(compiled, [2.0, 0.0], (0.0, 20.0), "ra15", t_eval=times, **options)
+        kept = simulate(compiled, [2.0, 0.0], (0.0, 20.0), "ra15", dense=1, **options)
+        middles = [(step, t + part * h) for step, t, h in kept.steps() for part in (0.2, 0.45, 0.7, 0.95)]
+        within = np.array([kept.at(step, t)[1] for step, t in middles])
+        for t, v in ((times, rows.y[1]), (np.array([t for _, t in middles]), within)):
+            assert np.abs(v**2 - 2.0 * (np.cos(pendulum_angle(t, 2.0)) - np.cos(2.0))).max() < 10.0 * rtol
+
+
+@KINDS
+def test_events_within_steps(build: Build, second_order: int) -> None:
+    """A pendulum turns at each half of its period: times as right as the ends of steps."""
+    compiled = build(Mechanism(rhs=PENDULUM.rhs, second_order=second_order, n_events=1, events="g[0] = v[0];"))
+    half = 2.0 * float(mpmath.ellipk(math.sin(1.0) ** 2))
+    for rtol in 10.0 ** -np.arange(5, 13):
+        run = simulate(compiled, [2.0, 0.0], (0.0, 20.0), "ra15", rtol=rtol, atol=rtol)
+        np.testing.assert_allclose(run.event_times(0), half * np.arange(1, 5), rtol=0, atol=10.0 * rtol)
 
 
 # --- what a polynomial does not see -----------------------------------------------------------------------------------

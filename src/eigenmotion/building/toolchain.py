@@ -23,7 +23,7 @@ OPTIMISED = (
 STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend its code
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
-ASIDE = ("-O1",)  # what is called at times only, and may be large
+DUALS = ("-O1", "-DEM_ON_LANES", "-DEM_ON_DUALS")  # a right-hand side that differentiates itself, called at times only
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
     "stepper": "EM_UNIT=EM_STEPPER",
@@ -61,7 +61,7 @@ class Toolchain:
         The macros that the compiler predefines tell all three.
         """
         macros = self._run(*self.optimised, *self.flags, *_MACROS)
-        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *LINK, *UNITS, *UNITS.values(), *self.flags)
+        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *DUALS, *LINK, *UNITS, *UNITS.values(), *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
     @cached_property
@@ -93,8 +93,7 @@ class Toolchain:
     def compile_duals(self, folder: Path, stem: str) -> str:
         """STEM.c -> STEM_duals.o, its right-hand side on numbers with a derivative, of which the name is returned."""
         target = f"{stem}_duals.o"
-        macros = ("-DEM_ON_LANES", "-DEM_ON_DUALS")
-        self._run(*STANDARD, *ASIDE, *SHARED, *self.flags, f"-I{INCLUDE}", *macros, "-c", f"{stem}.c", "-o", target,
+        self._run(*STANDARD, *DUALS, *SHARED, *self.flags, f"-I{INCLUDE}", "-c", f"{stem}.c", "-o", target,
                   folder=folder)  # fmt: skip
         return target
 

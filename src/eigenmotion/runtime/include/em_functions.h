@@ -15,13 +15,19 @@ EM_INLINE real em_or(real a, real b) { return em_is((em_value(a) != 0.0) | (em_v
 EM_INLINE real em_not(real a) { return em_is(em_value(a) == 0.0); }
 EM_INLINE real em_select(real condition, real yes, real no) { return em_where(em_value(condition) != 0.0, yes, no); }
 
-EM_INLINE real em_sign(real a) { return em_where(em_value(a) != em_value(a), a, em_is(em_value(a) > 0.0) - em_is(em_value(a) < 0.0)); }
+EM_INLINE em_truth em_is_nan(real a) { return em_value(a) != em_value(a); }
 
-EM_INLINE real em_heaviside(real a) { return em_where(em_value(a) != em_value(a), a, em_is(em_value(a) > 0.0) + 0.5 * em_is(em_value(a) == 0.0)); }
+EM_INLINE real em_sign(real a) {
+    return em_where(em_is_nan(a), a, em_is(em_value(a) > 0.0) - em_is(em_value(a) < 0.0));
+}
+
+EM_INLINE real em_heaviside(real a) {
+    return em_where(em_is_nan(a), a, em_is(em_value(a) > 0.0) + 0.5 * em_is(em_value(a) == 0.0));
+}
 
 /* Unlike fmin and fmax these pass on what is not a number: a potential that is undefined must not look defined. */
-EM_INLINE real em_least(real a, real b) { return em_where((em_value(a) < em_value(b)) | (em_value(a) != em_value(a)), a, b); }
+EM_INLINE real em_least(real a, real b) { return em_where((em_value(a) < em_value(b)) | em_is_nan(a), a, b); }
 
-EM_INLINE real em_greatest(real a, real b) { return em_where((em_value(a) > em_value(b)) | (em_value(a) != em_value(a)), a, b); }
+EM_INLINE real em_greatest(real a, real b) { return em_where((em_value(a) > em_value(b)) | em_is_nan(a), a, b); }
 
 #endif
