@@ -15,8 +15,8 @@ _LEAST_LANES = 4
 _TIGHT = {"eigenfactor": 1e-6}
 _TIGHT_OTHERWISE = 1e-5
 _MANY, _TIGHT_WITH_MANY = 150, 1e-11
-"""So many numbers of eigenfactors in the state, whose products fill vectors of four by themselves, gain by nodes only from
-such tolerances on: measured on chains of 8 and 16 coordinates."""
+"""So many numbers of eigenfactors in the state, whose products fill vectors of four by themselves, gain by nodes only
+from such tolerances on: measured on chains of 8 and 16 coordinates."""
 _PLACED = ((6, 1e-7), (1, 3e-11))
 """Of ensembles: from so many constraints on positions on, the tolerances up to which longer steps pay."""
 _STIFF = METHODS["radau9"]
