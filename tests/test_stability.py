@@ -93,8 +93,8 @@ def test_page_pictures_and_numbers(reduced: Matrix, tmp_path):
 def test_missing_omega_term_is_found():
     """etadot without - S^-1 Omega S eta (41)."""
     sources = request(elastic_link()).sources()
-    term = "em_turning_push(N1, C1, s1, r1, Omega1, "
-    without = "static const real still[N1*N1];\n    em_turning_push(N1, C1, s1, r1, still, "
+    term = "em_turning_push(N1, C1, T1, s1, r1, Omega1, "
+    without = "static const real still[N1*N1];\n    em_turning_push(N1, C1, T1, s1, r1, still, "
     assert sum(file.text.count(term) for file in sources.files) == 1
     files = tuple(SourceFile(file.name, file.text.replace(term, without)) for file in sources.files)
     assert_found(load(compiled(Sources(sources.name, files), toolchain())))

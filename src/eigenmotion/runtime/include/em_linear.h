@@ -168,15 +168,18 @@ EM_INLINE void em_product(int m, int n, const real *restrict A, const real *rest
         }
 }
 
-/* Lambda (n, n) <- C M C^T, both triangles; M full. */
-EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
+/* T <- C^T where rows are tiled: nobody else reads it. */
+EM_INLINE void em_turned_for_tiles(int n, const real *restrict C, real *restrict T) {
+    if (em_tiled(n)) em_transpose(n, C, T);
+}
+
+/* The lower triangle of Lambda (n, n) <- C M C^T; M full, T of em_turned_for_tiles. */
+EM_INLINE void em_congruence_below(int n, const real *restrict C, const real *restrict T, const real *restrict M,
+                                   real *restrict Lambda) {
     real W[n * n];
     if (em_tiled(n)) {
-        real T[n * n];
-        em_transpose(n, C, T);
         em_multiply(n, 0, 1.0, M, T, W);
         em_multiply(n, 1, 1.0, C, W, Lambda);
-        em_mirror(n, Lambda);
         return;
     }
     em_multiply(n, 0, 1.0, C, M, W);
@@ -184,8 +187,16 @@ EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict
         for (int j = 0; j <= i; ++j) {
             real sum = em_real(0.0);
             for (int k = 0; k < n; ++k) sum += W[i * n + k] * C[j * n + k];
-            Lambda[i * n + j] = Lambda[j * n + i] = sum;
+            Lambda[i * n + j] = sum;
         }
+}
+
+/* Lambda (n, n) <- C M C^T, both triangles; M full. */
+EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
+    real T[n * n];
+    em_turned_for_tiles(n, C, T);
+    em_congruence_below(n, C, T, M, Lambda);
+    em_mirror(n, Lambda);
 }
 
 #endif
