@@ -81,11 +81,11 @@ EM_INLINE real em_correction(int n, const real *restrict R, const real *restrict
 
 #ifdef EM_ON_LANES
 
-/* C, lambda <- those of M (n, n) in lanes where C is near enough and eigenvalues are apart: -1 there. Each lane makes as
- * many passes as it would alone. */
-EM_COLD em_truth em_refine(int n, const real *restrict M, real *restrict C, real *restrict lambda) {
+/* C, lambda <- those of M (n, n) in lanes, of those `going`, where C is near enough and eigenvalues are apart: -1 there.
+ * Each lane makes as many passes as it would alone. */
+EM_COLD em_truth em_refine(int n, em_truth going, const real *restrict M, real *restrict C, real *restrict lambda) {
     real limit = em_real(EM_REFINABLE);
-    em_truth done = {0}, going = ~done;
+    em_truth done = {0};
     while (em_any(going)) {
         real T[n * n], R[n * n], W[n * n], Lambda[n * n], found[n];
         em_truth rough;
