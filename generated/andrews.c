@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:9827b229f096f787ab8c7596356e70be5fe5390e6af340a239ce318650b171ee */
+/* body sha256:ad067e752ab81e50445bbbfee6d0322f4bece5083a7888832a421b2d2227ea2c */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -56,7 +56,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 42,
@@ -811,6 +811,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
@@ -839,6 +843,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 #include "em_flock.h"
+#endif
 
 extern em_lanes andrews_lanes;
 em_lanes andrews_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -2660,6 +2665,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -2783,6 +2790,10 @@ const em_model andrews_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &andrews_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

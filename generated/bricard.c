@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:aeb9051f75cb7edfaafc08ac401749e66020473b4842049a9f9801dec6c938c9 */
+/* body sha256:0af414b9b7174e94bdd40f8b14c38a41fdaa021ac30571ca0834c8103023ad3f */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -51,7 +51,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 3,
@@ -1267,6 +1267,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
@@ -1285,6 +1289,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 #include "em_flock.h"
+#endif
 
 extern em_lanes bricard_lanes;
 em_lanes bricard_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -5929,6 +5934,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -6045,6 +6052,10 @@ const em_model bricard_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &bricard_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

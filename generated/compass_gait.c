@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:8c4eac8a31734414ec5f4daf2cd10d91e088328781257c8d12d91a9497fc0ff4 */
+/* body sha256:dd6ee4e8f9fb7a0fbc01cd3fde1b95c0077636a36fd35f690bffa4047ff45402 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -55,7 +55,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 0,
@@ -995,6 +995,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1104,6 +1106,10 @@ const em_model compass_gait_model = {
     .switches = switches,
     .act_along = em_act_along,
     .lanes = &compass_gait_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .n_shapes = 4,
     .dimension = 2,
     .shapes = shapes,

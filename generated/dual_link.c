@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:a4d81d65adc8a9aa6c164cfa2959c5153c3671c61978b539d92460a0ce106932 */
+/* body sha256:bd2ec2c8dbf5854cbe70adab6dfd22237d191f24c67468e69f2f04e82c72ba39 */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -55,7 +55,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 9,
@@ -382,6 +382,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#ifndef EM_NODES_ALONE
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                               real A1[N_ROWS][N1], real b[N_ROWS], real shared[4])
@@ -441,6 +442,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 }
 
 #endif
+#endif
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
@@ -463,6 +465,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 enum { N_PIVOTS = 3 };
@@ -544,6 +550,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
 #define EM_SETTLE settle_on_lanes
 #include "em_flock.h"
+#endif
 
 extern em_lanes dual_link_lanes;
 em_lanes dual_link_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -1185,6 +1192,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1300,6 +1309,10 @@ const em_model dual_link_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &dual_link_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:f30d0ea3a790572e0a08ed905822a2bac2ab78f54486a558928d739d3549ba13 */
+/* body sha256:871fe4927796c47cbf822ba0501148a77455339f830c7e527dcba9e2aadaa473 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -55,7 +55,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 3,
@@ -525,6 +525,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
@@ -548,6 +552,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 #include "em_flock.h"
+#endif
 
 extern em_lanes four_bars_2_lanes;
 em_lanes four_bars_2_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -1477,6 +1482,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1593,6 +1600,10 @@ const em_model four_bars_2_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &four_bars_2_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

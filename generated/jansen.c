@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:6e1b569adacd6ab433549922ee46e85ef0230625b3cf2b731af1f7690032e1b7 */
+/* body sha256:733440a9b2cf0875bd857733e5b7a2f739ac1467979e5e47ee12a6105ac3965b */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -51,7 +51,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 17,
@@ -793,6 +793,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 /* v (n) <- what e (n), eta or an error of it, makes of xdot, by the roots in the state and the memory */
@@ -813,6 +817,7 @@ static void velocity_by_roots(int mode, const real *y, const real *c, const real
 #define EM_VELOCITY velocity_by_roots
 
 #include "em_flock.h"
+#endif
 
 extern em_lanes jansen_lanes;
 em_lanes jansen_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -3584,6 +3589,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -3707,6 +3714,10 @@ const em_model jansen_model = {
     .factored_matrix = factored_matrix,
     .factored_gradient = factored_gradient,
     .lanes = &jansen_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:496df83e3dac9ee5e0951b71ba109137fe99ea1ab529ce1449644c9e7ced590c */
+/* body sha256:82f096d08e5962e310761a43d3ff2cbf2b2db0eda164bcc7bf36fea39598db47 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -51,7 +51,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 3,
@@ -379,6 +379,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#ifndef EM_NODES_ALONE
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                               real A1[N_ROWS][N1], real b[N_ROWS], real shared[4])
@@ -465,6 +466,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 }
 
 #endif
+#endif
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
@@ -487,6 +489,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 enum { N_PIVOTS = 5 };
@@ -571,6 +577,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
 #define EM_SETTLE settle_on_lanes
 #include "em_flock.h"
+#endif
 
 extern em_lanes rolling_disk_lanes;
 em_lanes rolling_disk_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -1168,6 +1175,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1273,6 +1282,10 @@ const em_model rolling_disk_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &rolling_disk_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,
