@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:a0eb67d386b1c966a26bf468a2426a8c3d31ea6b73fcae9cd14bc70b18862e86 */
+/* body sha256:d407de718e20fdd9b250ad2cf97b2ff61f639f2e0c7d0d2a21ce2269205bfc09 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -125,15 +125,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* theta1, theta2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 4, *const s1_dot = dy + 8;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     real a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* etadot = a (45) */
     dy[2] = a1[0];
