@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:2a3c416debdc42a25dec0c189862183d9ca7ee032688be2300d2057f21a86705 */
+/* body sha256:44debd07713373bd32fd8718b0b029caa98455e4af696c1ad97f18608e5caa0c */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -370,15 +370,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
 
     /* theta, aj, ab, ak, ac, af, ag: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 14, *const s1_dot = dy + 63;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];

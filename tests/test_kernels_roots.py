@@ -37,6 +37,21 @@ def test_cholesky_and_what_solves_with_it(compiled):
         assert run("cholesky", -M, L, r) == 0
 
 
+def test_ldlt_and_what_solves_with_it(compiled):
+    run, n = compiled
+    for random, M, _, _ in cases(n):
+        L, r, b = np.zeros((n, n)), np.zeros(n), random.normal(size=n)
+        assert run("ldlt", M, L, r) == -1
+        D, unit = np.diag(L), np.tril(L, -1) + np.eye(n)
+        near((unit * D) @ unit.T, M), near(r * D, np.ones(n))
+        found = b.copy()
+        run("forward_unit", L, found)
+        near(found, np.linalg.solve(unit, b))
+        run("backward_unit", L, r, found)
+        near(found, np.linalg.solve(M, b))
+        assert run("ldlt", -M, L, r) == 0
+
+
 def test_eigenfactors(compiled):
     run, n = compiled
     for random, M, C, s in cases(n):

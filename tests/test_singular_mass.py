@@ -17,8 +17,9 @@ from .oracles import Lagrange
 X, Y, Z = dynamicsymbols("x y z")
 m, k, g, unit, mass = symbols("m k g unit mass", positive=True)
 FORMS = pytest.mark.parametrize("formulation", FORMULATIONS)
-VARIANTS = [*((f, {}) for f in FORMULATIONS), ("eigenfactor", {"close_eigenvalues": "extrapolate"}),
-            ("eigenfactor", {"schur": "eigenfactor"})]  # fmt: skip
+OPTIONS = {"extrapolate": {"close_eigenvalues": "extrapolate"}, "schur": {"schur": "eigenfactor"}}
+VARIANTS = [*(pytest.param(f, {}, id=f) for f in FORMULATIONS),
+            *(pytest.param("eigenfactor", given, id=name) for name, given in OPTIONS.items())]  # fmt: skip
 
 
 def bead() -> Model:

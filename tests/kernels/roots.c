@@ -5,6 +5,9 @@
 enum { n = SIZE };
 
 int cholesky(const double *M, double *L, double *r) { return em_cholesky(n, M, L, r, EM_SINGULAR_PIVOT); }
+int ldlt(const double *M, double *L, double *r) { return em_ldlt(n, M, L, r, EM_SINGULAR_PIVOT); }
+void forward_unit(const double *L, double *b) { em_forward_unit(n, L, b); }
+void backward_unit(const double *L, const double *r, double *b) { em_backward_unit(n, L, r, b); }
 void forward(const double *L, const double *r, double *b) { em_forward(n, L, r, b); }
 void backward(const double *L, const double *r, double *b) { em_backward(n, L, r, b); }
 void forward_columns(const double *L, const double *r, double *X) { em_forward_columns(n, 0, L, r, X); }

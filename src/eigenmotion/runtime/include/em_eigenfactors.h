@@ -4,6 +4,7 @@
 
 #include "em_quasivelocities.h"
 #include "em_refine.h"
+#include "em_rotations.h"
 
 /* C orthonormalised to rounding: C <- (3 I - C C^T) C / 2 (Newton-Schulz), which squares the deviation, as often as
  * it takes. */
@@ -28,26 +29,6 @@ EM_INLINE void em_orthonormalise(int n, double *restrict C) {
     }
 }
 
-/* One Jacobi rotation that makes Lambda_pq zero; C turns with it. */
-EM_INLINE void em_rotate(int n, int p, int q, double *restrict Lambda, double *restrict C) {
-    const double off = Lambda[p * n + q];
-    const double theta = 0.5 * (Lambda[q * n + q] - Lambda[p * n + p]) / off;
-    const double tangent = copysign(1.0, theta) / (fabs(theta) + sqrt(theta * theta + 1.0));
-    const double cosine = 1.0 / sqrt(tangent * tangent + 1.0), sine = tangent * cosine;
-    Lambda[p * n + p] -= tangent * off;
-    Lambda[q * n + q] += tangent * off;
-    Lambda[p * n + q] = Lambda[q * n + p] = 0.0;
-    for (int k = 0; k < n; ++k) {
-        const double Cp = C[p * n + k], Cq = C[q * n + k];
-        C[p * n + k] = cosine * Cp - sine * Cq;
-        C[q * n + k] = sine * Cp + cosine * Cq;
-        if (k == p || k == q) continue;
-        const double Lp = Lambda[p * n + k], Lq = Lambda[q * n + k];
-        Lambda[p * n + k] = Lambda[k * n + p] = cosine * Lp - sine * Lq;
-        Lambda[q * n + k] = Lambda[k * n + q] = sine * Lp + cosine * Lq;
-    }
-}
-
 /* Cyclic Jacobi sweeps on Lambda = C M C^T until what is off the diagonal is at rounding (Golub & Van Loan, 8.5).
  * Small rotations only where Lambda is nearly diagonal: rows of C keep their order and sign. */
 EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
@@ -55,9 +36,8 @@ EM_INLINE void em_jacobi(int n, double *restrict Lambda, double *restrict C) {
         rotated = 0;
         for (int p = 0; p < n; ++p)
             for (int q = p + 1; q < n; ++q)
-                if (Lambda[p * n + q] * Lambda[p * n + q] >
-                    DBL_EPSILON * DBL_EPSILON * fabs(Lambda[p * n + p] * Lambda[q * n + q])) {
-                    em_rotate(n, p, q, Lambda, C);
+                if (em_rotates(n, p, q, Lambda)) {
+                    em_rotate(n, p, q, 1, Lambda, C);
                     rotated = 1;
                 }
     }

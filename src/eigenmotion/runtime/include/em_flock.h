@@ -209,10 +209,10 @@ EM_INLINE void em_flock_resize(em_lane_state *w, em_truth accepted) {
     *w->last_error = em_where(accepted, em_lane_max(error, em_real(-9.2)), *w->last_error);
 }
 
-/* -1 in lanes whose accepted step is looked at number by number: the first, short ones at which a singularity may be near
+/* -1 in lanes whose `accepted` step is looked at number by number: the first, short ones at which a singularity may be near
  * (em_chart.h), and those at which the energy, a row or the end is due. */
-EM_INLINE em_truth em_flock_due(const em_flock *f, const em_lane_state *w) {
-    em_truth brief = (fabs(*w->h) < EM_BRIEF * *w->longest) | (*w->retries > 0.0);
+EM_INLINE em_truth em_flock_due(const em_flock *f, const em_lane_state *w, em_truth accepted) {
+    em_truth brief = accepted & ((fabs(*w->h) < EM_BRIEF * *w->longest) | (*w->retries > 0.0));
 #ifdef EM_PIVOTS
     if (em_any(brief)) brief &= ~em_resolved(*w->t, w->y, *w->t_new, w->y_new, w->c, f->rtol);
 #endif
@@ -245,20 +245,25 @@ static void em_flock_commit(em_lane_state *w, em_truth tried, em_truth took) {
     *w->n_rhs += em_where(took, one, none) + em_where(tried, em_real(EM_FLOCK_STAGES - 1.0), none);
 }
 
+/* -1 in lanes with a run. */
+EM_INLINE em_truth em_flock_live(const em_flock *f) {
+    em_truth live;
+    for (int lane = 0; lane < EM_LANES; ++lane) live[lane] = -f->live[lane];
+    return live;
+}
+
 /* One attempt at a step in every lane, and what follows from it. */
 static void em_flock_step(em_flock *f, em_lane_state *w) {
-    em_truth stays = {0};
     em_flock_aim(f, w);
     const em_attempts found = em_flock_attempt(f, w);
-    const em_truth small = found.sound & (*w->error < 1.0);
-    const em_truth due = em_flock_due(f, w) | ~found.settled;
+    const em_truth small = found.sound & (*w->error < 1.0), live = em_flock_live(f);
+    const em_truth due = f->always ? small : small & (em_flock_due(f, w, small) | ~found.settled);
     em_flock_resize(w, small);
-    const em_truth lost = em_flock_lost(f, w, &found, small);
-    for (int lane = 0; lane < EM_LANES; ++lane) {
-        if (!f->live[lane]) continue;
+    const em_truth lost = em_flock_lost(f, w, &found, small), looks = live & (lost | due);
+    em_truth stays = live & ~looks;
+    for (int lane = 0; lane < EM_LANES && em_any(looks); ++lane) {
         const em_landing landing = lost[lane] ? EM_LOST : found.settled[lane] ? EM_SETTLED : EM_UNSETTLED;
-        const int looks = landing == EM_LOST || (small[lane] && (f->always || due[lane]));
-        if (!looks || f->look(f, lane, landing) == 0) stays[lane] = -1;
+        if (looks[lane] && f->look(f, lane, landing) == 0) stays[lane] = -1;
     } /* where it does not stay, there is another member now, or none */
     em_flock_commit(w, stays, stays & small);
 }

@@ -1,4 +1,4 @@
-/* em_linear.h: small dense linear algebra: products, L L^T and what solves with it. Dimensions are constants at every
+/* em_linear.h: small dense linear algebra: products, L L^T and L D L^T, and what solves with them. Dimensions are constants at every
  * call, so that the compiler unrolls what is small. Matrices are row-major. */
 #ifndef EM_LINEAR_H
 #define EM_LINEAR_H
@@ -35,9 +35,9 @@ EM_COLD int em_fail(em_fault *fault, em_status status, int first, int second, do
 #ifdef EM_PACKED
 enum { EM_LONG = 8 }; /* from here on rows of a factor are formed in vectors */
 
-/* em_cholesky row by row of D L^T: each is taken off those behind it, in vectors of EM_LANES numbers. */
-EM_COLD int em_cholesky_along(int n, const double *restrict M, double *restrict L, double *restrict r,
-                                double tolerance) {
+/* em_factor row by row of D L^T: each is taken off those behind it, in vectors of EM_LANES numbers. */
+EM_COLD int em_factor_along(int n, int roots, const double *restrict M, double *restrict L, double *restrict r,
+                            double tolerance) {
     enum { WIDTH = EM_LANES };
     const int padded = (n + WIDTH - 1) / WIDTH;
     em_numbers rows[n * padded];
@@ -50,46 +50,75 @@ EM_COLD int em_cholesky_along(int n, const double *restrict M, double *restrict 
         const double *const row = U + k * padded * WIDTH, pivot = row[k];
         if (!(pivot > tolerance * M[k * n + k])) return k;
         const double inverse = 1.0 / pivot;
-        r[k] = sqrt(inverse);
+        r[k] = roots ? sqrt(inverse) : inverse;
         EM_UNROLL
         for (int i = k + 1; i < n; ++i) {
             const double part = row[i] * inverse;
             for (int at = i / WIDTH; at < padded; ++at) rows[i * padded + at] -= part * rows[k * padded + at];
         }
     }
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) L[i * n + j] = U[j * padded * WIDTH + i] * r[j];
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < i; ++j) L[i * n + j] = U[j * padded * WIDTH + i] * r[j];
+        L[i * n + i] = roots ? U[i * padded * WIDTH + i] * r[i] : U[i * padded * WIDTH + i];
+    }
     return -1;
 }
 #endif
 
-/* L (n, n) lower with M = L L^T; reads the lower triangle of M. r (n): 1 / L_ii.
- * Returns -1, or the index of the first pivot that is not above `tolerance` M_ii.
- * By way of L D L^T: from pivot to pivot leads one division then, and the roots are not waited for. */
-EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
+/* M (n, n), by its lower triangle, = L D L^T with ones on the diagonal of L, where D is kept; r (n): D^-1. Or, with
+ * `roots`, = L L^T; r: 1 / L_ii. Returns -1, or the index of the first pivot that is not above `tolerance` M_ii.
+ * From pivot to pivot leads one division, and roots are not waited for. */
+EM_INLINE int em_factor(int n, int roots, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
 #ifdef EM_PACKED
-    if (em_tiled(n) >= EM_LONG) return em_cholesky_along(n, M, L, r, tolerance);
+    if (em_tiled(n) >= EM_LONG) return em_factor_along(n, roots, M, L, r, tolerance);
 #endif
-    real W[n * n], sound[n]; /* L D^-1, while L D is in L and D^-1 in r; 1, or NaN, which the next pivot need not wait for */
+    real LD[n * n], sound[n]; /* sound: 1, or NaN, which the next pivot need not wait for */
     for (int j = 0; j < n; ++j) {
         real pivot = M[j * n + j];
-        for (int k = 0; k < j; ++k) pivot -= L[j * n + k] * W[j * n + k];
+        for (int k = 0; k < j; ++k) pivot -= LD[j * n + k] * L[j * n + k];
         sound[j] = em_real(1.0);
         if (em_fails(&sound[j], em_value(pivot) > tolerance * em_value(M[j * n + j]))) return j;
         L[j * n + j] = pivot;
         r[j] = 1.0 / pivot;
         for (int i = j + 1; i < n; ++i) {
             real sum = M[i * n + j];
-            for (int k = 0; k < j; ++k) sum -= L[i * n + k] * W[j * n + k];
-            L[i * n + j] = sum;
-            W[i * n + j] = sum * r[j];
+            for (int k = 0; k < j; ++k) sum -= LD[i * n + k] * L[j * n + k];
+            LD[i * n + j] = sum;
+            L[i * n + j] = sum * r[j];
         }
     }
     for (int j = 0; j < n; ++j) {
-        r[j] = sqrt(r[j]) * sound[j];
-        for (int i = j; i < n; ++i) L[i * n + j] *= r[j];
+        r[j] = roots ? sqrt(r[j]) * sound[j] : r[j] * sound[j];
+        if (!roots) continue;
+        L[j * n + j] *= r[j];
+        for (int i = j + 1; i < n; ++i) L[i * n + j] = LD[i * n + j] * r[j];
     }
     return -1;
+}
+
+/* M = L L^T */
+EM_INLINE int em_cholesky(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
+    return em_factor(n, 1, M, L, r, tolerance);
+}
+
+/* M = L D L^T, where nobody needs a root. */
+EM_INLINE int em_ldlt(int n, const real *restrict M, real *restrict L, real *restrict r, double tolerance) {
+    return em_factor(n, 0, M, L, r, tolerance);
+}
+
+/* b <- L^-1 b, with ones on the diagonal of L */
+EM_INLINE void em_forward_unit(int n, const real *restrict L, real *restrict b) {
+    for (int i = 1; i < n; ++i)
+        for (int k = 0; k < i; ++k) b[i] -= L[i * n + k] * b[k];
+}
+
+/* b <- L^-T D^-1 b, with ones on the diagonal of L */
+EM_INLINE void em_backward_unit(int n, const real *restrict L, const real *restrict r, real *restrict b) {
+    for (int i = n - 1; i >= 0; --i) {
+        real sum = b[i] * r[i];
+        for (int k = i + 1; k < n; ++k) sum -= L[k * n + i] * b[k];
+        b[i] = sum;
+    }
 }
 
 /* b <- L^-1 b */
@@ -139,15 +168,18 @@ EM_INLINE void em_product(int m, int n, const real *restrict A, const real *rest
         }
 }
 
-/* Lambda (n, n) <- C M C^T, both triangles; M full. */
-EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
+/* T <- C^T where rows are tiled: nobody else reads it. */
+EM_INLINE void em_turned_for_tiles(int n, const real *restrict C, real *restrict T) {
+    if (em_tiled(n)) em_transpose(n, C, T);
+}
+
+/* The lower triangle of Lambda (n, n) <- C M C^T; M full, T of em_turned_for_tiles. */
+EM_INLINE void em_congruence_below(int n, const real *restrict C, const real *restrict T, const real *restrict M,
+                                   real *restrict Lambda) {
     real W[n * n];
     if (em_tiled(n)) {
-        real T[n * n];
-        em_transpose(n, C, T);
         em_multiply(n, 0, 1.0, M, T, W);
         em_multiply(n, 1, 1.0, C, W, Lambda);
-        em_mirror(n, Lambda);
         return;
     }
     em_multiply(n, 0, 1.0, C, M, W);
@@ -155,8 +187,16 @@ EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict
         for (int j = 0; j <= i; ++j) {
             real sum = em_real(0.0);
             for (int k = 0; k < n; ++k) sum += W[i * n + k] * C[j * n + k];
-            Lambda[i * n + j] = Lambda[j * n + i] = sum;
+            Lambda[i * n + j] = sum;
         }
+}
+
+/* Lambda (n, n) <- C M C^T, both triangles; M full. */
+EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
+    real T[n * n];
+    em_turned_for_tiles(n, C, T);
+    em_congruence_below(n, C, T, M, Lambda);
+    em_mirror(n, Lambda);
 }
 
 #endif

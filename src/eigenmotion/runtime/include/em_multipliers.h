@@ -14,6 +14,16 @@ EM_INLINE void em_rows_of_root(int m, int n, const real *restrict L, const real 
     for (int row = 0; row < m; ++row) em_forward(n, L, r, B + row * n);
 }
 
+/* B (m, n) <- A L^-T, BD <- B D^-1, M = L D L^T */
+EM_INLINE void em_rows_of_ldlt(int m, int n, const real *restrict L, const real *restrict r, const real *restrict A,
+                               real *restrict B, real *restrict BD) {
+    em_copy(m * n, A, B);
+    for (int row = 0; row < m; ++row) {
+        em_forward_unit(n, L, B + row * n);
+        for (int i = 0; i < n; ++i) BD[row * n + i] = B[row * n + i] * r[i];
+    }
+}
+
 /* B (m, n) <- A C^T S^-1 (28) */
 EM_INLINE void em_rows_of_factors(int m, int n, const real *restrict C, const real *restrict s,
                                   const real *restrict A, real *restrict B) {
@@ -97,10 +107,10 @@ EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict r
     int row = -1;
     if (flags >= EM_FIRST_KEPT) em_drop_rows(m, Delta, rhs, flags);
     else row = em_vanished_row(m, Delta);
-    if (row < 0) row = em_cholesky(m, Delta, L, r, EM_SINGULAR_PIVOT);
+    if (row < 0) row = em_ldlt(m, Delta, L, r, EM_SINGULAR_PIVOT);
     if (row >= 0) return row;
-    em_forward(m, L, r, rhs);
-    em_backward(m, L, r, rhs);
+    em_forward_unit(m, L, rhs);
+    em_backward_unit(m, L, r, rhs);
     return -1;
 }
 

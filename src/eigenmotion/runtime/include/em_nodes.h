@@ -65,15 +65,31 @@ static void em_rest(em_walk *w) {
         }
 }
 
+/* Y's x and v, of rows k on, <- by the integral of the rates of v and the integral of that. */
+EM_INLINE void em_motion_states(em_walk *w, int rows, int k) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    em_bundle sum[EM_TOGETHER][2][EM_BUNDLES] = {{{{0.0}}}};
+    em_both_rows(rows, em_integral, em_integral_twice, q->a, N + k, sum);
+    for (int r = 0; r < rows; ++r)
+        for (int b = 0; b < EM_BUNDLES; ++b) {
+            const em_bundle part = h * em_bundle_at(em_node_place + b * EM_LANES);
+            q->Y[b][N + k + r] = w->y[N + k + r] + h * sum[r][0][b];
+            q->Y[b][k + r] = w->y[k + r] + (part * w->y[N + k + r] + h * h * sum[r][1][b]);
+        }
+}
+
 /* Y <- the states that the rates make. */
 static void em_node_states(em_walk *w) {
     em_nodes *q = &w->nodes;
-    const double h = w->h;
-    const int first = EM_FIRST_RATE;
-    em_map(em_rates_end(w) - first, em_integral, q->a, first, w->y + first, h, q->Y, first);
-    if (EM_SECOND_ORDER) em_map(N, em_integral_twice, q->a, N, w->y, h * h, q->Y, 0);
-    for (int b = 0; EM_SECOND_ORDER && b < EM_BUNDLES; ++b)
-        for (int k = 0; k < N; ++k) q->Y[b][k] += em_bundle_at(em_node_place + b * EM_LANES) * (h * w->y[N + k]);
+    if (!EM_SECOND_ORDER) {
+        const int first = q->drifted ? N : 0; /* places are where the velocities of the last iteration led */
+        em_map(em_rates_end(w) - first, em_integral, q->a, first, w->y + first, w->h, q->Y, first);
+        return;
+    }
+    int k = 0;
+    for (; k + EM_TOGETHER <= N; k += EM_TOGETHER) em_motion_states(w, EM_TOGETHER, k);
+    if (k < N) em_motion_states(w, 1, k);
 }
 
 /* The size in tolerances of something at the nodes, of which `square` is the sum of squares over the rates. */
@@ -200,6 +216,7 @@ static int em_nodes_step(em_walk *w) {
     em_weigh_rates(w);
     em_rest(w);
     em_begin_nodes(w);
+    q->drifted = 0;
     const double left = em_solve_nodes(w, most, &q->aimed);
     w->end_rate = NULL;
     w->error_norm = w->size_norm = em_min(left, EM_DIVERGES);

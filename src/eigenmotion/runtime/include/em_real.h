@@ -98,9 +98,13 @@ EM_INLINE real em_where(em_truth condition, real yes, real no) {
 
 /* Whether it is so in any lane. */
 EM_INLINE int em_any(em_truth condition) {
+#if defined(__AVX__) && EM_LANES == 4
+    return __builtin_ia32_movmskpd256((real)condition) != 0;
+#else
     long long any = 0;
     for (int lane = 0; lane < EM_LANES; ++lane) any |= condition[lane];
     return any != 0;
+#endif
 }
 
 /* Some lane of a, for messages. */

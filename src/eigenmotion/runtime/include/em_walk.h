@@ -93,6 +93,7 @@ typedef struct em_nodes {
     double aimed;                            /* the error after as many iterations as a step is made for */
     double within;                           /* the error of the polynomial where the state within the step is asked for */
     int mode, before_mode, converged, known, blind, on_lanes; /* converged: there is a series; known: a step before */
+    int drifted;                             /* whether the places at the nodes are those that the rates make */
     int slow;                                /* whether the iteration converges slowly, though it had little to do */
 } em_nodes;
 
