@@ -205,6 +205,78 @@ def test_an_event_that_jumps_happens(method):
         assert times == pytest.approx([1.0], abs=1e-12)
 
 
+# --- events exactly at breaks: F = 2 until c, then -1; x = t^2 until then --------------------------------------------
+
+C, D = symbols("c d")
+TURNED = Piecewise((2, t < C), (-1, True))
+
+
+def turned(name: str, **events: object) -> em.System:
+    return system_for(driven(name, TURNED, {C: 1.0, D: 1.0}, events=events), "lagrange")
+
+
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9", "LSODA"])
+def test_an_event_at_a_break_at_which_the_run_ends_happens(method):
+    """Steps up to a break ask a little before it, where the clock is not yet zero."""
+    system = turned("arriving", clock=t - C, later=t - 3, to=Event(Piecewise((-1, t < C), (1, True))),
+                    beyond=Event(Piecewise((-1, t <= C), (1, True))), last=Event(t - D, terminal=True))  # fmt: skip
+    ends = {(0.0, 1.0): "clock to last", (2.0, 1.0): "clock beyond last", (0.0, 0.5): "", (1.0, 0.5): ""}
+    for span, fired in ends.items():
+        run = system.simulate(span, x0=[1.0], v0=[0.0], method=method)
+        times = dict(zip(system.events, map(list, run.t_events), strict=True))
+        assert times == {name: [1.0] if name in fired.split() else [] for name in system.events}
+        assert (run.stop is StopReason.TERMINAL_EVENT) == ("last" in fired)
+
+
+KICK = {X.diff(): -X.diff()}
+AT_BREAKS = {  # events, and dx, dv at t = 2 by c and by d; None: the derivatives from both sides differ
+    "passive": ({"place": X - D**2}, (3, 3), (0, 0)),
+    "clocks": ({"one": t - D, "other": t - C}, (3, 3), (0, 0)),
+    "kicked": ({"kick": Event(t - C, reset=KICK)}, (3, -1), (0, 0)),
+    "apart": ({"kick": Event(t - D, reset=KICK)}, None, None),
+    "crowded": ({"place": X - D**2, "clock": t - D}, None, None),
+}
+
+
+@pytest.mark.parametrize("name", AT_BREAKS)
+def test_derivatives_through_events_at_breaks_are_right_or_refused(name):
+    """Which were 0 past passive events, and wrong past those that act."""
+    events, *expected = AT_BREAKS[name]
+    system = turned(name, **events)
+    for parameter, right in zip("cd", expected, strict=True):
+        if right is None:
+            with pytest.raises(ModelError, match=r"times change apart"):
+                system.simulate((0.0, 2.0), sensitivities=[parameter])
+            continue
+        found = system.simulate((0.0, 2.0), sensitivities=[parameter], rtol=1e-10, atol=1e-12).sensitivity[parameter]
+        assert np.allclose([found.dx[0, -1], found.dv[0, -1]], right, rtol=0, atol=1e-9)
+
+
+def test_a_force_that_jumps_where_several_events_happen_jumps_once():
+    """x after d under 1 before it and 2 behind: with k events at d directions jumped k times."""
+    events = {"one": X - D, "two": D**2 - X * D, "three": 3 * (X - D)}
+    model = driven("thrice", 1 + Heaviside(X - D), {D: 1.0}, events=events, initial={X.diff(): 1.0})
+    system = system_for(model, "lagrange")
+    found = system.simulate((0.0, 2.0), sensitivities=["d"], rtol=1e-10, atol=1e-12).sensitivity["d"]
+    speed = np.sqrt(3.0)  # at d; the time there changes by 1 / speed, and a by 1 from then on
+    left = 2.0 - (speed - 1.0)
+    assert np.allclose([found.dx[0, -1], found.dv[0, -1]], [-left / speed, -1 / speed], rtol=0, atol=1e-6)
+
+
+@pytest.mark.parametrize("method", ["dop853", "radau9", "LSODA"])
+def test_times_that_come_back_faster_than_rounding_tells_are_refused(method):
+    """A square wave of 1 s, eight roundings of the time at 1e15 s: it was a constant."""
+    square = driven("square", Piecewise((1, Mod(t, D) < D / 2), (-1, True)), {D: 1.0})
+    system = system_for(square, "lagrange")
+    far = system.simulate((1e9, 1e9 + 2.25), method=method)
+    assert far.x[0, -1] == pytest.approx(17 / 32, abs=1e-6)
+    for start, period in ((1e15, 1.0), (0.0, 1e-300), (1.0, 1e-17)):
+        run = system.simulate((start, start + 2.25), parameters={"d": period}, method=method)
+        assert (run.stop, run.t[-1]) == (StopReason.STEP_SIZE_UNDERFLOW, start)
+    runs = simulate_ensemble(system, (1.0, 3.25), parameters={"d": [1.0, 1e-17]})
+    assert runs.success.tolist() == [True, False]
+
+
 def test_what_is_not_solved_is_said():
     words = compiler.explain(driven("unsolved", Piecewise((1, t**3 + t < DUTY), (0, True)), {DUTY: 1.0}))
     assert "that steps may pass over" in words

@@ -40,8 +40,8 @@ FRAMES = {
 OTHER_TIMES = {Frame(time=1e-6): 1e-14, Frame(time=1e-3): 1e-11, Frame(time=1e3): 1e-11, Frame(time=1e6): 1e-9}
 """-> atol: above the rounding of velocities that are 0, below rtol of those that are not."""
 MEASURED_FROM = {"four_bars_2": {"p1": "q1", "p2": "q1"}}
-"""Coordinates that stay at 0, measured from one that does not. A velocity that is 0 is held to atol alone, which another
-unit of time makes another tolerance: the couplers of parallelograms were most of the cost, whatever rtol."""
+"""Coordinates that stay at 0, measured from one that does not. A velocity that is 0 is held to atol alone, which
+another unit of time makes another tolerance: the couplers of parallelograms were most of the cost, whatever rtol."""
 AT_THE_START = {
     "rolling_disk": {"theta": 0.5},
     "furuta_pendulum": {"phi": 0.5, "theta": 0.5},

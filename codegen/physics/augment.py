@@ -166,7 +166,7 @@ def _rank(M: Numbers) -> int:
 
 
 def _pivots(M: Numbers, whole: Numbers | None = None) -> list[float]:
-    """Pivots of a Cholesky factor with the largest first, of M where the diagonal of the whole (or M's own) is of ones."""
+    """Pivots of a Cholesky factor with the largest first, of M where the diagonal of the whole (or its own) is ones."""
     size = [1 / math.sqrt(row[k]) if row[k] > 0 else 0.0 for k, row in enumerate(whole or M)]
     rest = [[a * size[i] * size[j] for j, a in enumerate(row)] for i, row in enumerate(M)]
     left, pivots = set(range(len(M))), []

@@ -72,9 +72,9 @@ def _edges(a: float, b: float, leaves: bool, meets: bool, steps: Vector, kinks: 
     least = 1e-6 * (high - low)
     ends = np.concatenate([[low], steps[slice(*steps.searchsorted((low + least, high - least)))], [high]])
     within = ends[1:-1] if together == 1.0 else _spaced(ends, ceil((len(ends) - 1) / together))
-    if len(kinks):
-        within = np.unique(np.concatenate([within, kinks[(kinks > low) & (kinks < high)]]))
     first, last = a + _BESIDE * (b - a) if leaves else a, b - _BESIDE * (b - a) if meets else b
+    if len(kinks):  # those beside an event are seen there
+        within = np.unique(np.concatenate([within, kinks[(kinks > min(first, last)) & (kinks < max(first, last))]]))
     return np.concatenate([[first], within if a < b else within[::-1], [last]])
 
 

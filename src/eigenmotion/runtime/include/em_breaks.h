@@ -22,15 +22,21 @@ EM_UNUSED static double em_break_slack(const double *b, double t) {
 
 EM_UNUSED static int em_is_break(const double *b) { return isfinite(b[0]) && isfinite(b[1]); }
 
+/* Whether the times of a break come back faster than rounding at about t tells them apart. */
+EM_UNUSED static int em_break_is_blurred(const double *b, double t) {
+    return em_is_break(b) && b[1] != 0.0 && fabs(b[1]) <= 2.0 * em_break_slack(b, t);
+}
+
 /* The time of a break that is nearest to t. */
 EM_UNUSED static double em_nearest_break(const double *b, double t) {
     return b[1] != 0.0 ? b[0] + round((t - b[0]) / b[1]) * b[1] : b[0];
 }
 
-/* The next time of a break that is more than its slack beyond t; infinite: there is none. */
+/* The next time of a break that is more than its slack beyond t; infinite: there is none. That of one that is blurred is anywhere. */
 EM_UNUSED static double em_break_after(const double *b, double t, double direction) {
     const double slack = em_break_slack(b, t), clear = t + direction * slack;
     double next = b[0];
+    if (em_break_is_blurred(b, t)) return clear;
     if (b[1] != 0.0) {
         const double period = fabs(b[1]), turns = (clear - b[0]) / period;
         next = b[0] + (direction > 0.0 ? floor(turns) + 1.0 : ceil(turns) - 1.0) * period;
@@ -49,15 +55,17 @@ EM_UNUSED static double em_next_break(int count, const double *at, double t, dou
     return next;
 }
 
-/* How far from t the breaks there reach; 0: t is no break. */
-EM_UNUSED static double em_break_reach(int count, const double *at, double t) {
+/* How far from t the breaks there reach, which are no further than their slack or `near`; 0: t is no break. */
+EM_UNUSED static double em_break_reach_near(int count, const double *at, double t, double near) {
     double reach = 0.0;
     for (int i = 0; i < count && isfinite(t); ++i) {
         const double *const b = at + 3 * i, slack = em_break_slack(b, t), apart = fabs(t - em_nearest_break(b, t));
-        if (em_is_break(b) && apart <= slack) reach = fmax(reach, apart + slack);
+        if (em_is_break(b) && apart <= fmax(slack, near)) reach = fmax(reach, apart + slack);
     }
     return reach;
 }
+
+EM_UNUSED static double em_break_reach(int count, const double *at, double t) { return em_break_reach_near(count, at, t, 0.0); }
 
 /* inside (2) <- between which times a step from t on, up to the break `next`, asks the model. Returns whether t is a break. */
 EM_UNUSED static int em_break_sides(int count, const double *at, double t, double next, double direction, double *inside) {

@@ -5,10 +5,13 @@
 #include "em_walk.h"
 
 #ifdef EM_BREAKS
-/* What holds after w->t of conditions in the time alone. Returns whether others did before. */
+/* What holds after w->t of conditions in the time alone. Returns whether others did before, or -1 and w->reason. */
 static int em_enter_break(em_walk *w) {
     double at[3 * N_BREAKS];
     model_breaks(w->run->prepared, at);
+    for (int i = 0; i < N_BREAKS; ++i)
+        if (em_break_is_blurred(at + 3 * i, w->t))
+            return w->crosses = em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, fabs(at[3 * i + 1]));
     const double next = em_next_break(N_BREAKS, at, w->t, w->direction);
     if (w->direction * (next - w->pieces_end) < 0.0) w->pieces_end = next;
     return w->crosses = em_break_sides(N_BREAKS, at, w->t, next, w->direction, w->inside);
@@ -17,7 +20,7 @@ static int em_enter_break(em_walk *w) {
 static int em_enter_break(em_walk *w) { return (void)w, 0; }
 #endif
 
-/* The pieces that hold after w->t. Returns whether one of them jumps there, so that f does too. */
+/* The pieces that hold after w->t. Returns whether one of them jumps there, so that f does too, or what ends the run. */
 static int em_enter_pieces(em_walk *w) {
     int jumps = 0;
     w->pieces_end = w->direction * INFINITY;

@@ -33,7 +33,7 @@ static int em_enter(em_walk *w) {
 /* The first right-hand side, event values and step size. */
 static int em_begin(em_walk *w) {
     em_run *run = w->run;
-    em_enter_pieces(w);
+    if (em_enter_pieces(w) < 0) return em_end_with(w, w->reason);
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);
     em_weigh_start(w);
     if (!em_all_finite(w->y) || !em_all_finite(w->K[0])) return em_not_finite(w, w->y, w->K[0]), em_end_with(w, w->reason);
@@ -98,7 +98,7 @@ static void em_commit(em_walk *w) {
 /* Rates and event values anew at a state whose rates have jumped: where another piece begins. */
 static int em_resume(em_walk *w) {
 #ifdef EM_BREAKS
-    if (w->crosses && em_cross(w)) return em_end_with(w, w->reason);
+    if (w->crosses < 0 || (w->crosses && em_cross(w))) return em_end_with(w, w->reason);
     w->crosses = 0;
 #endif
     if (em_rhs(w, w->mode, w->t, w->y, w->memory, w->K[0])) return em_end_with(w, w->reason);

@@ -187,11 +187,22 @@ static int em_search(em_walk *w, const em_survey *s, int i) {
     return 0;
 }
 
-/* What is zero at the end of the run has come there, unless it rested at zero before. */
-static void em_arrive(em_walk *w, const em_survey *s, int i) {
-    const em_point end = {w->t_new, w->g_new[i]};
-    if (w->t_new != w->run->t_end || end.g != 0.0 || w->side[i] == 0) return;
-    if (s->g[s->count - 2][i] == 0.0) return;
+/* g (n_events) as they are at the end of the run itself: before a break the model is asked a little earlier. */
+static void em_events_at_end(em_walk *w, double *g) {
+    memcpy(g, w->g_new, sizeof w->g_new);
+#ifdef EM_BREAKS
+    if (w->t_new == w->run->t_end && em_clock(w, w->t_new) != w->t_new && em_events_in_mode(w, w->t_new, w->y_new, w->f_new, g))
+        memcpy(g, w->g_new, sizeof w->g_new);
+#endif
+}
+
+/* What is zero at the end of the run, where g_i is g, has come there, unless it rested at zero before; what has the other sign
+ * has jumped there. */
+static void em_arrive(em_walk *w, const em_survey *s, int i, double g) {
+    const em_point end = {w->t_new, g};
+    const int sign = em_side_of(g, 0.0);
+    if (w->t_new != w->run->t_end || sign == w->side_new[i] || w->side[i] == 0) return;
+    if (sign == 0 && s->g[s->count - 2][i] == 0.0) return;
     if (em_fires(w->run->event_direction[i], w->side_new[i])) w->found[w->n_found++] = (em_found){end, end, i};
 }
 

@@ -10,8 +10,8 @@
 #define EM_TOGETHER_IN_TIME 1e-9 /* relative: changes of times that go together */
 #define EM_ROWS_JUMP 1e-9        /* the part of its terms by which an entry of a constraint row jumps */
 
-/* dtau (columns) <- how the times of all breaks at t change, of which `at` says when they are. 0, or -1: not all as one. */
-static int em_break_shift(const em_pass *p, const double *at, double t, double *dtau) {
+/* dtau (columns) <- how the times of all breaks at t, or so near, change, of which `at` says when they are. 0, or -1: not all as one. */
+static int em_break_shift(const em_pass *p, const double *at, double t, double near, double *dtau) {
     const em_model *const model = p->of->model;
     const int width = model->n_arguments, k = p->columns;
     double D[model->n_breaks * 2 * width];
@@ -19,7 +19,7 @@ static int em_break_shift(const em_pass *p, const double *at, double t, double *
     model->break_partials(p->c, D);
     for (int i = 0; i < model->n_breaks; ++i) {
         const double *const b = at + 3 * i, *const by = D + 2 * i * width + 2 * p->n;
-        if (!(em_break_reach(1, b, t) > 0.0)) continue;
+        if (!(em_break_reach_near(1, b, t, near) > 0.0)) continue;
         const double turns = b[1] != 0.0 ? round((t - b[0]) / b[1]) : 0.0;
         for (int j = 0; j + 1 < k; ++j) {
             double change = 0.0;
@@ -54,13 +54,55 @@ static int em_cross_directions(em_pass *p, const double *at, double t, int first
     int jumps = 0;
     memset(dtau, 0, sizeof dtau);
     for (int i = n; i < 2 * n; ++i) jumps |= fabs(after[i] - before[i]) > EM_UNIFORM * (fabs(after[i]) + fabs(before[i]));
-    if (em_break_shift(p, at, t, dtau)) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+    if (em_break_shift(p, at, t, 0.0, dtau)) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
     for (int j = 0; jumps && j + 1 < k; ++j) {
         if (dtau[j] == 0.0) continue;
         if (first || !isfinite(dtau[j])) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
         for (int i = n; i < 2 * n; ++i) p->S[i * k + j] += (before[i] - after[i]) * dtau[j];
     }
     return 0;
+}
+
+/* The model is asked on one side of t alone, where t is a break or so near to one. Returns how far that reaches, 0: it is none. */
+static double em_pass_side(em_pass *p, double t, double near, int after) {
+    const em_model *const model = p->of->model;
+    p->inside[0] = -INFINITY, p->inside[1] = INFINITY;
+    if (model->n_breaks == 0) return 0.0;
+    double at[3 * model->n_breaks];
+    model->breaks(p->c, at);
+    const double reach = em_break_reach_near(model->n_breaks, at, t, near), way = after ? p->of->direction : -p->of->direction;
+    if (reach > 0.0) p->inside[way > 0.0 ? 0 : 1] = t + way * reach;
+    return reach;
+}
+
+/* Whether another stop is as near to a break as this one. */
+static int em_is_crowded(const em_variations *w, size_t stop, double reach) {
+    const double before = stop > 0 ? fabs(w->t[stop] - w->t[stop - 1]) : 0.0;
+    const double after = stop + 1 < w->n_stops ? fabs(w->t[stop + 1] - w->t[stop]) : 0.0;
+    return (before > 0.0 && before <= reach) || (after > 0.0 && after <= reach);
+}
+
+/* dtau (columns) <- how a break at a stop moves, jump (2 n) <- by how much rates at z change there, and there alone. 1, 0: there
+ * is none that counts, or -1. Leaves the pass on the side after. */
+static int em_break_at(em_pass *p, size_t stop, double near, double *dtau, double *jump) {
+    const em_model *const model = p->of->model;
+    const double t = p->of->t[stop], reach = em_pass_side(p, t, near, 0);
+    double at[3 * model->n_breaks + 1], before[2 * p->n], after[2 * p->n];
+    int jumps = 0;
+    if (!(reach > 0.0)) return 0;
+    if (em_motion_rate(p, t, p->z, before)) return -1;
+    em_pass_side(p, t, near, 1);
+    if (em_motion_rate(p, t, p->z, after)) return -1;
+    for (int i = 0; i < 2 * p->n; ++i) {
+        jump[i] = before[i] - after[i];
+        jumps |= i >= p->n && fabs(jump[i]) > EM_UNIFORM * (fabs(after[i]) + fabs(before[i]));
+    }
+    if (p->m > 0 && em_rows_jump(p, t, reach)) return em_end_pass(p->of, EM_ROWS_BREAK, -1, -1);
+    memset(dtau, 0, p->columns * sizeof *dtau);
+    model->breaks(p->c, at);
+    if (jumps && (em_is_crowded(p->of, stop, reach) || em_break_shift(p, at, t, near, dtau)))
+        return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+    return jumps;
 }
 
 /* The conditions that hold in a step. Where its start is a break: directions beyond it, and the witness. 0, or -1. */

@@ -65,18 +65,7 @@ static void em_event_shift(em_pass *p, double t, int event, const double *rate, 
     }
 }
 
-/* Where accelerations jump, directions do. */
-static int em_variation_jump(em_pass *p, double t, const double *before, const double *dt, double beside) {
-    const int n = p->n, k = p->columns;
-    double after[2 * n];
-    if (em_rate_on_side(p, t, beside, after)) return -1;
-    if (em_is_same_rate(n, before, after)) return 0;
-    for (int column = 0; column + 1 < k; ++column)
-        for (int i = n; i < 2 * n; ++i) p->S[i * k + column] += (before[i] - after[i]) * dt[column];
-    return 0;
-}
-
-/* Whether two events that act happen together however what is given changes, relative to the larger change. */
+/* Whether two events, or an event and a break, happen together however what is given changes, relative to the larger change. */
 static int em_go_together(const em_pass *p, const double *one, const double *other) {
     for (int column = 0; column + 1 < p->columns; ++column)
         if (!(fabs(one[column] - other[column]) <= 1e-6 * fmax(fabs(one[column]), fabs(other[column])) + DBL_MIN)) return 0;
@@ -93,12 +82,15 @@ static int em_is_same_state(int n, const double *y, const double *z, const doubl
     return apart[0] <= EM_SAME_STATE * size[0] && apart[1] <= EM_SAME_STATE * size[1];
 }
 
-/* At t events act: z and the mode after them, of which the run says it is `next`, and the directions. */
-static int em_variation_act(em_pass *p, double t, int *fired, const double *before, const double *dt,
-                            const double *next, double beside) {
+/* At a stop events act: z and the mode after them, of which the run says it is `next`, and the directions. */
+static int em_variation_act(em_pass *p, size_t stop, int *fired, const double *before, const double *dt, double beside) {
     em_variations *const w = p->of;
     const int n = p->n, k = p->columns;
-    double P[w->n_given * k], after[2 * n], v[n];
+    const double t = w->t[stop], near = fabs(beside), *const next = w->z + (stop + 1) * 2 * n;
+    double P[w->n_given * k], after[2 * n], v[n], of_break[k], by_break[2 * n];
+    const int breaks = em_break_at(p, stop, near, of_break, by_break);
+    if (breaks < 0) return -1;
+    if (breaks && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
     memcpy(v, p->z + n, sizeof v);
     for (int i = 0; i < w->n_given; ++i)
         for (int j = 0; j < k; ++j) P[i * k + j] = p->P[i * k + j] + p->P[i * k + k - 1] * dt[j];
@@ -108,9 +100,43 @@ static int em_variation_act(em_pass *p, double t, int *fired, const double *befo
         return -1;
     if (!em_is_same_state(n, p->z, next, v, fabs(beside) / EM_BESIDE)) return em_end_pass(w, EM_OTHER_MOTION, -1, -1);
     memcpy(p->z, next, 2 * n * sizeof *next);
+    const int breaks_then = em_break_at(p, stop, near, of_break, by_break);
+    if (breaks_then < 0) return -1;
+    if (breaks_then && !em_go_together(p, of_break, dt)) return em_end_pass(w, EM_BREAKS_MEET, -1, -1);
     if (em_rate_on_side(p, t, beside, after)) return -1;
     for (int i = 0; i < 2 * n; ++i)
         for (int j = 0; j < k; ++j) p->S[i * k + j] -= after[i] * dt[j];
+    return 0;
+}
+
+/* What happens at a stop: of events that act, or of others, the first, how its time changes, and whether all do so as one. */
+typedef struct em_happening {
+    int acting, event, apart;
+    double *dt;
+} em_happening;
+
+static void em_happens(const em_pass *p, em_happening *h, int event, const double *dt) {
+    if (h->event >= 0 && !em_go_together(p, h->dt, dt)) h->apart = event;
+    if (h->event < 0) h->event = event, memcpy(h->dt, dt, p->columns * sizeof *dt);
+    ++h->acting;
+}
+
+/* Where accelerations jump, directions do: with a break, or with the events that happen there. */
+static int em_variation_jump(em_pass *p, size_t stop, const em_happening *events, const double *before, double beside) {
+    const int n = p->n, k = p->columns;
+    const double t = p->of->t[stop], near = fabs(beside);
+    double after[2 * n], of_break[k], by_break[2 * n], rest[2 * n];
+    const int breaks = em_break_at(p, stop, near, of_break, by_break);
+    if (breaks < 0 || em_rate_on_side(p, t, beside, after)) return -1;
+    if (em_is_same_rate(n, before, after)) return 0;
+    for (int i = 0; breaks && i < 2 * n; ++i) rest[i] = before[i] - by_break[i];
+    const int alone = breaks && em_is_same_rate(n, rest, after), both = !alone && events->event >= 0;
+    if (both && events->apart >= 0) return em_end_pass(p->of, EM_JUMPS_MEET, events->event, events->apart);
+    if (both && breaks && !em_go_together(p, of_break, events->dt)) return em_end_pass(p->of, EM_BREAKS_MEET, -1, -1);
+    if (!breaks && !both) return 0;
+    const double *const dt = breaks ? of_break : events->dt;
+    for (int column = 0; column + 1 < k; ++column)
+        for (int i = n; i < 2 * n; ++i) p->S[i * k + column] += (before[i] - after[i]) * dt[column];
     return 0;
 }
 
@@ -120,26 +146,24 @@ static int em_variation_marks(em_pass *p, size_t stop, size_t *mark, double besi
     em_variations *const w = p->of;
     const int k = p->columns;
     const double t = w->t[stop];
-    double dt[k], of_act[k], before[2 * p->n];
-    int fired[w->model->n_events + 1], acting = 0, first = -1;
+    double dt[k], of_act[k], of_pass[k], before[2 * p->n];
+    int fired[w->model->n_events + 1];
+    em_happening act = {0, -1, -1, of_act}, pass = {0, -1, -1, of_pass};
     memset(fired, 0, sizeof fired);
+    em_pass_side(p, t, fabs(beside), 0);
     if (em_rate_on_side(p, t, -beside, before)) return -1;
     for (; *mark < w->n_marks && w->mark_stop[*mark] == (long)stop; ++*mark) {
-        const int event = w->mark_event[*mark];
+        const int event = w->mark_event[*mark], acts = w->model->deeds && w->model->deeds[event].acts;
         em_event_shift(p, t, event, before, dt);
         memcpy(w->dt + *mark * w->columns, dt, w->columns * sizeof *dt);
-        if (w->model->deeds && w->model->deeds[event].acts) {
-            if (acting && !em_go_together(p, of_act, dt)) return em_end_pass(w, EM_EVENTS_MEET, first, event);
-            for (int j = 0; j < k; ++j)
-                if (!isfinite(dt[j])) return em_end_pass(w, EM_EVENT_GRAZES, event, -1);
-            memcpy(of_act, dt, sizeof dt);
-            first = event, fired[event] = 1, ++acting;
-        } else if (!acting && isfinite(dt[k - 1]) && em_variation_jump(p, t, before, dt, beside)) {
-            return -1;
-        }
+        for (int j = 0; acts && j < k; ++j)
+            if (!isfinite(dt[j])) return em_end_pass(w, EM_EVENT_GRAZES, event, -1);
+        if (acts) em_happens(p, &act, event, dt), fired[event] = 1;
+        else if (isfinite(dt[k - 1])) em_happens(p, &pass, event, dt);
     }
-    if (acting && em_variation_act(p, t, fired, before, of_act, w->z + (stop + 1) * 2 * p->n, beside)) return -1;
-    return acting;
+    if (act.apart >= 0) return em_end_pass(w, EM_EVENTS_MEET, act.event, act.apart);
+    if (act.acting) return em_variation_act(p, stop, fired, before, of_act, beside) ? -1 : act.acting;
+    return stop + 1 < w->n_stops && em_variation_jump(p, stop, &pass, before, beside) ? -1 : 0;
 }
 
 #endif

@@ -11,7 +11,7 @@
 #define EM_UNIFORM 1e-9 /* of what would stop it in a step: accelerations of a motion that are rounding */
 
 /* What ends a pass but faults of the model. */
-enum { EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_BREAKS_MEET, EM_ROWS_BREAK };
+enum { EM_BY_FAULT, EM_EVENTS_MEET, EM_EVENT_GRAZES, EM_OTHER_MOTION, EM_BREAKS_MEET, EM_ROWS_BREAK, EM_JUMPS_MEET };
 
 enum { EM_VARIATION_NODES = 8, EM_BY_ELIMINATION = 64 /* unknowns of a direction up to which that takes less */ };
 

@@ -19,7 +19,7 @@ static int em_variation_leg(em_pass *p, size_t stop, size_t *step, int leaves, i
     em_variations *const w = p->of;
     double rate[2 * p->n];
     em_pass_pieces(p, w->t[stop]);
-    p->inside[0] = -INFINITY, p->inside[1] = INFINITY;
+    em_pass_side(p, w->t[stop], fabs(beside), 1);
     if (leaves && em_move_beside(p, w->t[stop], beside)) return -1;
     if (leaves ? em_rate_on_side(p, w->t[stop], beside, rate) : em_motion_rate(p, w->t[stop], p->z, rate)) return -1;
     em_set_witness(p, rate);

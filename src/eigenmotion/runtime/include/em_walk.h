@@ -145,7 +145,7 @@ struct em_walk {
     double pieces_end;                         /* where the first piece ends: no step goes beyond */
 #ifdef EM_BREAKS
     double inside[2];                          /* times between which conditions in the time alone are what they are */
-    int crosses;                               /* whether w->t is a break, whose other side the state is not yet on */
+    int crosses;                               /* whether w->t is a break, whose other side the state is not yet on; -1: there is none */
 #endif
     double error_norm;                         /* of the step under way: it counts below 1 */
     double size_norm, last_error;              /* what the next step is chosen by; log of that of the last accepted one */
