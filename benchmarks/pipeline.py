@@ -24,8 +24,10 @@ from eigenmotion.codegen.compiler import explain
 
 from eigenmotion import load_model
 from eigenmotion.building import extension, proof
-from eigenmotion.building.build import build
+from eigenmotion.building.build import build, later
 from eigenmotion.building.cache import LOCATION
+from eigenmotion.building.parts import PARTS, WORDS
+from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import Toolchain, toolchain
 
 MODELS = Path(__file__).parents[1] / "models"
@@ -33,7 +35,7 @@ CASES = (("dual_link", {}, 3), ("spatial_arm", {"n": 6}, 1), ("spatial_arm", {"n
          ("chain", {"n": 10}, 1), ("chain", {"n": 32}, 1))  # fmt: skip
 """File, arguments, repeats."""
 GENERATOR = ("derive", "specialise", "lower", "emit")
-COMPILER = {"compile_unit": "C, all units", "compile_module": "C of the module", "link": "link"}
+COMPILER = {"compile_module": "C of the module", "link": "link"}
 REPEATS = 3
 
 
@@ -55,8 +57,21 @@ def timed(name: str, action: Callable[..., Any], seconds: Seconds) -> Callable[.
     return wrapped
 
 
+def unit_by_unit(seconds: Seconds) -> Callable[..., Any]:
+    """Return `Toolchain.compile_unit`, which adds what each unit takes to seconds["C, UNIT"]."""
+    compile_unit = Toolchain.compile_unit
+
+    def wrapped(tools: Toolchain, folder: Path, stem: str, unit: str) -> str:
+        return timed(f"C, {unit}", compile_unit, seconds)(tools, folder, stem, unit)
+
+    return wrapped
+
+
 def stages(file: str, definitions: dict[str, int]) -> Seconds:
-    """Build a model in a fresh cache; return the seconds of each stage. Those of the compiler run side by side."""
+    """Build a model in a fresh cache, then each part as if it were asked for; return the seconds of each stage.
+
+    Those of the compiler run side by side.
+    """
     seconds: Seconds = {}
     with tempfile.TemporaryDirectory() as cache, ExitStack() as stack:
         stack.enter_context(patch.dict(os.environ, {LOCATION: cache}))
@@ -64,11 +79,15 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
             stack.enter_context(patch.object(compiler, name, timed(name, getattr(compiler, name), seconds)))
         for name, title in COMPILER.items():
             stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
+        stack.enter_context(patch.object(Toolchain, "compile_unit", unit_by_unit(seconds)))
         for place, name, title in ((proof, "prove", "proof"), (extension, "_import", "import")):
             stack.enter_context(patch.object(place, name, timed(title, getattr(place, name), seconds)))
         model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
         timed("all", build, seconds)(model)
-    return seconds
+        first = dict(seconds)
+        for part in PARTS:
+            timed(f"later: {WORDS[part]}", later, first)(request(model), toolchain(), part)
+    return first
 
 
 def command(*words: str, cache: str) -> Spent:
@@ -140,7 +159,7 @@ def main() -> None:
         print(f"{title}: {median(one['all'] for one in found):.2f} s in all")
         for name in found[0]:
             if name != "all":  # a process imports a module once
-                print(f"  {name:<18} {median(one[name] for one in found if name in one):.3f}")
+                print(f"  {name:<42} {median(one[name] for one in found if name in one):.3f}")
     commands()
     print("operations of the straight-line part of chain, eigenfactor")
     for n in (5, 10, 20):

@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:e4f6b0d48ecb75a1aca94737e2bab491504a0192d7a574b26a19350a69a7dfdd */
+/* body sha256:053ac25a0aa34c584911dbf92cf822579c7d1004e53d743a0a88975738eb9e93 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -52,7 +52,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 8,
@@ -502,6 +502,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#ifndef EM_NODES_ALONE
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                               real M2[N2][N2], real shared[10])
@@ -620,6 +621,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 }
 
 #endif
+#endif
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
@@ -642,6 +644,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 enum { N_PIVOTS = 8 };
@@ -719,6 +725,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
 #define EM_SETTLE settle_on_lanes
 #include "em_flock.h"
+#endif
 
 extern em_lanes drone_lanes;
 em_lanes drone_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -1670,6 +1677,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -1781,6 +1790,10 @@ const em_model drone_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &drone_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

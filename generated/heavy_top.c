@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:56d14f627e1216c034f13012817a80164ae81a9b50522671a4647400ea23308d */
+/* body sha256:50f2897f81a153b9ed23f5f669aae2ec18809e9c73393db35aa0138f678548ad */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -54,7 +54,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 5,
@@ -256,6 +256,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#ifndef EM_NODES_ALONE
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[2])
 {
@@ -287,6 +288,7 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
 }
 
 #endif
+#endif
 #ifdef EM_ON_LANES
 
 #ifdef EM_ON_DUALS
@@ -309,6 +311,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 enum { N_PIVOTS = 2 };
@@ -367,6 +373,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
 #define EM_SETTLE settle_on_lanes
 #include "em_flock.h"
+#endif
 
 extern em_lanes heavy_top_lanes;
 em_lanes heavy_top_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -740,6 +747,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -846,6 +855,10 @@ const em_model heavy_top_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &heavy_top_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:2e234a773cbe49e789ed41f1f832de2b36549a7f1cf111c80cef0853f813bb80 */
+/* body sha256:f1cada50b9608f66b18c17b22a09e195a0e72fbcfad6b3d7b7686cf711047c24 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -59,7 +59,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 3,
@@ -697,6 +697,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #endif
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -813,6 +815,10 @@ const em_model newtons_cradle_4_model = {
     .switches = switches,
     .act_along = em_act_along,
     .lanes = &newtons_cradle_4_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .n_shapes = 8,
     .dimension = 2,
     .shapes = shapes,

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:8a4ae2b29d3ec00423b5090bdc25d92c476d46046075ab14b2a88c072d69a913 */
+/* body sha256:65ecdb88961a18bfaf082c91aafee9ad1bdeee5d385deffae83074689ed06926 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -51,7 +51,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if !EM_ALONE(EM_STEPPER)
+#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 3,
@@ -203,6 +203,7 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
+#ifndef EM_NODES_ALONE
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
 {
@@ -222,6 +223,7 @@ EM_INLINE void settled_rates(const real *restrict v, real Mdot1[N1][N1])
     Mdot1[1][1] = (-0.5)*x_dot;
 }
 
+#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -245,6 +247,10 @@ static void velocity_on_lanes(const double *t, const double *y, const double *c,
     velocities(*(const real *)t, (const real *)y, (const real *)c, (real *)v, &fault);
 }
 
+#ifdef EM_NODES_ALONE /* lanes for the nodes of one run, none for runs */
+enum { EM_REMEMBERED = 0 };
+#define em_flock_run NULL
+#else
 #include "em_lane_factors.h"
 
 enum { N_PIVOTS = 2 };
@@ -300,6 +306,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
 #define EM_SETTLE settle_on_lanes
 #include "em_flock.h"
+#endif
 
 extern em_lanes veering_lanes;
 em_lanes veering_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run, EM_REMEMBERED, 2, N_PREPARED };
@@ -572,6 +579,8 @@ static int rhs(double t, const double *y, const double *c, const double *u, doub
 #if EM_HOLDS(EM_STEPPER)
 #include "em_handle.h"
 #include "em_member.h"
+#elif EM_HOLDS(EM_METHODS)
+#include "em_further_methods.h"
 #endif
 #if EM_HOLDS(EM_MODEL)
 
@@ -670,6 +679,10 @@ const em_model veering_model = {
     .again = em_handle_again,
     .event = model_events,
     .lanes = &veering_lanes,
+    .further = em_further,
+#ifdef EM_UNIT
+    .rate_jacobian = em_rate_jacobian,
+#endif
     .enter = em_member_enter,
     .board = em_member_board,
     .look = em_member_look,

@@ -6,21 +6,21 @@ import re
 import shutil
 import subprocess
 from collections.abc import Iterable, Iterator
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 from eigenmotion.codegen import compiler
-from eigenmotion.codegen.c.emit import SourceFile, Sources
+from eigenmotion.codegen.c.emit import Sources
 from eigenmotion.codegen.choices import FORMULATIONS, Choices
 from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Saving
 
 from eigenmotion import Model, System, load_model
 from eigenmotion.building.cache import entry, key
-from eigenmotion.building.differentiated import rate_jacobian
 from eigenmotion.building.request import Request
 from eigenmotion.building.toolchain import INCLUDE, toolchain
+from eigenmotion.runtime import CompiledModel
 
 MODELS = Path(__file__).parents[1] / "models"
 NAMES = tuple(sorted(path.stem for path in MODELS.glob("*.py") if path.stem != "__init__"))
@@ -30,7 +30,7 @@ COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 """Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
 OF_OTHER_UNITS = re.compile(
-    r"#if EM_HOLDS\(EM_(MODEL|ASIDE|DERIVATIVES)\)|#if !EM_ALONE\(EM_STEPPER\)|#ifdef EM_ON_LANES"
+    r"#if EM_HOLDS\(EM_(MODEL|ASIDE|DERIVATIVES|MODEL \| EM_ASIDE \| EM_DERIVATIVES)\)|#ifdef EM_ON_LANES"
 )
 LARGE = ("bicycle", "jansen")
 """Models with a block of more than six coordinates, whose inverse nothing writes out."""
@@ -70,21 +70,23 @@ def system_for(
 def built(model: Model, choices: Choices) -> System:
     """Return the System of what is asked for: generated, too, only where no process has done so before."""
     asked = Request(model, choices)
-    name = key("asked", asked.sources_hash, *FLAGS, "-O0", *_compiler(["-O0"]), *_headers())
-
-    def fill(folder: Path) -> None:
-        compile_into(folder, asked.sources(), ("-O0",))
-
-    folder = entry("tests", name, fill)
-    system = system_in(ctypes.CDLL(str(folder / f"{model.name}.so")), model.name)
-    system.compiled.differentiated = cache(lambda: rate_jacobian(_sources_in(folder, asked), toolchain()))
+    system = system_in(_kept(asked), model.name)
+    system.compiled.later = partial(_differentiating, asked)
     return system
 
 
-def _sources_in(folder: Path, asked: Request) -> Sources:
-    """Return what has been generated there, but for Cython's file."""
-    names = [name for name in asked.file_names if (folder / name).exists()]
-    return Sources(asked.model.name, tuple(SourceFile(name, (folder / name).read_text()) for name in names))
+def _kept(asked: Request, *, duals: bool = False) -> ctypes.CDLL:
+    """Return the library of what is asked for, with its right-hand side on duals or without."""
+    name = key("asked", asked.sources_hash, *FLAGS, "-O0", str(duals), *_compiler(["-O0"]), *_headers())
+    folder = entry("tests", name, lambda folder: compile_into(folder, asked.sources(), ("-O0",), duals=duals))
+    return ctypes.CDLL(str(folder / f"{asked.model.name}.so"))
+
+
+def _differentiating(asked: Request, part: str) -> CompiledModel:
+    """Return what these Systems lack until somebody asks, which is for `System.jacobian`."""
+    assert part == "duals"
+    toolchain()  # which there has to be
+    return system_in(_kept(asked, duals=True), asked.model.name).compiled
 
 
 @cache
@@ -119,7 +121,9 @@ def _library(sources: Sources, flags: tuple[str, ...], lanes: bool) -> Path:
     return folder / f"{sources.name}.so"
 
 
-def compile_into(folder: Path, sources: Sources, flags: tuple[str, ...], lanes: bool = False) -> None:
+def compile_into(
+    folder: Path, sources: Sources, flags: tuple[str, ...], lanes: bool = False, duals: bool = False
+) -> None:
     """Write NAME.c, NAME.h and compile NAME.so in a folder, in a hurry with the stepper of any model of its shape."""
     for file in sources.files:
         (folder / file.name).write_text(file.text)
@@ -130,12 +134,15 @@ def compile_into(folder: Path, sources: Sources, flags: tuple[str, ...], lanes: 
         others = ["lanes.o"]
     elif "-O0" in flags:
         others = ["-DEM_UNIT=EM_MODEL|EM_ASIDE|EM_DERIVATIVES", _stepper(folder, cc, source)]
+    if duals:
+        _run([*cc, "-DEM_ON_LANES", "-DEM_ON_DUALS", "-c", source, "-o", "duals.o"], folder)
+        others.append("duals.o")
     _run([*cc, "-shared", source, *others, "-lm", "-o", f"{sources.name}.so"], folder)
 
 
 def _stepper(folder: Path, cc: list[str], source: str) -> str:
     """Return the path of the stepper's object, which another model may have left."""
-    unit = [*cc, "-DEM_UNIT=EM_STEPPER", source]
+    unit = [*cc, "-DEM_UNIT=EM_STEPPER|EM_METHODS", source]
 
     def fill(kept: Path) -> None:
         _run([*unit, "-c", "-o", str(kept / "stepper.o")], folder)

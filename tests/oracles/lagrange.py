@@ -1,4 +1,4 @@
-"""Lagrange's equations (7) by plain differentiation in time, for any model: no mass matrix is ever formed by hand.
+"""Lagrange's equations (7) by differentiation in time, for any model: no mass matrix is ever formed by hand.
 
 The residual d/dt (dL/dxdot) - dL/dx - Q + A^T lambda and the constraints' derivatives are linear in the accelerations
 and multipliers; their coefficients are read off by differentiation, and the system is solved with numbers.
@@ -23,7 +23,7 @@ class Lagrange:
 
     def __init__(self, model: Model, precision: str = "double") -> None:
         self.model, self.precision = model, precision
-        self.n, self.m = len(model.coordinates), len(_rows(model))
+        self.n, self.m = len(model.coordinates), len(model.holonomic_constraints) + len(model.nonholonomic_constraints)
         self._plain = _plain_symbols(model)
         residual, rows, A = self._equations()
         self._parameters = {str(symbol): value for symbol, value in model.parameters}
@@ -69,18 +69,26 @@ class Lagrange:
     def _equations(self) -> tuple[list[sympy.Expr], list[sympy.Expr], list[sympy.Expr]]:
         """Residual of (7) without A^T lambda, rows differentiated until they hold accelerations, and A row by row."""
         model = self.model
-        L = _in_rates(model, model.kinetic_energy) - model.potential_energy
+        x, v, a = ([self._plain[q.diff(t, k)] for q in model.coordinates] for k in range(3))
+        L = self._replaced(model.kinetic_energy) - self._replaced(model.potential_energy)
         residual = [
-            L.diff(x.diff(t)).diff(t) - L.diff(x) - _in_rates(model, Q)
-            for x, Q in zip(model.coordinates, model.forces, strict=True)
+            self._rate(L.diff(w)) - L.diff(q) - self._replaced(Q) for q, w, Q in zip(x, v, model.forces, strict=True)
         ]
-        rows = [row.diff(t) for row in _rows(model)]
-        A = [row.diff(a) for row in rows for a in self._second()]
-        return self._replaced(residual), self._replaced(rows), self._replaced(A)
+        rows = [self._rate(self._replaced(phi)) for phi in model.holonomic_constraints]
+        rows = [self._rate(row) for row in (*rows, *map(self._replaced, model.nonholonomic_constraints))]
+        A = [row.diff(w) for row in rows for w in a]
+        residual, rows, A = ([_away_from_jumps(entry) for entry in entries] for entries in (residual, rows, A))
+        return residual, rows, A
 
-    def _replaced(self, expressions: list[sympy.Expr]) -> list[sympy.Expr]:
+    def _rate(self, expression: sympy.Expr) -> sympy.Expr:
+        """d/dt of what holds plain symbols, by the chain rule: of functions of time SymPy takes twice as long."""
+        coordinates = self.model.coordinates
+        pairs = [(self._plain[q.diff(t, k)], self._plain[q.diff(t, k + 1)]) for q in coordinates for k in (0, 1)]
+        return sum((expression.diff(one) * its_rate for one, its_rate in pairs), expression.diff(self._plain[t]))
+
+    def _replaced(self, expression: sympy.Expr) -> sympy.Expr:
         """Plain symbols for functions of time and their derivatives, the highest first."""
-        return [_away_from_jumps(entry.doit()).xreplace(self._plain) for entry in expressions]
+        return _in_rates(self.model, sympy.sympify(expression)).doit().xreplace(self._plain)
 
 
 def _away_from_jumps(expression: sympy.Expr) -> sympy.Expr:
@@ -95,19 +103,13 @@ def _away_from_jumps(expression: sympy.Expr) -> sympy.Expr:
 def _plain_symbols(model: Model) -> dict[sympy.Expr, sympy.Symbol]:
     """What a state consists of -> plain symbols, in the order of the arguments; the accelerations come last."""
     names = [x.func.__name__ for x in model.coordinates]
-    x = {q: sympy.Symbol(f"x_{name}") for q, name in zip(model.coordinates, names, strict=True)}
-    v = {q.diff(t): sympy.Symbol(f"v_{name}") for q, name in zip(model.coordinates, names, strict=True)}
-    a = {q.diff(t, 2): sympy.Symbol(f"a_{name}") for q, name in zip(model.coordinates, names, strict=True)}
-    u = {q: sympy.Symbol(f"u_{q.func.__name__}") for q, _ in model.inputs}
-    return x | v | u | {t: sympy.Symbol("time")} | a
+    x = {q: sympy.Symbol(f"x_{name}", real=True) for q, name in zip(model.coordinates, names, strict=True)}
+    v = {q.diff(t): sympy.Symbol(f"v_{name}", real=True) for q, name in zip(model.coordinates, names, strict=True)}
+    a = {q.diff(t, 2): sympy.Symbol(f"a_{name}", real=True) for q, name in zip(model.coordinates, names, strict=True)}
+    u = {q: sympy.Symbol(f"u_{q.func.__name__}", real=True) for q, _ in model.inputs}
+    return x | v | u | {t: sympy.Symbol("time", real=True)} | a
 
 
 def _in_rates(model: Model, expression: sympy.Expr) -> sympy.Expr:
     """The expression with the quasi-velocities written out (3)."""
     return expression.subs(list(model.quasi_velocities)).doit() if expression.has(AppliedUndef) else expression
-
-
-def _rows(model: Model) -> list[sympy.Expr]:
-    """Constraint rows on the velocity level (8), holonomic ones first."""
-    holonomic = [phi.diff(t) for phi in model.holonomic_constraints]
-    return holonomic + [_in_rates(model, row) for row in model.nonholonomic_constraints]

@@ -11,13 +11,14 @@ from ..codegen.c.emit import SourceFile, Sources, body_hash
 from ..codegen.model import Model
 from ..files import write
 from .cache import entry, guarded, key
-from .differentiated import rate_jacobian
-from .errors import FolderError
+from .errors import BuildError, FolderError
 from .extension import compile_in, load
+from .parts import PARTS, WORDS, at_first
 from .request import Request, request
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
 
 if TYPE_CHECKING:
+    from ..runtime import CompiledModel
     from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
@@ -35,6 +36,9 @@ def build(
     **keywords: object,
 ) -> "System":
     """Generate, compile and import; what was built before is taken from the cache.
+
+    What runs by `auto` need is compiled and proved now; derivatives, ensembles in lanes and other methods are as they
+    are first asked for, and kept likewise (docs/flags.md). What `output` gets has all.
 
     Parameters
     ----------
@@ -78,28 +82,43 @@ def build(
 def system_of(wanted: Request, compiler: str | None = None, flags: str | None = None, output: Path | None = None
               ) -> "System":  # fmt: skip
     """Return the System of a request, which pickles as that request."""
-    system = load(make(wanted, toolchain(compiler, flags), output))
+    tools = toolchain(compiler, flags)
+    system = load(make(wanted, tools, output))
     system.compiled.recipe = partial(system_of, wanted, compiler, flags)
-    system.compiled.differentiated = cache(partial(_differentiated, wanted, compiler, flags))
+    system.compiled.later = partial(later, wanted, tools)
     return system
 
 
-def _differentiated(wanted: Request, compiler: str | None, flags: str | None) -> int:
-    return rate_jacobian(cached_sources(wanted), toolchain(compiler, flags))
+def later(wanted: Request, tools: Toolchain, part: str) -> "CompiledModel":
+    """Return a model that has what others lack until somebody asks; compiled now unless it was before.
+
+    Raises
+    ------
+    BuildError
+        As `build`; says what was asked for.
+    """
+    try:
+        return load(part_of(cached_sources(wanted), tools, wanted.model, part)).compiled
+    except BuildError as error:
+        raise type(error)(
+            f"{error}\n\nIt is {WORDS[part]} of {wanted.model.name} that cannot be compiled: parts of a model are as "
+            "something first asks for them. `eigenmotion build` makes a module that has all, where there is a compiler"
+        ) from error
 
 
 def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
     """Generate and compile, or find both in the cache; return the extension module in the cache.
 
-    Where `output` is given, that folder gets the sources and the module, once both are there.
+    It has what every run may need. Where `output` is given, that folder gets the sources and a module that has all,
+    once both are there.
     """
     sources = cached_sources(wanted)
-    binary = compiled(sources, tools, wanted.model)
     if output is not None:
+        binary = all_of(sources, tools, wanted.model)
         with guarded():
             module = binary.read_bytes()
         _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
-    return binary
+    return compiled(sources, tools, wanted.model)
 
 
 def _folder(output: object) -> Path:
@@ -126,12 +145,58 @@ def cached_sources(wanted: Request) -> Sources:
 
 
 def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> Path:
-    """Return the path of the extension module made of `sources`, and proved to be the model, where that is given."""
+    """Return the path of the extension module made of `sources`, and proved to be the model, where that is given.
+
+    It has what every run may need, and NULL for the rest (parts.py).
+    """
+
+    def fill(folder: Path) -> None:
+        _log.info("compiling %s", sources.name)
+        compile_in(sources, tools, folder, model, at_first(_text(sources)))
+
+    folder = entry("binaries", _key(sources, tools, model), fill)
+    return folder / f"{sources.name}{EXTENSION_SUFFIX}"
+
+
+def part_of(sources: Sources, tools: Toolchain, model: Model | None, part: str) -> Path:
+    """Return the path of the module that has a part in new objects, and the rest in those of `compiled`."""
+    units = PARTS[part]
+    kept = _objects(compiled(sources, tools, model))
+    if part == "implicit":  # of which derivatives are a part by themselves
+        kept |= _objects(part_of(sources, tools, model, "derivatives"))
+
+    def fill(folder: Path) -> None:
+        _log.info("compiling %s of %s", WORDS[part], sources.name)
+        compile_in(sources, tools, folder, model, units, tuple(kept.values()))
+
+    folder = entry("binaries", key(_key(sources, tools, model), part), fill)
+    return folder / f"{sources.name}{EXTENSION_SUFFIX}"
+
+
+def all_of(sources: Sources, tools: Toolchain, model: Model | None = None) -> Path:
+    """Return the path of the module that has all, and proved so: for folders that users keep."""
+
+    def fill(folder: Path) -> None:
+        _log.info("compiling all of %s", sources.name)
+        compile_in(sources, tools, folder, model)
+
+    folder = entry("binaries", key(_key(sources, tools, model), "all"), fill)
+    return folder / f"{sources.name}{EXTENSION_SUFFIX}"
+
+
+def _objects(module: Path) -> dict[str, Path]:
+    """Return the objects that an entry has beside its module, by name."""
+    return {path.name: path for path in sorted(module.parent.glob("*.o"))}
+
+
+def _text(sources: Sources) -> str:
+    return next(file.text for file in sources.files if file.name.endswith(".c"))
+
+
+def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
     bodies = [body_hash(file.text) for file in sources.files]
     proved = () if model is None else (model.canonical(), _proof())
-    name = key(sources.name, *bodies, _abi(), tools.identity, _python(), *proved)
-    folder = entry("binaries", name, lambda folder: compile_in(sources, tools, folder, model))
-    return folder / f"{sources.name}{EXTENSION_SUFFIX}"
+    return key(sources.name, *bodies, _abi(), tools.identity, _python(), *proved)
 
 
 def _generate(wanted: Request, folder: Path) -> None:

@@ -3,7 +3,9 @@
 import logging
 import shutil
 import sys
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from importlib.machinery import ExtensionFileLoader, ModuleSpec
 from importlib.util import module_from_spec
 from pathlib import Path
@@ -16,53 +18,75 @@ from ..codegen.c.emit import Sources
 from ..codegen.model import Model
 from .cache import LOCATION, entry, key
 from .errors import BuildError
-from .toolchain import EXTENSION_SUFFIX, SHARED_UNIT, UNITS, Toolchain
+from .parts import methods_of, whole
+from .toolchain import EXTENSION_SUFFIX, IN_PLACE_OF, OF_A_SHAPE, Toolchain
 
 if TYPE_CHECKING:
     from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
 _loading = Lock()
-OBJECT = "stepper.o"
 
 
-def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None) -> None:
-    """Compile in a folder of its own, for compilers leave files about, prove the module and keep it only.
+def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None,
+               units: Sequence[str] = (), kept: Sequence[Path] = ()) -> None:  # fmt: skip
+    """Compile units (all), prove the module of them and of objects that are `kept`, and keep it beside new objects.
 
-    It lies in the one that gets the module: what a build that is killed leaves behind goes with that.
+    Compilers work in a folder of its own, for they leave files about. It lies in the one that gets the module: what a
+    build that is killed leaves behind goes with that. What has been proved of objects that are kept is not proved anew.
     """
-    _log.info("compiling %s", sources.name)
-    with TemporaryDirectory(prefix="work-", dir=folder) as place:
-        work = Path(place)
-        for file in sources.files:
-            (work / file.name).write_text(file.text, encoding="utf-8")
+    module = f"{sources.name}{EXTENSION_SUFFIX}"
+    units = tuple(units) or whole()
+    with _work(sources, folder) as work:
         with ThreadPoolExecutor(max_workers=1) as pool:
-            built = pool.submit(compile_and_link, work, sources.name, tools)
-            from .proof import prove  # noqa: PLC0415, half a second with all that runs a model, while compilers work
-        built.result()
-        module = f"{sources.name}{EXTENSION_SUFFIX}"
+            built = pool.submit(compile_and_link, work, sources.name, tools, units, kept)
+            from .proof import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
+        made = built.result()
         if model is not None:
-            prove(model, _loaded_apart(work / module, sources.name))
-        shutil.copyfile(work / module, folder / module)
+            system = _loaded_apart(work / module, sources.name)
+            prove_methods(model, system, methods_of(units)) if kept else prove(model, system, methods_of(units))
+        for name in (module, *made):
+            shutil.copyfile(work / name, folder / name)
 
 
-def compile_and_link(work: Path, name: str, tools: Toolchain) -> None:
-    """The units of NAME.c, and what makes a module of them, side by side; then the module."""
-    with ThreadPoolExecutor(max_workers=len(UNITS) + 1) as pool:
-        objects = [pool.submit(_shared_unit, work, name, tools)]
-        objects.extend(pool.submit(tools.compile_unit, work, name, unit) for unit in UNITS if unit != SHARED_UNIT)
-        objects.append(pool.submit(tools.compile_module, work, name))
-        tools.link(work, tuple(one.result() for one in objects), name)
+@contextmanager
+def _work(sources: Sources, folder: Path) -> Iterator[Path]:
+    """A folder with the sources."""
+    with TemporaryDirectory(prefix="work-", dir=folder) as place:
+        for file in sources.files:
+            (Path(place) / file.name).write_text(file.text, encoding="utf-8")
+        yield Path(place)
 
 
-def _shared_unit(work: Path, name: str, tools: Toolchain) -> str:
-    """Return the path of the stepper's object, which a model of the same shape may have left in the cache."""
-    text = tools.preprocess_unit(work, name, SHARED_UNIT)
+def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[str] = (), kept: Sequence[Path] = ()
+                     ) -> tuple[str, ...]:  # fmt: skip
+    """Units of NAME.c side by side, with what makes a module of them unless that is `kept`; then the module.
+
+    Returns the names of objects that are new, and this model's alone.
+    """
+    units = tuple(units) or whole()
+    replaced = {f"{name}_{IN_PLACE_OF[unit]}.o" for unit in units if unit in IN_PLACE_OF}
+    shaped = [unit for unit in dict.fromkeys(("stepper", *units)) if unit in OF_A_SHAPE]
+    there = {path.name for path in kept}
+    with ThreadPoolExecutor(max_workers=len(units) + 2) as pool:
+        shared = [pool.submit(_shared_unit, work, name, unit, tools) for unit in shaped]
+        own = [unit for unit in units if unit not in OF_A_SHAPE and f"{name}_{unit}.o" not in there]
+        made = [pool.submit(tools.compile_unit, work, name, unit) for unit in own]
+        if not kept:
+            made.append(pool.submit(tools.compile_module, work, name))
+        new, others = tuple(one.result() for one in made), [one.result() for one in shared]
+    tools.link(work, (*new, *others, *(str(path) for path in kept if path.name not in replaced)), name)
+    return new
+
+
+def _shared_unit(work: Path, name: str, unit: str, tools: Toolchain) -> str:
+    """Return the path of the object of a unit that a model of the same shape may have left in the cache."""
+    text = tools.preprocess_unit(work, name, unit)
 
     def fill(folder: Path) -> None:
-        shutil.move(work / tools.compile_unit(work, name, SHARED_UNIT), folder / OBJECT)
+        shutil.move(work / tools.compile_unit(work, name, unit), folder / f"{unit}.o")
 
-    return str(entry("steppers", key(text, tools.identity), fill) / OBJECT)
+    return str(entry("steppers", key(text, tools.identity), fill) / f"{unit}.o")
 
 
 def load(binary: Path) -> "System":

@@ -23,18 +23,23 @@ OPTIMISED = (
 STANDARD = ("-std=c11",)  # and no warnings: whoever runs a model cannot mend its code
 SHARED = ("-fPIC", "-fvisibility=hidden")
 MODULE = ("-O1", "-w")  # run once, and Python's headers are not ours to lint
-DUALS = ("-O1", "-DEM_ON_LANES", "-DEM_ON_DUALS")  # a right-hand side that differentiates itself, called at times only
+HURRIED = ("-O1",)  # for what is called at times only
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
-    "stepper": "EM_UNIT=EM_STEPPER",
-    "model": "EM_UNIT=EM_MODEL",
-    "derivatives": "EM_UNIT=EM_DERIVATIVES",
-    "aside": "EM_UNIT=EM_ASIDE",
-    "lanes": "EM_ON_LANES",
+    "stepper": ("EM_UNIT=EM_STEPPER",),
+    "model": ("EM_UNIT=EM_MODEL",),
+    "aside": ("EM_UNIT=EM_ASIDE",),
+    "lanes": ("EM_NODES_ALONE",),
+    "methods": ("EM_UNIT=EM_METHODS",),
+    "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
+    "members": ("EM_ON_LANES",),
+    "duals": ("EM_ON_LANES", "EM_ON_DUALS"),
 }
-"""What a model's C file is compiled to, side by side, and the macro that says so (em_real.h)."""
-SHARED_UNIT = "stepper"
-"""The one that models of one shape have in common."""
+"""What a model's C file is compiled to, side by side, and the macros that say so (em_real.h)."""
+OF_A_SHAPE = ("stepper", "methods")
+"""Those that models of one shape have in common."""
+IN_PLACE_OF = {"members": "lanes"}
+"""What a unit has besides its own, so that the other is not linked beside it."""
 FLAGS = "EIGENMOTION_CFLAGS"
 ZIG = (sys.executable, "-m", "ziglang", "cc", "-fno-sanitize=undefined")
 """Clang with a library, of the `ziglang` wheel; where nothing is optimised, it would stop at undefined behaviour."""
@@ -61,7 +66,7 @@ class Toolchain:
         The macros that the compiler predefines tell all three.
         """
         macros = self._run(*self.optimised, *self.flags, *_MACROS)
-        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *DUALS, *LINK, *UNITS, *UNITS.values(), *self.flags)
+        flags = (*self.optimised, *STANDARD, *SHARED, *MODULE, *HURRIED, *LINK, *map(str, UNITS.items()), *self.flags)
         return key(*self.command, "", *flags, "", macros)
 
     @cached_property
@@ -90,15 +95,9 @@ class Toolchain:
         """Return all that the compiler reads of a unit: STEM.c and its headers, without comments."""
         return self._run(*self._of_unit(unit), "-E", "-P", f"{stem}.c", folder=folder)
 
-    def compile_duals(self, folder: Path, stem: str) -> str:
-        """STEM.c -> STEM_duals.o, its right-hand side on numbers with a derivative, of which the name is returned."""
-        target = f"{stem}_duals.o"
-        self._run(*STANDARD, *DUALS, *SHARED, *self.flags, f"-I{INCLUDE}", "-c", f"{stem}.c", "-o", target,
-                  folder=folder)  # fmt: skip
-        return target
-
     def _of_unit(self, unit: str) -> tuple[str, ...]:
-        return (*STANDARD, *self.optimised, *SHARED, *self.flags, f"-I{INCLUDE}", f"-D{UNITS[unit]}")
+        optimised = HURRIED if unit == "duals" else self.optimised
+        return (*STANDARD, *optimised, *SHARED, *self.flags, f"-I{INCLUDE}", *(f"-D{macro}" for macro in UNITS[unit]))
 
     def compile_module(self, folder: Path, stem: str) -> str:
         """em_module.c -> STEM_module.o, with which the model is Python's module STEM."""

@@ -5,9 +5,7 @@ from typing import Any
 
 import click
 
-from eigenmotion.building.build import make
-from eigenmotion.building.extension import load
-from eigenmotion.building.toolchain import toolchain
+from eigenmotion.building.build import system_of
 from eigenmotion.linear.equilibrium import Equilibrium, find_equilibrium
 from eigenmotion.linear.words import description
 
@@ -30,7 +28,7 @@ def command(model: Path, settings: tuple[str, ...], free: tuple[str, ...], **sha
     request = Shape(**shape).request(model)
     given: dict[str, Any] = dict(values(request.model, settings))
     with clock():
-        system = load(make(request, toolchain()))
+        system = system_of(request)
         found = find_equilibrium(system, given.pop("x0", None), free=free or None, **given)
         text = description(found.linearize()) if found.success else found.message
     click.echo("\n".join([text, *_solved(found, free)]))

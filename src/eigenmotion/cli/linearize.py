@@ -5,9 +5,7 @@ from typing import Any
 
 import click
 
-from eigenmotion.building.build import make
-from eigenmotion.building.extension import load
-from eigenmotion.building.toolchain import toolchain
+from eigenmotion.building.build import system_of
 from eigenmotion.linear.assemble import assemble
 from eigenmotion.linear.words import description, plane
 from eigenmotion.pages.figures import FORMATS, require_matplotlib, save
@@ -30,7 +28,7 @@ def command(model: Path, settings: tuple[str, ...], plot: Path | None, **shape: 
     request = Shape(**shape).request(model)
     given = values(request.model, settings, "--at")
     with clock():
-        system = load(make(request, toolchain()))
+        system = system_of(request)
         x0, v0, parameters, inputs = (given.get(kind) for kind in ("x0", "v0", "parameters", "inputs"))
         x, v = assemble(system, x0, v0, parameters=parameters, keep=tuple(x0 or ()))
         found = system.linearize(x, v, parameters=parameters, inputs=inputs)

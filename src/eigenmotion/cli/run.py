@@ -7,9 +7,7 @@ from typing import Any
 
 import click
 
-from eigenmotion.building.build import make
-from eigenmotion.building.extension import load
-from eigenmotion.building.toolchain import toolchain
+from eigenmotion.building.build import system_of
 from eigenmotion.codegen.model import ModelError
 from eigenmotion.pages.figures import FORMATS, require_matplotlib
 from eigenmotion.pages.figures import save as save_figure
@@ -72,7 +70,7 @@ def command(
     given = values(request.model, settings)
     options = {"rtol": rtol, "atol": atol, "method": method, "estimate_error": estimate_error}
     with clock():
-        system = load(make(request, toolchain()))
+        system = system_of(request)
         _log.info("running %s to t = %g", system.name, t_end)
         start = time.perf_counter()
         solution = _simulated(system, t_end, dense_output=bool(plot or animate), **options, **given)

@@ -8,12 +8,15 @@ from math import inf, sqrt
 import numpy as np
 
 from ..arguments.options import Task
-from ..runtime import CompiledModel
+from ..runtime import CompiledModel, EvaluationError
 from .methods import METHODS, Method
 
 _LEAST_LANES = 4
 _TIGHT = {"eigenfactor": 1e-6}
 _TIGHT_OTHERWISE = 1e-5
+_MANY, _TIGHT_WITH_MANY = 150, 1e-11
+"""So many numbers of eigenfactors in the state, whose products fill vectors of four by themselves, gain by nodes only
+from such tolerances on: measured on chains of 8 and 16 coordinates."""
 _PLACED = ((6, 1e-7), (1, 3e-11))
 """Of ensembles: from so many constraints on positions on, the tolerances up to which longer steps pay."""
 _STIFF = METHODS["radau9"]
@@ -25,6 +28,8 @@ _DAMPED = 0.1
 """its rate has at least this part of it real, for what oscillates for long has to be resolved;"""
 _STEPS = 2000.0
 """and stability would take at least about so many explicit steps."""
+_ABOUT = 2.0
+"""What differences, which say whether derivatives are worth a look, may be off by: those are compiled as asked for."""
 _NONE = np.empty(0)
 
 
@@ -50,12 +55,18 @@ def _dying_rate(task: Task) -> float:
     """
     span, model, prepared = task.t_end - task.t_start, task.model, task.prepared
     u = task.inputs.at(task.t_start) if model.n_inputs else _NONE
-    size = model.slopes_size(task.t_start, task.y, prepared, u, task.least_norm)
-    if not 4 * _STEPS < (sqrt(size) + size) * abs(span) < inf:  # no eigenvalue is larger
+    about = model.slopes_size(task.t_start, task.y, prepared, u, task.least_norm, task.atol)
+    if _ABOUT * (sqrt(about) + about) * abs(span) <= 4 * _STEPS:
         return 0.0
     v = model.velocity_rows(np.array([task.t_start]), task.y[None], prepared)
     z = np.concatenate([task.y[: model.n], v[0]])
-    J = model.motion_jacobian(task.t_start, z, prepared, u, task.least_norm)
+    try:
+        J = model.motion_jacobian(task.t_start, z, prepared, u, task.least_norm)
+    except EvaluationError:
+        return 0.0
+    size = float(np.linalg.norm(J[model.n :]))
+    if not 4 * _STEPS < (sqrt(size) + size) * abs(span) < inf:  # no eigenvalue is larger
+        return 0.0
     roots = np.linalg.eigvals(J)
     sizes, dies = np.abs(roots), -roots.real * span
     dying = (dies > _SPANS) & (dies > _DAMPED * sizes * abs(span))
@@ -69,8 +80,14 @@ def automatic(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
     It does at tight tolerances, where the processor evaluates four nodes and more at once.
     """
     side_by_side = model.lanes >= _LEAST_LANES and not least_norm
-    tight = rtol <= _TIGHT.get(model.formulation, _TIGHT_OTHERWISE)
-    return METHODS["ra15" if side_by_side and tight else "dop853"]
+    return METHODS["ra15" if side_by_side and rtol <= _nodes_pay(model) else "dop853"]
+
+
+def _nodes_pay(model: CompiledModel) -> float:
+    """Return the tolerance from which on they do."""
+    if model.lanes == _LEAST_LANES and model.n_state - 2 * model.n > _MANY:
+        return _TIGHT_WITH_MANY
+    return _TIGHT.get(model.formulation, _TIGHT_OTHERWISE)
 
 
 def automatic_of_many(model: CompiledModel, rtol: float, least_norm: bool) -> Method:

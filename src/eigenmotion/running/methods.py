@@ -60,6 +60,8 @@ METHODS = _table(
     Method("CVODE", order=None, implicit=True, solver="eigenmotion.running.sundials:Cvode",
            needs="sksundae", extra="stiff"),
 )  # fmt: skip
+AT_ONCE = ("dop853", "ra15")
+"""Those that every compiled model has at once, for a run may take them by itself; others are compiled as asked for."""
 AUTO = "auto"
 """The name by which users leave the choice to choosing.py."""
 COMPILED = _table(*(method for method in METHODS.values() if method.is_compiled))

@@ -35,6 +35,7 @@ cdef extern from "eigenmotion.h" nogil:
         const double *values
 
     ctypedef enum em_method:
+        EM_DOP853
         EM_RA15
         EM_RK4
         EM_MIDPOINT
@@ -212,3 +213,6 @@ cdef extern from "eigenmotion.h" nogil:
                          const double *, em_fault *) noexcept nogil
         int n_breaks
         void (*breaks)(const double *, double *) noexcept nogil
+        void (*break_partials)(const double *, double *) noexcept nogil
+        void (*further)(em_method, void *) noexcept nogil
+        void (*rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil

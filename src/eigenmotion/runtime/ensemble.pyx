@@ -6,7 +6,7 @@ from libc.math cimport NAN
 from libc.stdlib cimport calloc, free, malloc
 from libc.string cimport memcpy, memset
 
-from .abi cimport em_fault, em_method, em_model, em_signal, em_signal_kind
+from .abi cimport EM_DOP853, em_fault, em_method, em_model, em_signal, em_signal_kind
 from .arrays cimport Numbers, blank, given, zeros
 from .ensemble cimport EM_COUNTS, em_ensemble, em_ensemble_run
 from .point cimport PointModel
@@ -64,6 +64,9 @@ cdef class Chunk:
     def __cinit__(self, task, members, Stop stop not None):
         cdef em_ensemble *e = &self.e
         cdef PointModel model = task.model
+        model.need_method(task.method)
+        if task.method == EM_DOP853:
+            model.need_members()
         self.model, self.stop, self.held = model, stop, []
         e.model, e.count, e.stop = model.model, members.count, &stop.wanted
         self.ask(task)

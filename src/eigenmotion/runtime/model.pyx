@@ -4,7 +4,7 @@
 Rows at which a function has no value are NaN.
 """
 
-from libc.math cimport fabs, isnan
+from libc.math cimport INFINITY, fabs, isnan
 from libc.string cimport memcpy
 
 from .abi cimport em_fault
@@ -12,6 +12,7 @@ from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel, Prepared
 from .start cimport em_factored_matrix
 
+cdef double ROUNDED = 1e-8  # about the root of a number's rounding
 
 cdef class CompiledModel(PointModel):
     """One `em_model`: its functions at one place, and here at many."""
@@ -171,3 +172,70 @@ cdef class CompiledModel(PointModel):
                     error = fabs(entry - product)
                 largest = max(largest, fabs(entry))
         return error / largest
+
+    # --- derivatives, at one place ---
+
+    def jacobian(self, double t, y, Prepared c not None, u):
+        """(n_state, n_state): d rhs / d y."""
+        cdef em_fault fault
+        cdef Numbers q = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers J = zeros((self.n_state, self.n_state)), dy = zeros((self.n_state,))
+        if self.formulation == "lagrange" or self.formulation == "inverse":
+            self.need_derivatives()
+        elif self.model.rate_jacobian == NULL:
+            self.need("duals")
+        if self.model.jacobian != NULL:
+            if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
+                raise self.failure(&fault)
+            return J.array
+        if self.model.rhs(t, q.data, c.c, s.data, dy.data, &fault) != 0:  # says in words what has no derivative either
+            raise self.failure(&fault)
+        with nogil:
+            self.model.rate_jacobian(t, q.data, c.c, s.data, J.data)
+        return J.array
+
+    def motion_rate(self, double t, z, Prepared c not None, u, bint least_norm):
+        """(v, a) (2 n) at z = (x, v)."""
+        cdef em_fault fault
+        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers rate = zeros((2 * self.n,)), multipliers = zeros((self.m,))
+        cdef double *v = q.data + self.n
+        memcpy(rate.data, v, self.n * sizeof(double))
+        if self.model.acceleration(t, q.data, v, c.c, s.data, least_norm, rate.data + self.n, multipliers.data,
+                                   &fault) != 0:
+            raise self.failure(&fault)
+        return rate.array
+
+    def slopes_size(self, double t, y, Prepared c not None, u, bint least_norm, atol):
+        """About the root of the sum of squares of da/dx and da/dv at a state y, by differences over atol (n), which is of
+        x and of v, and rounding of these; 0 where nothing moves, infinite where something beside does not."""
+        cdef em_fault fault
+        cdef int i, k, n = self.n
+        cdef double size = 0.0, was
+        cdef Numbers state = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers z = zeros((2 * n,)), here = zeros((n,)), a = zeros((n,)), multipliers = zeros((self.m,))
+        cdef Numbers apart = given(atol, self.vector, "atol")
+        memcpy(z.data, state.data, n * sizeof(double))
+        if self.model.velocity(t, state.data, c.c, z.data + n, &fault) != 0 or self.model.acceleration(
+                t, z.data, z.data + n, c.c, s.data, least_norm, here.data, multipliers.data, &fault) != 0:
+            return 0.0
+        for k in range(2 * n):
+            was = z.data[k]
+            z.data[k] += apart.data[k % n] + ROUNDED * fabs(was)
+            if z.data[k] == was or self.model.acceleration(t, z.data, z.data + n, c.c, s.data, least_norm, a.data,
+                                                           multipliers.data, &fault) != 0:
+                return INFINITY
+            for i in range(n):
+                size += ((a.data[i] - here.data[i]) / (z.data[k] - was)) ** 2
+            z.data[k] = was
+        return size ** 0.5
+
+    def motion_jacobian(self, double t, z, Prepared c not None, u, bint least_norm):
+        """(2 n, 2 n): d (v, a) / d (x, v)."""
+        cdef em_fault fault
+        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
+        cdef Numbers J = zeros((2 * self.n, 2 * self.n))
+        self.need_derivatives()
+        if self.model.motion_jacobian(t, q.data, c.c, s.data, least_norm, J.data, &fault) != 0:
+            raise self.failure(&fault)
+        return J.array

@@ -5,7 +5,9 @@ from .arrays cimport Numbers
 
 
 cdef class PointModel:
-    cdef const em_model *model
+    cdef const em_model *model  # a copy that stays for good, for whoever has its address calls it
+    cdef em_model *taken        # the same, to take what is compiled later
+    cdef list others            # whose functions these are
     cdef readonly str name, formulation, close_eigenvalues, schur
     cdef readonly int n, m, h, n_state, n_inputs, n_outputs, n_events, n_arguments, lanes, dimension, n_drawn
     cdef readonly tuple coordinates, parameters, inputs, outputs, events, left_out, layout, block, carried
@@ -21,9 +23,15 @@ cdef class PointModel:
     cdef Numbers everywhere    # what plain.pyx made of one number last
     # returns, in any process, the System of this model; None where there is no way to it but the capsule
     cdef public object recipe
-    # returns the address of an em_rate_jacobian, compiled where it is asked first; None where there are no sources
-    cdef public object differentiated
+    # part -> a CompiledModel that has what this one lacks, compiled where it is asked first (building/parts.py); None:
+    # there is no more
+    cdef public object later
 
+    cdef take(self, PointModel other)
+    cdef int need(self, str part) except -1
+    cdef int need_derivatives(self) except -1
+    cdef int need_method(self, int method) except -1
+    cdef int need_members(self) except -1
     cdef read_names(self)
     cdef read_defaults(self)
     cdef failure(self, em_fault *fault)

@@ -6,19 +6,16 @@ Nothing is shared between calls, so threads need no locks. Where a function has 
 
 from cpython.pycapsule cimport PyCapsule_GetPointer
 from libc.math cimport INFINITY
-from libc.stdint cimport uintptr_t
-from libc.stdlib cimport calloc, free
+from libc.stdlib cimport calloc, free, malloc
 from libc.string cimport memcpy
 
-from .abi cimport EM_ABI, em_fault, em_model
+from .abi cimport EM_ABI, EM_DOP853, EM_RA15, EM_RADAU5, EM_RADAU9, EM_TOLD, em_fault, em_model
 from .arrays cimport Numbers, constants, given, takes, texts, zeros
 from .start cimport em_break_sides, em_factored_gradient, em_factored_matrix, em_inside_contact, em_next_break, em_start
 
 import numpy as np
 
 from .faults import EvaluationError, StopReason, explain
-
-ctypedef void (*em_rate_jacobian)(double, const double *, const double *, const double *, double *) noexcept nogil
 
 _REASONS = tuple(StopReason)
 
@@ -46,11 +43,15 @@ cdef class PointModel:
     """One `em_model`. The capsule must be named "eigenmotion.em_model" and point at a constant that outlives it."""
 
     def __cinit__(self, capsule):
-        self.model = <const em_model *> PyCapsule_GetPointer(capsule, b"eigenmotion.em_model")
-        cdef const em_model *c = self.model
+        cdef const em_model *c = <const em_model *> PyCapsule_GetPointer(capsule, b"eigenmotion.em_model")
         if c.abi != EM_ABI:
             raise ImportError(f"the compiled model has interface version {c.abi}, this eigenmotion has {EM_ABI}: "
                               "generate and build the model again (`eigenmotion build MODEL.py`)")
+        self.taken = <em_model *> malloc(sizeof(em_model))
+        if self.taken == NULL:
+            raise MemoryError
+        memcpy(self.taken, c, sizeof(em_model))
+        self.model, self.others = self.taken, []
         self.name, self.formulation = c.name.decode("utf-8"), c.formulation.decode("utf-8")
         self.close_eigenvalues, self.schur = c.close_eigenvalues.decode("utf-8"), c.schur.decode("utf-8")
         self.n, self.m, self.h, self.n_state = c.n, c.m, c.h, c.n_state
@@ -60,9 +61,56 @@ cdef class PointModel:
         self.extrapolates = self.formulation == "eigenfactor" and self.close_eigenvalues == "extrapolate"
         self.vector, self.square = (c.n,), (c.n, c.n)
         self.lanes = c.lanes.width if c.lanes != NULL else 0
-        self.flocks = c.enter != NULL and self.lanes > 1 and c.lanes.run != NULL
+        self.flocks = c.enter != NULL and self.lanes > 1
         self.read_names()
         self.read_defaults()
+
+    # --- what is compiled where it is asked first ---
+
+    cdef int need(self, str part) except -1:
+        """From here on this model has the part, if there is one. Of threads that ask at once each takes the same."""
+        if self.later is not None:
+            self.take(self.later(part))
+        return 0
+
+    cdef take(self, PointModel other):
+        """What another has of the same model and this lacks."""
+        cdef em_model *mine = self.taken
+        cdef const em_model *found = other.model
+        self.others.append(other)
+        if mine.further == NULL:
+            mine.further = found.further
+        if mine.rate_jacobian == NULL:
+            mine.rate_jacobian = found.rate_jacobian
+        if found.lanes != NULL and found.lanes.run != NULL:
+            mine.lanes = found.lanes
+        if mine.motion_jacobian == NULL:
+            mine.motion_derivatives, mine.motion_along = found.motion_derivatives, found.motion_along
+            mine.jacobian, mine.tangent = found.jacobian, found.tangent
+            mine.constraint_partials, mine.output_partials = found.constraint_partials, found.output_partials
+            mine.event_partials, mine.break_partials = found.event_partials, found.break_partials
+            mine.quasi_partials = found.quasi_partials
+            mine.motion_jacobian = found.motion_jacobian
+
+    cdef int need_derivatives(self) except -1:
+        return self.need("derivatives") if self.model.motion_jacobian == NULL else 0
+
+    cdef int need_method(self, int method) except -1:
+        """What a run by em_method calls."""
+        if method == EM_DOP853 or method == EM_RA15 or method == EM_TOLD:
+            return 0
+        if (method == EM_RADAU5 or method == EM_RADAU9) and (self.model.further == NULL or self.model.motion_jacobian == NULL):
+            return self.need("implicit")
+        return self.need("methods") if self.model.further == NULL else 0
+
+    @property
+    def differentiates(self):
+        """Whether its right-hand side carries eta and differentiates itself, here and now."""
+        return self.model.rate_jacobian != NULL
+
+    cdef int need_members(self) except -1:
+        """What runs side by side call, where there is such."""
+        return self.need("members") if self.flocks and self.model.lanes.run == NULL else 0
 
     cdef read_names(self):
         cdef const em_model *c = self.model
@@ -239,60 +287,6 @@ cdef class PointModel:
         if self.model.project(t, q.data, w.data, c.c, least_norm, &fault) != 0:
             raise self.failure(&fault)
         return q.array, w.array
-
-    def jacobian(self, double t, y, Prepared c not None, u):
-        """(n_state, n_state): d rhs / d y."""
-        cdef em_fault fault
-        cdef Numbers q = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers J = zeros((self.n_state, self.n_state)), dy = zeros((self.n_state,))
-        cdef em_rate_jacobian along
-        if self.model.jacobian != NULL:
-            if self.model.jacobian(t, q.data, c.c, s.data, J.data, &fault) != 0:
-                raise self.failure(&fault)
-            return J.array
-        if self.model.rhs(t, q.data, c.c, s.data, dy.data, &fault) != 0:  # says in words what has no derivative either
-            raise self.failure(&fault)
-        along = <em_rate_jacobian> <uintptr_t> self.differentiated()
-        with nogil:
-            along(t, q.data, c.c, s.data, J.data)
-        return J.array
-
-    def motion_rate(self, double t, z, Prepared c not None, u, bint least_norm):
-        """(v, a) (2 n) at z = (x, v)."""
-        cdef em_fault fault
-        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers rate = zeros((2 * self.n,)), multipliers = zeros((self.m,))
-        cdef double *v = q.data + self.n
-        memcpy(rate.data, v, self.n * sizeof(double))
-        if self.model.acceleration(t, q.data, v, c.c, s.data, least_norm, rate.data + self.n, multipliers.data,
-                                   &fault) != 0:
-            raise self.failure(&fault)
-        return rate.array
-
-    def slopes_size(self, double t, y, Prepared c not None, u, bint least_norm):
-        """Root of the sum of squares of da/dx and da/dv at a state y; infinite where there are none."""
-        cdef em_fault fault
-        cdef int k, n = self.n
-        cdef double size = 0.0
-        cdef Numbers state = given(y, (self.n_state,), "y"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers z = zeros((2 * n,)), J = zeros((2 * n, 2 * n))
-        memcpy(z.data, state.data, n * sizeof(double))
-        if self.model.velocity(t, state.data, c.c, z.data + n, &fault) != 0:
-            return float("inf")
-        if self.model.motion_jacobian(t, z.data, c.c, s.data, least_norm, J.data, &fault) != 0:
-            return float("inf")
-        for k in range(2 * n * n, 4 * n * n):
-            size += J.data[k] * J.data[k]
-        return size ** 0.5
-
-    def motion_jacobian(self, double t, z, Prepared c not None, u, bint least_norm):
-        """(2 n, 2 n): d (v, a) / d (x, v)."""
-        cdef em_fault fault
-        cdef Numbers q = given(z, (2 * self.n,), "z"), s = given(u, (self.n_inputs,), "inputs")
-        cdef Numbers J = zeros((2 * self.n, 2 * self.n))
-        if self.model.motion_jacobian(t, q.data, c.c, s.data, least_norm, J.data, &fault) != 0:
-            raise self.failure(&fault)
-        return J.array
 
 
 def _compiled(recipe):

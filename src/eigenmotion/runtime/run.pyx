@@ -67,6 +67,7 @@ cdef class Run:
         cdef Prepared prepared
         (model, prepared, inputs, run.t_start, run.t_end, y, run.rtol, atol, t_eval, run.dense, run.first_step,
          run.max_step, run.max_steps, run.stabilise, run.least_norm) = <tuple> task
+        model.need_method(method)
         self.model, self.held = model, [prepared]
         run.model, run.prepared, run.method = model.model, prepared.c, <em_method> method
         run.y_start, run.atol = self.hold(y, (model.n_state,), "y"), self.hold(atol, model.vector, "atol")
@@ -204,6 +205,7 @@ def _kept(Prepared prepared not None, int method, int stabilise, int least_norm,
     """A run that is over, of which there are the interpolants."""
     cdef Run made = Run.__new__(Run, None, method)
     cdef em_run *run = &made.run
+    prepared.model.need_method(method)
     made.model, made.held = prepared.model, [prepared]
     run.model, run.prepared, run.method = prepared.model.model, prepared.c, <em_method> method
     run.stabilise, run.least_norm = stabilise, least_norm

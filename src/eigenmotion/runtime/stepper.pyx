@@ -62,6 +62,7 @@ cdef class Steps:
         cdef Prepared prepared
         cdef Numbers y, atol
         (model, prepared, inputs, start, _, state, rtol, absolute, _, _, first, longest, most, stabilise, least) = task
+        model.need_method(method)
         self.model, self.task, self.number, self.held = model, task, method, [prepared]
         self.places = {name: k for k, name in enumerate(model.inputs)}
         y, atol = given(state, (model.n_state,), "y"), given(absolute, (model.n,), "atol")

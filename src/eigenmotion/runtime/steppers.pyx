@@ -8,7 +8,7 @@ from cpython.exc cimport PyErr_CheckSignals
 from libc.math cimport NAN, isfinite
 from libc.string cimport memcpy
 
-from .abi cimport em_fault, em_method, em_model, em_rows
+from .abi cimport EM_MIDPOINT, EM_RK4, em_fault, em_method, em_model, em_rows
 from .arrays cimport Numbers, blank, given, zeros
 from .point cimport PointModel
 from .steppers cimport em_start, em_steppers, em_steppers_advance, em_steppers_begin, em_steppers_close
@@ -62,6 +62,9 @@ cdef class ManySteps:
         cdef em_steppers *e = &self.e
         cdef PointModel model = asked.model
         cdef Numbers atol
+        model.need_method(asked.method)
+        if asked.method == EM_RK4 or asked.method == EM_MIDPOINT:
+            model.need_members()
         self.model, self.asked, self.count, self.workers = model, asked, count, workers
         self.y, self.c, self.goal = zeros((count, model.n_state)), zeros((count, model.model.n_prepared)), zeros((count,))
         self.goals = self.goal.array

@@ -87,6 +87,7 @@ def motion_derivatives(PointModel model not None, double t, x, v, Prepared c not
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
     cdef Numbers a = zeros((model.n,)), multipliers = zeros((model.m,))
     cdef Numbers da = zeros((model.n, model.n_arguments)), dm = zeros((model.m, model.n_arguments))
+    model.need_derivatives()
     if model.model.motion_derivatives == NULL:
         raise ValueError(f"{model.name} states no derivatives")
     if model.model.motion_derivatives(t, q.data, w.data, c.c, s.data, least_norm, a.data, multipliers.data, da.data,
@@ -99,6 +100,7 @@ def constraint_partials(PointModel model not None, double t, x, v, Prepared c no
     """(h + m, n_arguments), of phi and of A v + b."""
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
     cdef Numbers D = zeros((model.h + model.m, model.n_arguments))
+    model.need_derivatives()
     if model.model.constraint_partials != NULL:
         model.model.constraint_partials(t, q.data, w.data, c.c, D.data)
     return D.array
@@ -109,6 +111,7 @@ def output_partials(PointModel model not None, double t, x, v, a, multipliers, P
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v"), s = given(u, (model.n_inputs,), "inputs")
     cdef Numbers b = given(a, (model.n,), "a"), r = given(multipliers, (model.m,), "multipliers")
     cdef Numbers D = zeros((model.n_outputs, model.n + model.m + model.n_arguments))
+    model.need_derivatives()
     if model.model.output_partials != NULL:
         model.model.output_partials(t, q.data, w.data, b.data, r.data, c.c, s.data, D.data)
     return D.array
@@ -118,6 +121,7 @@ def quasi_partials(PointModel model not None, double t, x, v, Prepared c not Non
     """(n_quasi, n_arguments), of P(x, t) v."""
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
     cdef Numbers D = zeros((len(model.quasi_velocities), model.n_arguments))
+    model.need_derivatives()
     if model.model.quasi_partials != NULL:
         model.model.quasi_partials(t, q.data, w.data, c.c, D.data)
     return D.array
@@ -133,6 +137,7 @@ def tangent(PointModel model not None, double t, x, v, Prepared c not None, bint
     cdef Numbers q = given(x, (model.n,), "x"), w = given(v, (model.n,), "v")
     cdef Numbers made = given(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
     cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
+    model.need_derivatives()
     if model.model.tangent != NULL and model.model.tangent(t, q.data, w.data, c.c, least_norm, columns, made.data,
                                                            rest.data, &fault) != 0:
         raise model.failure(&fault)
@@ -150,6 +155,7 @@ def act_along(PointModel model not None, double t, x, v, Prepared c not None, u,
     cdef Numbers made = given(np.array(S, dtype=np.float64, order="C"), (2 * model.n, columns), "S")
     cdef Numbers rest = given(P, (model.n_arguments - 2 * model.n, columns), "P")
     cdef int[::1] jumps = np.array(fired, dtype=np.intc)
+    model.need_derivatives()
     after = model.prepare(np.array(c.parameters, dtype=np.float64))
     memcpy(after.c, c.c, model.model.n_prepared * sizeof(double))
     if model.model.act_along(t, q.data, w.data, after.c, s.data, least_norm, &jumps[0], <em_pile *> pile.data,
@@ -184,8 +190,10 @@ def vary(PointModel model not None, Prepared c not None, tuple inputs, double di
     cdef Numbers at_steps = _unknown(kept, 2 * n, columns), K = _unknown(kept, nodes_of, n, columns), apart = _unknown(made)
     cdef long[::1] follow = _whole(stops[2], np.int_), at = _whole(marks[0], np.int_)
     cdef int[::1] happens = _whole(marks[1], np.intc)
-    cdef em_signal *signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
+    cdef em_signal *signals
     cdef list held = []
+    model.need_derivatives()
+    signals = <em_signal *> calloc(len(inputs) + 1, sizeof(em_signal))
     if signals == NULL:
         raise MemoryError
     at_stops.array[0] = S

@@ -37,7 +37,7 @@ def jacobian(
         This model carries eta, and its module was not made by `build`, which keeps what it is compiled from.
     """
     c = self.compiled
-    if c.formulation in ("eigenfactor", "cholesky") and c.differentiated is None:
+    if c.formulation in ("eigenfactor", "cholesky") and c.later is None and not c.differentiates:
         raise ModelError(f"{c.name}: the Jacobian of formulation {c.formulation!r} is compiled from its sources, which "
                          "only systems of eigenmotion.build know; or build with 'lagrange'")  # fmt: skip
     t, y = real(t, "t"), vector(y, "y")

@@ -2,3 +2,4 @@
 
 from .verdict import ProofError as ProofError
 from .verdict import prove as prove
+from .verdict import prove_methods as prove_methods

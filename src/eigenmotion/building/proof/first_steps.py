@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -26,18 +26,18 @@ SOUND = 1e-6
 _REASONS = (StopReason.SINGULAR_MASS_MATRIX, StopReason.DEPENDENT_CONSTRAINTS)
 
 
-def first_steps(system: System) -> Iterator[tuple[str, str]]:
+def first_steps(system: System, methods: Iterable[str] = tuple(COMPILED)) -> Iterator[tuple[str, str]]:
     """Yield (method, what is wrong) where a run from the model's own start does not go as its accelerations say.
 
-    A start that cannot be, or a run that ends there for a reason of its own, says nothing. Implicit steps go no farther
-    than explicit ones, which are what they are judged by.
+    Methods are compiled ones, explicit ones first. A start that cannot be, or a run that ends there for a reason of its
+    own, says nothing. Implicit steps go no farther than explicit ones, which are what they are judged by.
     """
     x, far = system.initial[0], min(FAR, system.compiled.piece(0.0, 1.0, system.prepare())[0])  # up to a break
     end = far
     with np.errstate(all="ignore"):
-        for name, method in COMPILED.items():
+        for name in methods:
             try:
-                run = _run(system, name, end if method.implicit else far, atol=0.0)
+                run = _run(system, name, end if COMPILED[name].implicit else far, atol=0.0)
             except ModelError:
                 return
             if _refuses(run) and _refuses(_run(system, name, far, atol=TOLERANCE)) and _is_sound(system, x):

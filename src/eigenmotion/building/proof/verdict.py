@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
 from ...arguments.names import Vector
 from ...codegen.model import Model
+from ...running.methods import COMPILED
 from ...system.system import System
 from ..errors import BuildError
 from .augmented import factored
@@ -43,13 +44,13 @@ class ProofError(BuildError):
     """
 
 
-def prove(model: Model, system: System) -> None:
+def prove(model: Model, system: System, methods: Iterable[str] = tuple(COMPILED)) -> None:
     """Hold a compiled model against what the user stated, at random places.
 
     Lagrange's equations and the constraints, differentiated, hold for the accelerations and multipliers found;
     M, A, energies, quasi-velocities, outputs and events are those of the expressions; the right-hand side is the
-    rate of the state; and the first steps of a run go as the accelerations say. Derivatives are taken in hyper-dual
-    numbers, so that nothing is shared with the generator.
+    rate of the state; and the first steps of runs by `methods` go as the accelerations say. Derivatives are taken in
+    hyper-dual numbers, so that nothing is shared with the generator.
 
     Raises
     ------
@@ -57,7 +58,18 @@ def prove(model: Model, system: System) -> None:
         One of these does not hold.
     """
     _prove_identities(model, system)
-    for method, what in first_steps(system):
+    prove_methods(model, system, methods)
+
+
+def prove_methods(model: Model, system: System, methods: Iterable[str]) -> None:
+    """Hold the first steps of runs by compiled methods, explicit ones first, against accelerations that are proved.
+
+    Raises
+    ------
+    ProofError
+        A method is off.
+    """
+    for method, what in first_steps(system, methods):
         raise ProofError(f"{model.name}: what was compiled is not the model: a run by {method} {what} {_rest(system)}")
 
 

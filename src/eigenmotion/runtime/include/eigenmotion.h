@@ -12,7 +12,7 @@
 #include "em_run.h"
 #include "em_side_by_side.h"
 
-#define EM_ABI 14 /* changes whenever anything here or in the two files above changes its meaning */
+#define EM_ABI 15 /* changes whenever anything here or in the two files above changes its meaning */
 
 /* A part of the state vector: y[start .. start + length) is called name ("x", "eta", "C", "s", "v", ...). */
 typedef struct em_slice {
@@ -160,6 +160,11 @@ typedef struct em_model {
     int n_breaks; /* conditions in the time alone: they change at times at + k period, k whole (em_breaks.h) */
     void (*breaks)(const double *c, double *at);        /* (n_breaks, 3): at, period, eps terms its rounding; or NULL */
     void (*break_partials)(const double *c, double *D); /* (n_breaks, 2, n_arguments), of at and period; or NULL */
+
+    /* *scheme (an em_scheme of em_walk.h) <- that of a method which is compiled apart from the stepper; NULL: it is not here */
+    void (*further)(em_method method, void *scheme);
+    /* J (n_state, n_state) of rhs where the state carries eta, NaN where it is singular; NULL: it is not here */
+    void (*rate_jacobian)(double t, const double *y, const double *c, const double *u, double *J);
 } em_model;
 
 #endif

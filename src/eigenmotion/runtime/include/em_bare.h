@@ -5,12 +5,6 @@
 
 #include "em_blame.h"
 
-static int em_blame(em_walk *w, double t, const double *y) {
-    const int first = em_non_finite_coordinate(y);
-    (void)t;
-    return first < 0 ? -1 : em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
-}
-
 static int em_fail_weakest(em_walk *w, double size) {
     em_fail(&w->reason, EM_DEPENDENT_CONSTRAINTS, -1, -1, size);
     return em_blame(w, w->t_new, w->y_new);

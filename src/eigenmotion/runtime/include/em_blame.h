@@ -18,8 +18,33 @@ EM_COLD int em_not_finite(em_walk *w, const double *y, const double *rate) {
     return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
 }
 
+#ifdef EM_MECHANICS_H
+/* Where y has overflowed, or M there, neither pivots nor rows are to blame; nor are rows where a coordinate has lost the
+ * inertia it had at the start: in the mass metric each row with a part of it is infinitely long. */
+EM_COLD int em_blame(em_walk *w, double t, const double *y) {
+    const int first = em_non_finite_coordinate(y);
+    if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
+    double M[N * N], before[N * N];
+    factored(t, y, w->run->prepared, M);
+    factored(w->run->t_start, w->run->y_start, w->run->prepared, before);
+    for (int k = 0; k < N * N; ++k)
+        if (!isfinite(M[k])) return em_fail(&w->reason, EM_NON_FINITE_STATE, k % N, -1, NAN);
+    if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
+    for (int k = 0; k < N * N; k += N + 1)
+        if (!(M[k] > EM_SINGULAR_PIVOT * before[k]))
+            return em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, k / (N + 1), -1, M[k]);
+    return -1;
+}
+#else
+static int em_blame(em_walk *w, double t, const double *y) {
+    const int first = em_non_finite_coordinate(y);
+    (void)t;
+    return first < 0 ? -1 : em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
+}
+#endif
+
 /* The coordinate with the largest part of the last error estimate. */
-static int em_worst_coordinate(const em_walk *w) {
+EM_UNUSED static int em_worst_coordinate(const em_walk *w) {
     int worst = 0;
     for (int k = 1; k < 2 * N; ++k)
         if (fabs(w->error[k] * w->weight[k]) > fabs(w->error[worst] * w->weight[worst])) worst = k;

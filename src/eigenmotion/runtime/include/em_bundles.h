@@ -54,7 +54,7 @@ EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_bundle
     if (r < rows) em_map_rows(1, column, a, from + r, base + r, factor, out, to + r);
 }
 
-/* Two maps of the same numbers at once, which so are read once: out_(to + r) and out_(from + r). */
+/* sum_r (2) += both maps of a_(from + r), whose numbers so are read once: compilers else keep them on the stack. */
 EM_INLINE void em_both_rows(int rows, const double (*first)[EM_NODE_COUNT], const double (*second)[EM_NODE_COUNT],
                             em_bundle (*a)[N_STATE], int from, em_bundle (*sum)[2][EM_BUNDLES]) {
     EM_UNROLL

@@ -10,23 +10,6 @@
 #define EM_NEARBY 100.0 /* how near to a singular position it is near, in tolerances, */
 #define EM_SHORT 0.2     /* and how short is short, beside the longest step */
 
-/* Where y has overflowed, or M there, neither pivots nor rows are to blame; nor are rows where a coordinate has lost the
- * inertia it had at the start: in the mass metric each row with a part of it is infinitely long. */
-EM_COLD int em_blame(em_walk *w, double t, const double *y) {
-    const int first = em_non_finite_coordinate(y);
-    if (first >= 0) return em_fail(&w->reason, EM_NON_FINITE_STATE, first, -1, NAN);
-    double M[N * N], before[N * N];
-    factored(t, y, w->run->prepared, M);
-    factored(w->run->t_start, w->run->y_start, w->run->prepared, before);
-    for (int k = 0; k < N * N; ++k)
-        if (!isfinite(M[k])) return em_fail(&w->reason, EM_NON_FINITE_STATE, k % N, -1, NAN);
-    if (w->reason.status != EM_DEPENDENT_CONSTRAINTS) return -1;
-    for (int k = 0; k < N * N; k += N + 1)
-        if (!(M[k] > EM_SINGULAR_PIVOT * before[k]))
-            return em_fail(&w->reason, EM_SINGULAR_MASS_MATRIX, k / (N + 1), -1, M[k]);
-    return -1;
-}
-
 /* The rows at the end of a step, in the mass metric, and the longest that each was. 0, or -1 and w->reason. */
 static int em_look_at_constraints(em_walk *w, em_root *root) {
     if (em_root_at(w->t_new, w->y_new, w->run->prepared, root, &w->reason)) return -1;

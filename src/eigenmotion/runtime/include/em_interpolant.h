@@ -21,7 +21,7 @@ EM_ACROSS int em_interpolate(const em_run *run, size_t step, double t, double *y
     const em_dense_step *at = &run->dense_steps[step];
     const double *F = run->dense_table + step * EM_DENSE_COEFFICIENTS * N_STATE;
     double inside[N_STATE], memory[EM_SOME_MEMORY] = {0.0};
-    const em_scheme scheme = em_scheme_of(run->method);
+    const em_scheme scheme = em_scheme_of(run->model, run->method);
     em_fault fault;
     em_run then;
     int mode = at->mode;

@@ -43,7 +43,7 @@ EM_COLD int em_motion_publish(double t, const double *y, const double *c, double
 }
 
 /* M (n, n), or what is factored in its place */
-static void em_mass_at(double t, const double *x, const double *c, double *M) { factored(t, x, c, M); }
+EM_UNUSED static void em_mass_at(double t, const double *x, const double *c, double *M) { factored(t, x, c, M); }
 #else
 enum { EM_CARRIES_MOTION = 0 };
 static void em_mass_at(double t, const double *x, const double *c, double *M) {

@@ -1,13 +1,12 @@
 /* em_rate_jacobian.h: derivatives of the right-hand side as it runs, exact to rounding, also by C and s.
  *
  * NAME.c compiled with EM_ON_LANES and EM_ON_DUALS: its right-hand side on numbers that carry a derivative each, once for
- * every number of the state. It is compiled, and loaded by itself, where somebody asks (building/differentiated.py). */
+ * every number of the state. It is compiled where somebody asks (docs/architecture.md). */
 #ifndef EM_RATE_JACOBIAN_H
 #define EM_RATE_JACOBIAN_H
 
 /* J (n_state, n_state) = d rhs / d y of the published system; NaN where that is singular. u (n_inputs) */
-__attribute__((visibility("default"))) void em_rate_jacobian(double t, const double *y, const double *c, const double *u,
-                                                             double *J) {
+void em_rate_jacobian(double t, const double *y, const double *c, const double *u, double *J) {
     const double e = 0x1p-600; /* its square is zero */
     real at[N_STATE], dy[N_STATE], prepared[N_PREPARED + 1], inputs[N_INPUTS + 1];
     em_fault fault;

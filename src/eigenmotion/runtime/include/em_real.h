@@ -10,6 +10,10 @@
 #include <float.h>
 #include <math.h>
 
+#ifdef EM_NODES_ALONE /* on lanes, too, but for the nodes of one run alone: none of what runs side by side need */
+#define EM_ON_LANES
+#endif
+
 #ifdef __OPTIMIZE__
 #define EM_INLINE static inline __attribute__((always_inline, unused))
 #else /* a copy at every call would gain nothing, and take the compiler half as long again */
@@ -27,6 +31,7 @@
 #define EM_ASIDE 2       /* what none calls */
 #define EM_DERIVATIVES 4 /* partial derivatives, and what events do */
 #define EM_STEPPER 8     /* runs: of a model it knows the shape */
+#define EM_METHODS 16    /* steps of methods that no run takes by itself: likewise */
 #ifdef EM_UNIT
 #define EM_ALONE(unit) ((EM_UNIT) == (unit))
 #define EM_HOLDS(unit) ((EM_UNIT) & (unit))

@@ -147,4 +147,16 @@ EM_INLINE int em_rk_sketch(const em_tableau *rk, em_walk *w) {
     return 4;
 }
 
+/* --- the method of a tableau (em_scheme) --- */
+
+#define EM_RUNGE_KUTTA(name, tableau, judge)                                                             \
+    static int em_##name##_step(em_walk *w) { return em_rk_step(&tableau, w); }                          \
+    static int em_##name##_interpolate(em_walk *w) { return em_rk_interpolate(&tableau, w); }            \
+    static int em_##name##_sketch(em_walk *w) { return em_rk_sketch(&tableau, w); }                      \
+    static em_scheme em_##name(void) {                                                                   \
+        return (em_scheme){tableau.error_order, 0.7, 0.4, 4.0, 3 + tableau.corrections,                \
+                           tableau.errors == 0, em_##name##_step, judge,                                 \
+                           em_##name##_interpolate, em_##name##_sketch, em_rk_evaluate, 0, 0, NULL, NULL}; \
+    }
+
 #endif

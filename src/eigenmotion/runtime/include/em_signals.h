@@ -23,7 +23,7 @@ static long em_signal_piece(const em_signal *u, double t, double direction) {
 }
 
 /* The next sample, in the direction of time, that a step must not cross; infinite after the last. */
-static double em_signal_end(const em_signal *u, long piece, double direction, int averages) {
+EM_UNUSED static double em_signal_end(const em_signal *u, long piece, double direction, int averages) {
     const long last = (long)u->count - 1;
     const int crosses = u->kind == EM_CUBIC || (u->kind == EM_LINEAR && averages);
     long sample = direction > 0.0 ? piece + 1 : piece;

@@ -6,7 +6,12 @@
 
 #ifdef EM_MECHANICS_H
 static int em_slopes_at(em_walk *w, double t, const double *z, double *J) {
+#if EM_ALONE(EM_METHODS) /* derivatives are another unit, which may be in another library */
+    const em_run *run = w->run;
+    return run->model->motion_jacobian(em_clock(w, t), z, run->prepared, w->u, em_constraint_flags(run), J, &w->reason);
+#else
     return em_motion_jacobian(em_clock(w, t), z, w->run->prepared, w->u, em_constraint_flags(w->run), J, &w->reason);
+#endif
 }
 #else
 /* A model written by hand states no derivatives: differences, which an iteration needs no better. */

@@ -67,7 +67,7 @@ static em_walk *em_walk_create(em_run *run) {
     w->block = block;
     w->c = (em_bundle *)(w + 1);
     w->run = run;
-    w->scheme = em_scheme_of(run->method);
+    w->scheme = em_scheme_of(run->model, run->method);
     em_walk_prepare(w);
     w->looks_every = 1;
     timespec_get(&w->looked, TIME_UTC);
@@ -131,12 +131,15 @@ static int em_go_on(em_walk *w) {
 
 /* --- the handle --- */
 
+static void em_close(em_walk *w) { free(w->block); }
+
 /* A run at its start, or NULL without memory. Whether it is over already `ended` says, and run->fault why. */
 static em_walk *em_open(em_run *run) {
     run->fault = (em_fault){EM_FINISHED, -1, -1, 0.0};
     if (em_rows_prepare(run)) return NULL;
     em_walk *w = em_walk_create(run);
     if (w == NULL) return em_fail(&run->fault, EM_OUT_OF_MEMORY, -1, -1, sizeof *w), NULL;
+    if (w->scheme.step == NULL) return em_fail(&run->fault, EM_START_REFUSED, -1, -1, 0.0), em_close(w), NULL;
     w->refused = w->ended = em_enter(w);
     return w;
 }
@@ -148,8 +151,6 @@ static int em_advance(em_walk *w, double t_goal) {
     while (!w->ended && w->t != w->t_goal) w->ended = em_go_on(w);
     return w->ended;
 }
-
-static void em_close(em_walk *w) { free(w->block); }
 
 /* em_model.simulate: run from t_start to t_end. Returns run->fault.status. */
 EM_ACROSS int em_simulate(em_run *run) {

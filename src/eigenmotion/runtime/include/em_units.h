@@ -59,6 +59,7 @@ void output_partials(double t, const double *x, const double *v, const double *a
 void event_partials(double t, const double *x, const double *v, const double *c, const double *u, double *D);
 void break_partials(const double *c, double *D);
 void quasi_partials(double t, const double *x, const double *v, const double *c, double *D);
+int jacobian(double t, const double *y, const double *c, const double *u, double *J, em_fault *fault);
 int em_motion_jacobian(double t, const double *z, const double *c, const double *u, int least_norm, double *J, em_fault *fault);
 int em_motion_derivatives(double t, const double *x, const double *v, const double *c, const double *u, int least_norm,
                           double *a, double *lambda, double *da, double *dlambda, em_fault *fault);
@@ -92,5 +93,38 @@ int em_handle_again(void *walk);
 void *em_member_enter(em_run *run, int *mode);
 void em_member_board(void *walk, em_flock *f, int lane);
 int em_member_look(void *walk, em_flock *f, int lane, em_landing landing);
+
+/* --- of EM_METHODS: likewise --- */
+
+void em_further(em_method method, void *scheme);
+
+/* --- of EM_ON_DUALS: likewise --- */
+
+void em_rate_jacobian(double t, const double *y, const double *c, const double *u, double *J);
+
+/* A module may be linked without some units: em_model has NULL in their places, until somebody asks (docs/architecture.md). */
+#ifdef __ELF__
+#define EM_LATER(function) extern __typeof__(function) function __attribute__((weak, visibility("hidden")))
+#else
+#define EM_LATER(function) extern __typeof__(function) function __attribute__((weak))
+#endif
+#if EM_HOLDS(EM_MODEL)
+EM_LATER(em_rate_jacobian);
+#if !EM_HOLDS(EM_METHODS)
+EM_LATER(em_further);
+#endif
+#if !EM_HOLDS(EM_DERIVATIVES)
+EM_LATER(jacobian);
+EM_LATER(em_motion_jacobian);
+EM_LATER(em_motion_derivatives);
+EM_LATER(em_motion_along);
+EM_LATER(em_tangent);
+EM_LATER(constraint_partials);
+EM_LATER(output_partials);
+EM_LATER(event_partials);
+EM_LATER(break_partials);
+EM_LATER(quasi_partials);
+#endif
+#endif
 
 #endif

@@ -203,7 +203,7 @@ static void em_signals(em_walk *w, double t) {
 static int em_blame(em_walk *w, double t, const double *y);
 
 /* Whether steps are the caller's, which cannot be made again (em_told.h). */
-static int em_is_told(const em_run *run) { return run->method == EM_TOLD; }
+EM_UNUSED static int em_is_told(const em_run *run) { return run->method == EM_TOLD; }
 
 /* What is asked of constraint rows. */
 static int em_constraint_flags(const em_run *run) { return run->least_norm ? EM_LEAST_NORM | run->kept : 0; }
@@ -240,8 +240,8 @@ static void em_velocity_error(const em_walk *w, const double *e, double *ev) {
 }
 
 /* row (n_state) <- y in the published meaning. 0, or -1 and *fault */
-static int em_publish(const em_run *run, int mode, double t, const double *y, const double *memory, double *row,
-                      em_fault *fault) {
+EM_UNUSED static int em_publish(const em_run *run, int mode, double t, const double *y, const double *memory,
+                                double *row, em_fault *fault) {
     if (mode == EM_MOTION) return em_motion_publish(t, y, run->prepared, row, fault);
     return model_publish(mode, t, y, run->prepared, memory, row, fault);
 }
@@ -256,7 +256,7 @@ static int em_settle(const em_run *run, int *mode, int flags, double t, double *
 }
 
 /* The published state in w->y as that of the scheme's mode, settled. As em_settle. */
-static int em_enter_mode(em_walk *w) {
+EM_UNUSED static int em_enter_mode(em_walk *w) {
     double v[N];
     if (w->scheme.mode == EM_MOTION) {
         if (em_xdot(w->run, 0, w->t, w->y, v, &w->reason)) return -1;

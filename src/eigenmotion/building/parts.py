@@ -1,0 +1,55 @@
+"""What of a model is compiled at first, and what as somebody first asks for it.
+
+A module without some units has NULL where their functions would be (em_units.h). A part is a module, too: the same
+objects and those of its units, from whose `em_model` the first one takes what it lacks (`PointModel.need`).
+"""
+
+import sys
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from ..running.methods import AT_ONCE, COMPILED
+from .toolchain import IN_PLACE_OF, UNITS
+
+PARTS: Mapping[str, tuple[str, ...]] = MappingProxyType({
+    "methods": ("methods",),
+    "derivatives": ("derivatives",),
+    "implicit": ("methods", "derivatives"),
+    "members": ("members",),
+    "duals": ("duals",),
+})  # fmt: skip
+"""Their units; by what names runtime/point.pyx asks for them."""
+WORDS: Mapping[str, str] = MappingProxyType({
+    "methods": "further methods",
+    "derivatives": "derivatives",
+    "implicit": "implicit methods",
+    "members": "what runs side by side need",
+    "duals": "the Jacobian of the right-hand side",
+})  # fmt: skip
+_AT_FIRST = ("stepper", "model", "aside", "lanes")
+_ACTS = "#define EM_ACTS"
+_DIFFERENTIATES = '#include "em_rate_jacobian.h"'
+
+
+def at_first(text: str) -> tuple[str, ...]:
+    """Return the units of a NAME.c that its first run may need: what events do stands among its derivatives.
+
+    Where objects are not ELF's, nothing may be missing as a module is linked.
+    """
+    if not sys.platform.startswith("linux"):
+        return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
+    return (*_AT_FIRST, "derivatives") if _ACTS in text.splitlines() else _AT_FIRST
+
+
+def whole() -> tuple[str, ...]:
+    """Return the units of a module that stands alone: all but that for `System.jacobian`, which wants a compiler."""
+    return tuple(unit for unit in UNITS if unit not in (*IN_PLACE_OF.values(), "duals"))
+
+
+def methods_of(units: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the methods that these units are new to, explicit ones first."""
+    first = AT_ONCE if {"stepper", "lanes", "members"}.intersection(units) else ()
+    if "methods" not in units:
+        return first
+    further = (name for name in COMPILED if name not in AT_ONCE)
+    return (*first, *(name for name in further if "derivatives" in units or not COMPILED[name].implicit))
