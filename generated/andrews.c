@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:9827b229f096f787ab8c7596356e70be5fe5390e6af340a239ce318650b171ee */
+/* body sha256:a5a8e5dc960351dcd07c209fa293aa54d3214bb86698ffb39b65e7c2c57ce4d1 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -403,8 +403,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         em_add_to_load(N4, row, B4[0], a4, q4, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
             em_add_product(N4, B4[row], B4[column], &Delta[row*N_ROWS + column]);
@@ -755,8 +754,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         em_add_to_load(N4, row, B4[0], a4, q4, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
             em_add_product(N4, B4[row], B4[column], &Delta[row*N_ROWS + column]);
@@ -2565,8 +2563,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
             em_add_to_load(N4, row, B4[0], a4, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
                 em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
                 em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
                 em_add_product(N4, B4[row], B4[column], &Delta[row*N_ROWS + column]);

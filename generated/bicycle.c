@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:5d0caec760e594f0e98b7d486b859301b150d822ee557660abfb5921d69eeb69 */
+/* body sha256:57d3427a01806b9a6507e7da8751b1bcaaa185facefb124c5a7050eee07ca9f2 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -905,8 +905,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -2078,8 +2077,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -10781,8 +10779,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             lambda[row] = b[row];
             em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;

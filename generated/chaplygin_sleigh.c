@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:3655cde71931c6167604eb9dfa1cca8c9cfb0d85263054efe6b772c0ebebab55 */
+/* body sha256:78885d5e77322b4ad6af97bfabde0b212b5ef9cc4ba7888f0d4babaee7fdd04c */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -153,8 +153,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -251,8 +250,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -402,8 +400,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
         lambda[row] = b[row];
         em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -732,8 +729,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             lambda[row] = b[row];
             em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;

@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:c1d6381f2071dd8c3c11297e250fdc726511d95c857ba5afd4cb7f1fbddb639f */
+/* body sha256:9c931b4579104e3f533cb52dfe09d8aabee4ac278fb2d9fe6f6b552ee7d6969f */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -164,8 +164,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
         }
     }
@@ -586,8 +585,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
                 em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             }
         }

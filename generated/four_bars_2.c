@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:f30d0ea3a790572e0a08ed905822a2bac2ab78f54486a558928d739d3549ba13 */
+/* body sha256:1bf17e91c991b9c21de0b360837a320d9011fa38ee1773174241acf516fdefca */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -268,8 +268,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         em_add_to_load(N2, row, B2[0], a2, q2, lambda);
         em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -473,8 +472,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         em_add_to_load(N2, row, B2[0], a2, q2, lambda);
         em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -1392,8 +1390,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
             em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
                 em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
                 em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
             }

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:6e1b569adacd6ab433549922ee46e85ef0230625b3cf2b731af1f7690032e1b7 */
+/* body sha256:9c6add0216bf4c5dc1fff68412ac6d7c66cac2da4f3db010a07390bac3e8fd50 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -354,8 +354,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -743,8 +742,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -3514,8 +3512,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             lambda[row] = b[row];
             em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:f754c7be5aedd1743f7b4fe753797226aa70626b6efca68bcbf067d9881f1246 */
+/* body sha256:173a9cae0aea85638cd607b362f2b1d59434431f28a1a15c6685dd3611c044d7 */
 /* pendulum_with_stop: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -129,8 +129,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -542,8 +541,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             lambda[row] = b[row];
             em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;

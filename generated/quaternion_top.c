@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:99647a4f303c5e19b1d8ff38b85f46f2ea85e8289b0b8ab69e8ca209c63605ed */
+/* body sha256:7a98603fa67b5d631852b84ee38a4bc9b8dd145003b7ef213517074a84df23e3 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -195,8 +195,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -352,8 +351,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         lambda[row] = gamma[row];
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
         }
     }
     if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;
@@ -1222,8 +1220,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             lambda[row] = b[row];
             em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             }
         }
         if (em_solve_delta(N_ROWS, Delta, lambda, flags, fault)) return -1;

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:b00360b5e239a4d2c623e7e6287bceb20288237f8fb759ce04a7cf338d264889 */
+/* body sha256:a1e9741854b2f757a27b2a34c551b3c74b0a82335368f4834a84c5d6a7b3ed3b */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -192,8 +192,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
         }
     }
@@ -322,8 +321,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         em_add_to_load(N1, row, B1[0], a1, q1, lambda);
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
         }
     }
@@ -946,8 +944,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             em_add_to_load(N1, row, B1[0], a1, NULL, lambda);
             em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
                 em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             }
         }

@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:08f8df184e0d59b7681b3057b00da7dd9db495827714dd592b9bdbafadf4b084 */
+/* body sha256:0feb430225dc2f8c8b756ae1f033ac61d76db8926cc8375b30087e44317d0e83 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -237,8 +237,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -365,8 +364,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -838,8 +836,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
             em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
                 em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
                 em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
             }

@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:d4d09ac3eac70b378e87b5985c9987c381c9f2dc154f845d66594ec0f27b05dd */
+/* body sha256:42d78b0fca79310e54f8ce480f852912d5bbdccce9bcb19e64745ab47735b7f3 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -249,8 +249,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -446,8 +445,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -664,8 +662,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -1514,8 +1511,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
             em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
                 em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
                 em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
             }

@@ -17,10 +17,10 @@
 static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {
     double M[N * N], L[N * N], r[N];
     factored(t, x, w->run->prepared, M);
-    const int singular = em_cholesky(N, M, L, r, 0.0);
+    const int singular = em_ldlt(N, M, L, r, 0.0);
     for (int k = 0; k < N; ++k) {
         diagonal[k] = M[k * N + k];
-        pivots[k] = singular >= 0 && k >= singular ? 0.0 : L[k * N + k] * L[k * N + k];
+        pivots[k] = singular >= 0 && k >= singular ? 0.0 : L[k * N + k];
     }
 }
 
