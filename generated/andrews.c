@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:a5a8e5dc960351dcd07c209fa293aa54d3214bb86698ffb39b65e7c2c57ce4d1 */
+/* body sha256:f0d6297fe5a06eb3f9c38488e1cf199cc94b5c46d4ea258b92f9aedf44989655 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -358,41 +358,44 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     em_rows_on_eta(N_ROWS, N4, C4, r4, A4[0], B4[0]);
 
     /* beta, theta: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 14, *const s1_dot = dy + 26;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
     /* gamma: constant factors, a = S^-1 C f (41) */
     real a2[N2];
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* phi, delta: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu3[N3*N3], Omega3[N3*N3];
-    em_congruence(N3, C3, Mdot3[0], mu3);
+    real T3[N3*N3], mu3[N3*N3], Omega3[N3*N3];
+    em_turned_for_tiles(N3, C3, T3);
+    em_congruence_below(N3, C3, T3, Mdot3[0], mu3);
     em_omega_apart(N3, s3, mu3, Omega3);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C3_dot = dy + 18, *const s3_dot = dy + 28;
     em_factor_rates(N3, C3, r3, mu3, Omega3, C3_dot, s3_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a3[N3], q3[N3];
-    em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
+    em_turning_push(N3, C3, T3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
 
     /* omega, epsilon: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu4[N4*N4], Omega4[N4*N4];
-    em_congruence(N4, C4, Mdot4[0], mu4);
+    real T4[N4*N4], mu4[N4*N4], Omega4[N4*N4];
+    em_turned_for_tiles(N4, C4, T4);
+    em_congruence_below(N4, C4, T4, Mdot4[0], mu4);
     em_omega_apart(N4, s4, mu4, Omega4);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C4_dot = dy + 22, *const s4_dot = dy + 30;
     em_factor_rates(N4, C4, r4, mu4, Omega4, C4_dot, s4_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a4[N4], q4[N4];
-    em_turning_push(N4, C4, s4, r4, Omega4, s4_dot, eta4, w4, f4, a4, q4);
+    em_turning_push(N4, C4, T4, s4, r4, Omega4, s4_dot, eta4, w4, f4, a4, q4);
 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];

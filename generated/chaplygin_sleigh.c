@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:78885d5e77322b4ad6af97bfabde0b212b5ef9cc4ba7888f0d4babaee7fdd04c */
+/* body sha256:8a2f1e69fc534f57652d771317b7459c9b13af23b4a63303a5ad09b660c363e1 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -137,15 +137,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
 
     /* x, y, theta: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 6, *const s1_dot = dy + 15;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];

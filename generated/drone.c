@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:afea467f467c7cb88912b4e903c21386cf459ed518b3e293f24a1376a15acfac */
+/* body sha256:e4f6b0d48ecb75a1aca94737e2bab491504a0192d7a574b26a19350a69a7dfdd */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -230,26 +230,28 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     eigenfactor_motion(y, dy, c, u, Mdot1, Mdot2, f1, f2);
 
     /* x, y, z, sway, heave: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 16, *const s1_dot = dy + 50;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     real a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* yaw, pitch, roll: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu2[N2*N2], Omega2[N2*N2];
-    em_congruence(N2, C2, Mdot2[0], mu2);
+    real T2[N2*N2], mu2[N2*N2], Omega2[N2*N2];
+    em_turned_for_tiles(N2, C2, T2);
+    em_congruence_below(N2, C2, T2, Mdot2[0], mu2);
     em_omega_apart(N2, s2, mu2, Omega2);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C2_dot = dy + 41, *const s2_dot = dy + 55;
     em_factor_rates(N2, C2, r2, mu2, Omega2, C2_dot, s2_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     real a2[N2];
-    em_turning_push(N2, C2, s2, r2, Omega2, s2_dot, eta2, w2, f2, a2, NULL);
+    em_turning_push(N2, C2, T2, s2, r2, Omega2, s2_dot, eta2, w2, f2, a2, NULL);
 
     /* etadot = a (45) */
     dy[8] = a1[0];

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:1bf17e91c991b9c21de0b360837a320d9011fa38ee1773174241acf516fdefca */
+/* body sha256:e22392f4e5caf71839abd5f3769383c8a6829b07c97bacb9e09cea9d3d119858 */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -235,26 +235,28 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     em_rows_on_eta(N_ROWS, N3, C3, r3, A3[0], B3[0]);
 
     /* q1, p1: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 10, *const s1_dot = dy + 18;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
     /* q2, p2: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu2[N2*N2], Omega2[N2*N2];
-    em_congruence(N2, C2, Mdot2[0], mu2);
+    real T2[N2*N2], mu2[N2*N2], Omega2[N2*N2];
+    em_turned_for_tiles(N2, C2, T2);
+    em_congruence_below(N2, C2, T2, Mdot2[0], mu2);
     em_omega_apart(N2, s2, mu2, Omega2);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C2_dot = dy + 14, *const s2_dot = dy + 20;
     em_factor_rates(N2, C2, r2, mu2, Omega2, C2_dot, s2_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a2[N2], q2[N2];
-    em_turning_push(N2, C2, s2, r2, Omega2, s2_dot, eta2, w2, f2, a2, q2);
+    em_turning_push(N2, C2, T2, s2, r2, Omega2, s2_dot, eta2, w2, f2, a2, q2);
 
     /* q3: constant factors, a = S^-1 C f (41) */
     real a3[N3];

@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:63660c5fd17e8481ae7ec5d195b11db5d0ee4d7e243b915bf7d02fedd88dea2f */
+/* body sha256:8be4f47ad780de331f369f2b3ca2fd264e6709cbbe4de5f09c737205a5af5c50 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -124,15 +124,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     eigenfactor_motion(y, dy, c, u, Mdot1, f1);
 
     /* theta, phi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 4, *const s1_dot = dy + 8;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     real a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* etadot = a (45) */
     dy[2] = a1[0];

@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:b9aaf236615d44b5badac838cbb41dec72e72cd7fe8caef915139104bbc5c2db */
+/* body sha256:56d14f627e1216c034f13012817a80164ae81a9b50522671a4647400ea23308d */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -143,15 +143,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     eigenfactor_motion(y, dy, c, Mdot1, f1, f2);
 
     /* phi, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 6, *const s1_dot = dy + 10;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     real a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* theta: constant factors, a = S^-1 C f (41) */
     real a2[N2];

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:7a98603fa67b5d631852b84ee38a4bc9b8dd145003b7ef213517074a84df23e3 */
+/* body sha256:e0dcbc1ffe7c0f3be5cf4b4e0a6a25bc704175f21896ca64b46feea25d6599f3 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -179,15 +179,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
 
     /* q_0, q_1, q_2, q_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 8, *const s1_dot = dy + 24;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:c40ed2b6f360ad288321772cbb844545c305708de1dd807330407422fbba04d5 */
+/* body sha256:2f5b34c70251213a57536c0b9c685ad5efd6b3a22c62b6003d4ce7e46f55dca0 */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -179,15 +179,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     em_rows_on_eta(N_ROWS, N1, C1, r1, A1[0], B1[0]);
 
     /* x, y, phi, theta, psi: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 10, *const s1_dot = dy + 35;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a1[N1], q1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, q1);
 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];

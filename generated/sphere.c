@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:42d78b0fca79310e54f8ce480f852912d5bbdccce9bcb19e64745ab47735b7f3 */
+/* body sha256:66b8dd1408e5e3a052e8743cf1b1212ab4a4e22e61461a61dbc8f6512fffded0 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -231,15 +231,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     em_rows_on_eta(1, N2, C2, r2, f2, a2);
 
     /* p_1, p_2, p_3: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu3[N3*N3], Omega3[N3*N3];
-    em_congruence(N3, C3, Mdot3[0], mu3);
+    real T3[N3*N3], mu3[N3*N3], Omega3[N3*N3];
+    em_turned_for_tiles(N3, C3, T3);
+    em_congruence_below(N3, C3, T3, Mdot3[0], mu3);
     em_omega_apart(N3, s3, mu3, Omega3);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C3_dot = dy + 10, *const s3_dot = dy + 19;
     em_factor_rates(N3, C3, r3, mu3, Omega3, C3_dot, s3_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41);  Bdot eta = Adot xdot + B q (40) */
     real a3[N3], q3[N3];
-    em_turning_push(N3, C3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
+    em_turning_push(N3, C3, T3, s3, r3, Omega3, s3_dot, eta3, w3, f3, a3, q3);
 
     /* Delta = B B^T (43), Delta lambda = B a + Bdot eta + bdot (46), in one loop */
     real Delta[N_ROWS*N_ROWS], lambda[N_ROWS];

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:0eb94165ccb0064010960cf7e8579e49cf4c54a284eae9638520778d7076d823 */
+/* body sha256:8a4ae2b29d3ec00423b5090bdc25d92c476d46046075ab14b2a88c072d69a913 */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -118,15 +118,16 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
     eigenfactor_motion(y, dy, c, Mdot1, f1);
 
     /* x, z: mu = C Mdot C^T (31), Omega_ij = mu_ij / (s_j^2 - s_i^2) (32) */
-    real mu1[N1*N1], Omega1[N1*N1];
-    em_congruence(N1, C1, Mdot1[0], mu1);
+    real T1[N1*N1], mu1[N1*N1], Omega1[N1*N1];
+    em_turned_for_tiles(N1, C1, T1);
+    em_congruence_below(N1, C1, T1, Mdot1[0], mu1);
     em_omega_apart(N1, s1, mu1, Omega1);
     /* Cdot = -Omega C (30), sdot_i = mu_ii / (2 s_i) (35) */
     real *const C1_dot = dy + 4, *const s1_dot = dy + 8;
     em_factor_rates(N1, C1, r1, mu1, Omega1, C1_dot, s1_dot);
     /* a = S^-1 (C f - Omega S eta - Sdot eta) (41) */
     real a1[N1];
-    em_turning_push(N1, C1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
+    em_turning_push(N1, C1, T1, s1, r1, Omega1, s1_dot, eta1, w1, f1, a1, NULL);
 
     /* etadot = a (45) */
     dy[2] = a1[0];

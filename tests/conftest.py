@@ -1,7 +1,9 @@
 """Fixtures that files share."""
 
+import gc
 import os
 import signal
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from zlib import crc32
@@ -35,6 +37,9 @@ LONGEST = ("test_build", "test_default_flags", "test_docs", "test_generated", "t
            "test_random_mechanisms", "test_report", "test_stability")  # fmt: skip
 """Files that take a process half a minute: first, so that none of them is what all wait for at the end."""
 
+BY_ALL = ("test_paper_scene", "test_signs")
+"""Files that go by every formulation by day, too."""
+
 
 def pytest_configure() -> None:
     """By day compile in a hurry, with Clang, a fifth of the time; where CC or flags are given, as at night, optimise.
@@ -46,13 +51,19 @@ def pytest_configure() -> None:
     os.environ.setdefault(FLAGS, "-O1")
 
 
+def pytest_collection_finish() -> None:
+    """What has been imported and collected stays: to look it over for garbage, again and again, took a tenth of all."""
+    gc.collect()
+    gc.freeze()
+    gc.set_threshold(20_000, 20, 20)
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Longest files first, where `--no-loadscope-reorder` leaves it at that; what is not for every day, at night."""
     items.sort(key=lambda item: item.path.stem not in LONGEST)
-    for item in items:
-        if not _daily(item):
-            item.add_marker(pytest.mark.nightly)
+    for item in (*(one for one in items if not _daily(one)), *_not_in_turn(items)):
+        item.add_marker(pytest.mark.nightly)
 
 
 def _daily(item: pytest.Item) -> bool:
@@ -65,6 +76,28 @@ def _daily(item: pytest.Item) -> bool:
     if models & HEAVY:
         return item.path.stem == "test_gallery"
     return all(formulations <= DAILY[name] for name in models & DAILY.keys())
+
+
+def _not_in_turn(items: list[pytest.Item]) -> Iterable[pytest.Item]:
+    """Give what is left of a case that goes by more formulations: by day the eigenfactor one, and another in turn.
+
+    Models of the table have their own (`DAILY`); what a file asks of others is asked of one model by the same two.
+    """
+    cases = defaultdict[tuple[str, str], dict[str, pytest.Item]](dict)
+    for item in items:
+        words = [one for one in _given(item) if isinstance(one, str) and one in FORMULATIONS]
+        if len(words) == 1 and not (item.path.stem in BY_ALL or item.get_closest_marker("nightly") or _known(item)):
+            case = item.callspec.id.replace(words[0], "", 1)
+            cases[f"{item.path.stem} {case}", item.originalname][words[0]] = item
+    for (case, _), by in cases.items():
+        others = [one for one in FORMULATIONS[1:] if one in by]
+        turn = crc32(case.encode()) % max(1, len(others))
+        yield from (by[one] for one in others[:turn] + others[turn + 1 :])
+
+
+def _known(item: pytest.Item) -> bool:
+    """Whether a model of the table takes part."""
+    return any(_model_of(one) in DAILY for one in _given(item))
 
 
 def _is_its_compiler(case: str, compiler: str) -> bool:
@@ -108,10 +141,19 @@ def systems() -> Callable[..., System]:
     return generation.system_of
 
 
+@pytest.fixture(scope="session")
+def shared_cache(tmp_path_factory) -> str:
+    """One cache for commands, pages and builds of all processes of a run, none of the user's."""
+    base = tmp_path_factory.getbasetemp()
+    folder = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "shared-cache"
+    folder.mkdir(mode=0o700, exist_ok=True)
+    return str(folder)
+
+
 @pytest.fixture
-def scene(tmp_path, tmp_path_factory, monkeypatch) -> Path:
-    """A file of a model in a folder of its own; and one cache for all tests of commands, none of the user's."""
-    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "cli-cache"))
+def scene(tmp_path, shared_cache, monkeypatch) -> Path:
+    """A file of a model in a folder of its own; what commands build is kept in the shared cache."""
+    monkeypatch.setenv("EIGENMOTION_CACHE", shared_cache)
     monkeypatch.chdir(tmp_path)
     path = tmp_path / "scene.py"
     path.write_text(SCENE)

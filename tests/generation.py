@@ -2,6 +2,7 @@
 
 import ctypes
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Iterable, Iterator
@@ -28,6 +29,9 @@ FLAGS = (*STRICT, "-ffp-contract=fast", "-fPIC")
 COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 """Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
+OF_OTHER_UNITS = re.compile(
+    r"#if EM_HOLDS\(EM_(MODEL|ASIDE|DERIVATIVES)\)|#if !EM_ALONE\(EM_STEPPER\)|#ifdef EM_ON_LANES"
+)
 LARGE = ("bicycle", "jansen")
 """Models with a block of more than six coordinates, whose inverse nothing writes out."""
 
@@ -136,7 +140,26 @@ def _stepper(folder: Path, cc: list[str], source: str) -> str:
     def fill(kept: Path) -> None:
         _run([*unit, "-c", "-o", str(kept / "stepper.o")], folder)
 
-    return str(entry("tests", key(*unit[:-1], _run([*unit, "-E", "-P"], folder)), fill) / "stepper.o")
+    name = key(*unit[:-1], _read_for_the_stepper((folder / source).read_text()), *_headers())
+    return str(entry("tests", name, fill) / "stepper.o")
+
+
+def _read_for_the_stepper(text: str) -> str:
+    """Return what of a C file its stepper may see: all but comments and what is known to belong to other units.
+
+    That takes a compiler's preprocessor as long as a quarter of a model.
+    """
+    kept, elsewhere = [], []
+    for line in re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL).splitlines():
+        if line.startswith("#if"):
+            elsewhere.append(OF_OTHER_UNITS.fullmatch(line) is not None)
+        elif line.startswith("#else"):
+            elsewhere[-1] = False
+        elif line.startswith("#endif"):
+            elsewhere.pop()
+        elif not any(elsewhere):
+            kept.append(line.strip())
+    return "\n".join(kept)
 
 
 def _run(command: list[str], folder: Path) -> str:

@@ -106,12 +106,6 @@ SCENARIOS = (
 )
 
 HEAVY = frozenset(name for one in SCENARIOS if one.heavy for name in (one.file, one.name))
-DAILY = {
-    name: {"eigenfactor", ("cholesky", "lagrange", "inverse")[row % 3]}
-    for row, one in enumerate(SCENARIOS)
-    for name in (one.file, one.name)
-}
-"""The formulations in which a model goes through its tests by day; in the others at night."""
 ACTING = (
     "block_on_incline",
     "bouncing_ball",
@@ -122,6 +116,13 @@ ACTING = (
     "rimless_wheel",
 )
 """Models whose events act: test_impacts and test_contacts hold their runs against what is known of them."""
+
+DAILY = {
+    name: {"eigenfactor", ("cholesky", "lagrange", "inverse")[row % 3]}
+    for row, names in enumerate([*((one.file, one.name) for one in SCENARIOS), *((name,) for name in ACTING)])
+    for name in names
+}
+"""The formulations in which a model goes through its tests by day; in the others at night."""
 
 BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
 EVERY = pytest.mark.parametrize("scenario", SCENARIOS, ids=lambda scenario: scenario.name)

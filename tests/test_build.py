@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
@@ -25,14 +26,14 @@ PENDULUM = ROOT / "models" / "pendulum.py"
 
 
 @pytest.fixture(autouse=True)
-def shared_cache(tmp_path_factory, monkeypatch):
-    """One cache for this file's tests, none of the user's."""
-    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "build-cache"))
+def in_a_hurry(shared_cache, monkeypatch):
+    """One cache for these tests, none of the user's."""
+    monkeypatch.setenv("EIGENMOTION_CACHE", shared_cache)
     monkeypatch.setenv("EIGENMOTION_CFLAGS", "-O0")
 
 
 @pytest.fixture
-def own_cache(shared_cache, tmp_path, monkeypatch):
+def own_cache(in_a_hurry, tmp_path, monkeypatch):
     """An empty one."""
     monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path / "cache"))
     return tmp_path / "cache"
@@ -150,13 +151,10 @@ def test_two_processes_build_the_same_model_at_once(own_cache):
 
 
 def test_threads_build_the_same_model_at_once(own_cache):
-    script = (
-        "from concurrent.futures import ThreadPoolExecutor as Pool; import eigenmotion as em\n"
-        f"with Pool(4) as pool: found = list(pool.map(em.build, [{str(PENDULUM)!r}] * 4))\n"
-        "print(len(set(map(id, found))))"
-    )
-    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
-    assert done.stdout.strip() == "1"
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(em.build, [swing("of_threads")] * 4))
+    assert len(set(map(id, found))) == 1
+    assert len(entries(own_cache, "binaries")) == 1
 
 
 @pytest.mark.parametrize("where", ["CC", "argument"])

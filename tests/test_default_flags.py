@@ -10,11 +10,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
 
-from .generation import COMPILERS, MODELS, NAMES, system_of
-
-MANY_ROWS = ("rolling_disk",)
-"""Where there are many rows beside many coordinates: what compilers pack into vectors."""
-OTHERS = [name for name in NAMES if name not in MANY_ROWS]
+from .generation import COMPILERS, MODELS, NAMES, system_for, system_of
 
 
 def held_chain(m: int) -> em.Model:
@@ -39,11 +35,13 @@ def held_chain(m: int) -> em.Model:
 
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("m", [4, *(pytest.param(m, marks=pytest.mark.nightly) for m in (2, 3, 5))])
-def test_eigenfactors_of_delta(m, compiler):
-    """At each step's end they are those of A M^-1 A^T, also in the order in which GCC 12 once mixed its entries up."""
+def test_many_rows_beside_many_coordinates(m, compiler):
+    """What compilers pack into vectors: by day with one of them, and with Clang in `test_lanes`.
+
+    At each step's end C_delta, s_delta are those of A M^-1 A^T, also in the order in which GCC 12 once mixed them up.
+    """
     system = em.build(held_chain(m), schur="eigenfactor", compiler=compiler, flags="")
-    run = system.simulate((0.0, 0.2), rtol=1e-9, atol=1e-9)
-    assert run.success, run.message
+    run = same_run(system, system_for(held_chain(m), schur="eigenfactor"), 0.2)
     for x, y in zip(run.x.T, run.y.T, strict=True):
         A, _ = system.pfaffian(x)
         Delta = A @ np.linalg.solve(system.mass_matrix(x), A.T)
@@ -51,12 +49,18 @@ def test_eigenfactors_of_delta(m, compiler):
         assert np.abs(C.T * s**2 @ C - Delta).max() < 1e-13
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("name", [*MANY_ROWS, *(pytest.param(n, marks=pytest.mark.nightly) for n in OTHERS)])
+@pytest.mark.parametrize("name", NAMES)
 def test_runs_are_those_of_code_that_is_hardly_optimised(name, compiler):
-    quick, plain = em.build(MODELS / f"{name}.py", compiler=compiler, flags=""), system_of(name)
-    runs = [system.simulate((0.0, 0.5), rtol=1e-10, atol=1e-10) for system in (quick, plain)]
-    assert all(run.success for run in runs)
+    same_run(em.build(MODELS / f"{name}.py", compiler=compiler, flags=""), system_of(name), 0.5)
+
+
+def same_run(quick: em.System, plain: em.System, t_end: float) -> em.Solution:
+    """Return the run of the former, which is that of the latter."""
+    runs = [system.simulate((0.0, t_end), rtol=1e-10, atol=1e-10) for system in (quick, plain)]
+    assert all(run.success for run in runs), runs[0].message
     scale = 1.0 + np.abs(runs[1].x[:, -1]).max()
     assert np.abs(runs[0].x[:, -1] - runs[1].x[:, -1]).max() < 1e-10 * scale
     assert runs[0].factor_residual.max() < 1e-13
+    return runs[0]

@@ -25,19 +25,29 @@ def _module(path: Path):
 snippets = _module(ROOT / "docs" / "making" / "snippets.py")
 
 
+LATE = ("impacts", "linearize", "lqr", "tutorial")
+"""Pages that build many models, of subjects that have many tests: at night; `make docs` runs the last by day, too."""
+
+
 def with_snippets(night: bool) -> list:
     """Return the pages that have something to run by day, or by night only."""
-    marks = {page: {block.mark for block in snippets.blocks(page)} for page in PAGES}
+    marks = {
+        page: {"nightly" if page.stem in LATE else block.mark for block in snippets.blocks(page)} for page in PAGES
+    }
     found = [page for page in PAGES if ("nightly" in marks[page] if night else marks[page] - {"nightly"})]
     return [pytest.param(page, id=page.name) for page in found]
 
 
+def _mark(page: Path, block: snippets.Block) -> str:
+    return "nightly" if page.stem in LATE else block.mark
+
+
 @pytest.fixture
-def folder(tmp_path, tmp_path_factory, monkeypatch, hurried):
+def folder(tmp_path, shared_cache, monkeypatch, hurried):
     """A clone as a reader has it, and a cache that all pages share; compiled in a hurry."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "models").symlink_to(ROOT / "models")
-    monkeypatch.setenv("EIGENMOTION_CACHE", str(tmp_path_factory.getbasetemp() / "docs-cache"))
+    monkeypatch.setenv("EIGENMOTION_CACHE", shared_cache)
     return tmp_path
 
 

@@ -253,3 +253,48 @@ def test_events_that_vary_faster_than_the_motion_are_not_missed(g, count, method
     found = free.simulate((start, end), x0=[start], v0=[1.0], method=method)
     assert found.success, found.message
     assert len(found.t_events[0]) == count
+
+
+# --- several dips between the same two nodes --------------------------------------------------------------------------
+
+CENTRES = symbols("a b c")
+HALVES = symbols("p q")
+PAIRS = [(X - centre) ** 2 - half**2 for centre, half in zip(CENTRES[:2], HALVES, strict=True)]
+
+
+@cache
+def dipping() -> System:
+    """x = t in steps of any length; g dips below zero around a and b, and passes c; one event begins at zero."""
+    events = {"pairs": PAIRS[0] * PAIRS[1], "three": PAIRS[0] * (X - CENTRES[2]), "begins": X}
+    return system_for(Model(name="dipping", coordinates=[X], kinetic_energy=X.diff() ** 2 / 2, events=events,
+                            parameters=dict.fromkeys([*CENTRES, *HALVES], 1.0), initial={X.diff(): 1.0}))  # fmt: skip
+
+
+def roots_found(way: int, method: str, **values: float) -> list[np.ndarray]:
+    start, end = (0.0, 1.0)[::way]
+    found = dipping().simulate((start, end), x0=[start], v0=[1.0], method=method, first_step=1.0, parameters=values)
+    assert found.success
+    return [np.sort(times) for times in found.t_events]
+
+
+@WAYS
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau9"])
+def test_two_pairs_of_passages_between_the_same_nodes_are_all_found(method, way):
+    """A step's nodes are 0, 0.04, 0.15, 0.31, 0.5 and so on; each case lies between two of them."""
+    for a, b, half in [(0.36, 0.44, 1e-2), (0.41, 0.48, 1e-3), (0.17, 0.26, 1e-5), (0.06, 0.11, 1e-4), (0.012, 0.028, 1e-4)]:
+        pairs, three, _ = roots_found(way, method, a=a, b=b, c=b, p=half, q=half)
+        np.testing.assert_allclose(pairs, [a - half, a + half, b - half, b + half], rtol=0, atol=1e-12)
+        np.testing.assert_allclose(three, [a - half, a + half, b], rtol=0, atol=1e-12)
+
+
+@WAYS
+def test_dips_anywhere_in_a_step_are_found(way):
+    """As far apart as two parts of an eighth between two nodes."""
+    random = np.random.default_rng(11)
+    for _ in range(200):
+        a, b = np.sort(random.uniform(0.03, 0.97, 2))
+        half = 10 ** random.uniform(-6, -2)
+        if b - a < max(0.06, 4 * half):
+            continue
+        exact = [a - half, a + half, b - half, b + half]
+        np.testing.assert_allclose(roots_found(way, "dop853", a=a, b=b, c=0.5, p=half, q=half)[0], exact, atol=1e-11)

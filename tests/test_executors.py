@@ -43,9 +43,15 @@ def runs_of(system: em.System, **how: object) -> em.Ensemble:
     return simulate_ensemble(system, SPAN, v0={system.coordinates[0]: SPEEDS}, **GIVEN, **how)
 
 
-def test_processes_give_the_same_bits(pendulum, small):
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        found = runs_of(pendulum, executor=pool)
+@pytest.fixture(scope="module")
+def pool():
+    """Another process, which takes seconds to start: one for all tests, of which the last kills it."""
+    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as started:
+        yield started
+
+
+def test_processes_give_the_same_bits(pendulum, small, pool):
+    found = runs_of(pendulum, executor=pool)
     assert bits(found) == bits(runs_of(pendulum, workers=1))
     assert found[3].nfev == runs_of(pendulum)[3].nfev
 
@@ -71,9 +77,8 @@ class Dying(Executor):
         return future
 
 
-def test_a_killed_process_costs_no_member(pendulum, small, caplog):
-    with ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool:
-        found = runs_of(pendulum, executor=Dying(pool, 4))
+def test_a_killed_process_costs_no_member(pendulum, small, pool, caplog):
+    found = runs_of(pendulum, executor=Dying(pool, 4))
     assert bits(found) == bits(runs_of(pendulum, workers=1))
     assert "run here" in caplog.text
 

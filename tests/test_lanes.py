@@ -224,13 +224,13 @@ def test_what_users_build_has_lanes(tmp_path):
     assert [line.split()[1] for line in said.stdout.splitlines() if line.endswith(" pendulum_lanes")] == ["d"]
 
 
-@pytest.mark.parametrize(
-    "formulation",
-    ["eigenfactor", "inverse", *(pytest.param(f, marks=pytest.mark.nightly) for f in ("cholesky", "lagrange"))],
-)
-def test_a_run_is_the_same_on_lanes_and_without(formulation):
-    """To rounding: what users build has lanes, what is compiled in a hurry has none."""
-    lanes = build(model_of("dual_link"), formulation=formulation, flags="")
+BY_NIGHT = [pytest.param(formulation, "", marks=pytest.mark.nightly) for formulation in FORMULATIONS[1:]]
+
+
+@pytest.mark.parametrize(("formulation", "flags"), [("eigenfactor", ""), ("inverse", None), *BY_NIGHT])
+def test_a_run_is_the_same_on_lanes_and_without(formulation, flags):
+    """To rounding: what users build has lanes, what is compiled in a hurry has none. By day one at users' flags."""
+    lanes = build(model_of("dual_link"), formulation=formulation, flags=flags)
     numbers = system_of("dual_link", formulation)
     runs = [simulate(system, (0.0, 10.0), method="ra15", rtol=1e-9, atol=1e-9) for system in (lanes, numbers)]
     assert all(run.success for run in runs)

@@ -2,10 +2,13 @@
 
 import math
 import re
+from types import SimpleNamespace
 
 import mpmath
 import numpy as np
 import pytest
+
+from eigenmotion.running.choosing import automatic
 
 from .mechanism_in_c import Mechanism
 from .stepping import FINISHED, INCLUDE, PENDULUM, Build, builder, pendulum_angle, signal, simulate
@@ -189,3 +192,20 @@ def test_backwards_is_forwards(build: Build, second_order: int) -> None:
     back = simulate(compiled, there.y[:2, -1], (7.0, 0.0), "ra15", rtol=1e-11, atol=1e-11)
     np.testing.assert_allclose(back.y[:, -1], [2.0, 0.3], atol=1e-9)
     assert math.isclose(back.t[-1], 0.0)
+
+
+@pytest.mark.parametrize(
+    ("n", "formulation", "lanes", "least"),
+    [
+        (3, "eigenfactor", 1, 0.0),
+        (3, "eigenfactor", 4, 1e-6),
+        (16, "lagrange", 4, 1e-5),
+        (16, "eigenfactor", 4, 1e-11),
+        (16, "eigenfactor", 8, 1e-6),
+    ],
+)
+def test_auto_takes_nodes_from_the_tolerance_on_at_which_they_pay(n, formulation, lanes, least):
+    n_state = 2 * n + (n**2 + n if formulation == "eigenfactor" else 0)
+    model = SimpleNamespace(n=n, n_state=n_state, formulation=formulation, lanes=lanes)
+    for tolerance in (1e-2, 1e-4, 1e-5, 1e-6, 1e-8, 1e-10, 1e-11, 1e-12):
+        assert automatic(model, tolerance, False).name == ("ra15" if tolerance <= least else "dop853")

@@ -5,7 +5,7 @@ import pytest
 from . import tree_checks
 
 PARTS = 4
-TREES, ZEROS = 240, 40
+TREES, ZEROS = 180, 24
 """In all parts together; `make fuzz` takes more."""
 
 

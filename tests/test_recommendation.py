@@ -89,7 +89,7 @@ def stiff() -> Findings:
         patch.setattr("eigenmotion.report.subject.FORMULATIONS", ("lagrange",))
         patch.setattr(importlib.import_module("eigenmotion.report.examine"), "peers", lambda *_: Peers((), ()))
         patch.setattr("eigenmotion.report.solvers.IMPLICIT_TOLERANCES", (1e-5, 1e-7, 1e-9, 1e-11))
-        ask = Ask(error=1e-6, t_end=0.5, tolerances=(1e-4, 1e-8), settings=STIFF, budget=Budget(rounds=2))
+        ask = Ask(error=1e-6, t_end=0.5, tolerances=(1e-6,), settings=STIFF, budget=Budget(rounds=1))
         return examine(elastic_link(), ask, lambda done, what: None)
 
 
@@ -115,8 +115,12 @@ def test_the_recommended_call_can_be_made(stiff):
     assert 0.2 < error / stiff.recommendation.chosen.error_end < 5
 
 
-def test_pictures_and_page_of_a_stiff_model(stiff, tmp_path):
+@pytest.mark.parametrize("drawn", [False, pytest.param(True, marks=pytest.mark.nightly)])
+def test_page_of_a_stiff_model(stiff, drawn, monkeypatch, tmp_path):
+    """Its pictures, of which `test_report` has those of another model, at night."""
     pytest.importorskip("matplotlib")
+    if not drawn:
+        monkeypatch.setattr("eigenmotion.report.writing.pictures", lambda found: [])
     write_report([stiff], tmp_path)
     page = (tmp_path / "report.html").read_text()
     assert "Set: k = 1e+09, d = 100000, q = 0.01." in page

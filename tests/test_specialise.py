@@ -1,9 +1,11 @@
 """What a scene needs, and what it does not."""
 
+from functools import cache
+
 import pytest
 from eigenmotion.codegen import compiler
 from eigenmotion.codegen.choices import Choices
-from eigenmotion.codegen.physics.derive import derive
+from eigenmotion.codegen.physics import derive as physics
 from eigenmotion.codegen.physics.specialise import ALL_SAVINGS, Kind, Saving, specialise
 from sympy import Rational, cos, sin, symbols
 from sympy.physics.mechanics import dynamicsymbols
@@ -15,6 +17,15 @@ from .generation import MODELS, NAMES, model_of
 x, y, z = dynamicsymbols("x y z")
 k, m = symbols("k m", positive=True)
 half = Rational(1, 2)
+derive = cache(physics.derive)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def once():
+    """Each program is made once for all tests of this file."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(compiler, "program", cache(compiler.program))
+        yield
 
 
 def scene_of(savings=ALL_SAVINGS, **fields):
@@ -55,7 +66,7 @@ def test_blocks_of_the_paper():
 @pytest.mark.parametrize("name", NAMES)
 def test_states_follow_from_the_blocks(name):
     scene = specialise(derive(model_of(name)))
-    made = compiler.program(model_of(name), Choices())
+    made = compiler.program(model_of(name), Choices("eigenfactor"))
     assert made.n_state == 2 * scene.n + sum(block.size**2 + block.size for block in scene.turning)
     assert sorted(c for block in scene.blocks for c in block.coordinates) == list(range(scene.n))
     assert [part.start for part in made.layout] == [

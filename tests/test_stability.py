@@ -1,6 +1,8 @@
 """The matrix of stiff and extreme cases: no cell is wrong, and planted faults are."""
 
 import json
+import pickle
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
@@ -17,20 +19,21 @@ from eigenmotion.building.toolchain import toolchain
 from eigenmotion.reference.collocation import Collocation
 from eigenmotion.reference.extended import EPSILON
 from eigenmotion.reference.integration import NotReachedError, graded
-from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, survey, write_matrix
+from eigenmotion.stability import CASES, Matrix, Outcome, Variant, described, examine, matrix, survey, write_matrix
 from eigenmotion.stability.by_hand import chain
 from eigenmotion.stability.case import EXPLICIT
 from eigenmotion.stability.expected import expected_of
 from eigenmotion.stability.models import elastic_link
 from eigenmotion.stability.outcome import judged
 from eigenmotion.stability.truth import FINE, lagrange
+from eigenmotion.stability.variants import EXTRAPOLATE, IMPLICIT, PLAIN, UNSTABILISED
 from eigenmotion.system.system import System
 
 EIGENFACTOR = Variant("eigenfactor")
 
 
 HARD = [name for name, case in CASES.items() if case.reduced]
-BY_DAY = [name for name in HARD if name in ("damped_spring", "gap")]
+BY_DAY = {"damped_spring": IMPLICIT, "gap": (*PLAIN[:2], EXTRAPOLATE, UNSTABILISED)}
 
 
 @pytest.fixture(scope="module", params=["day", pytest.param("night", marks=pytest.mark.nightly)])
@@ -40,11 +43,16 @@ def reduced(request: pytest.FixtureRequest) -> Matrix:
 
 
 def by_day() -> Matrix:
-    """The last points of two cases, in this process and in others; what takes too many steps takes a tenth of them."""
+    """The last points of two cases, in turn and by a pool, here of a thread; what takes too many steps takes few.
+
+    By few formulations and options: all of them by night, and in processes, which take seconds to start.
+    """
     with pytest.MonkeyPatch.context() as patch:
-        for name in BY_DAY:
+        patch.setattr("eigenmotion.stability.matrix._pool", lambda _: ThreadPoolExecutor(1))
+        for name, variants in BY_DAY.items():
             case = CASES[name]
-            patch.setitem(CASES, name, replace(case, reduced=case.reduced[-1:], max_steps=case.max_steps // 10))
+            fewer = replace(case, reduced=case.reduced[-1:], max_steps=case.max_steps // 100, variants=variants)
+            patch.setitem(CASES, name, fewer)
         first, second = (surveyed([name], workers) for workers, name in enumerate(BY_DAY, start=1))
     return replace(first, points=first.points + second.points)
 
@@ -57,6 +65,12 @@ def test_no_cell_is_wrong(reduced: Matrix):
     wrong = [described(cell) for cell in reduced.cells if cell.outcome is Outcome.WRONG]
     assert not wrong
     assert reduced.count(Outcome.RIGHT) > 0.6 * len(reduced.cells)
+
+
+def test_processes_can_hand_over_what_is_asked_and_found(reduced: Matrix):
+    asked = pickle.dumps((matrix._build, matrix._examine, "gap", 0.0, EXTRAPOLATE))
+    assert pickle.loads(asked)[:2] == (matrix._build, matrix._examine)
+    assert [cell.outcome for cell in pickle.loads(pickle.dumps(reduced)).cells] == [c.outcome for c in reduced.cells]
 
 
 def test_what_is_refused_has_a_named_reason_and_words(reduced: Matrix):
@@ -93,8 +107,8 @@ def test_page_pictures_and_numbers(reduced: Matrix, tmp_path):
 def test_missing_omega_term_is_found():
     """etadot without - S^-1 Omega S eta (41)."""
     sources = request(elastic_link()).sources()
-    term = "em_turning_push(N1, C1, s1, r1, Omega1, "
-    without = "static const real still[N1*N1];\n    em_turning_push(N1, C1, s1, r1, still, "
+    term = "em_turning_push(N1, C1, T1, s1, r1, Omega1, "
+    without = "static const real still[N1*N1];\n    em_turning_push(N1, C1, T1, s1, r1, still, "
     assert sum(file.text.count(term) for file in sources.files) == 1
     files = tuple(SourceFile(file.name, file.text.replace(term, without)) for file in sources.files)
     assert_found(load(compiled(Sources(sources.name, files), toolchain())))

@@ -38,6 +38,9 @@ class Graph(Store):
 
     def sum(self, terms: Iterable[tuple[Node, Number]]) -> Node:
         """Return sum of coefficient x node."""
+        terms = tuple(terms)
+        if len(terms) == 1 and terms[0][1] == 1:
+            return terms[0][0]
         return self._canonical_sum(self._collected(_merge(self._flat_terms(terms))))
 
     def add(self, *nodes: Node) -> Node:
@@ -62,6 +65,9 @@ class Graph(Store):
 
     def product(self, factors: Iterable[tuple[Node, Number]]) -> Node:
         """Return the product of node^exponent."""
+        factors = tuple(factor for factor in factors if factor[0] != self.one)
+        if len(factors) == 1 and factors[0][1] == 1:
+            return factors[0][0]
         coefficient, merged = self._merged_factors(factors)
         return self._scaled(self._canonical_product(merged), coefficient) if coefficient else self.zero
 

@@ -24,8 +24,7 @@ def ratio(first: Number, second: Number) -> Number:
         return exact(first, second)
     if isinstance(first, float) or isinstance(second, float):
         return float(first) / float(second)
-    quotient = Fraction(first) / Fraction(second)
-    return exact(quotient.numerator, quotient.denominator)
+    return exact(first.numerator * second.denominator, first.denominator * second.numerator)
 
 
 def magnitude(number: Number) -> Number:
@@ -42,6 +41,8 @@ def whole_power(base: Number, exponent: int) -> Number:
     """Return base^exponent, exactly unless base is a floating-point number."""
     if isinstance(base, float):
         return base**exponent
+    if exponent == 1:
+        return exact(base.numerator, base.denominator)
     power = Fraction(base) ** exponent
     return exact(power.numerator, power.denominator)
 
@@ -52,7 +53,7 @@ def content(numbers: Sequence[Number]) -> Number:
     sign = -1 if first < 0 else 1
     if all(abs(number) == abs(first) for number in numbers):
         return first
-    if any(isinstance(number, float) for number in numbers):
+    rational = [number for number in numbers if not isinstance(number, float)]
+    if len(rational) < len(numbers):
         return sign
-    fractions = [Fraction(number) for number in numbers]
-    return exact(sign * gcd(*(f.numerator for f in fractions)), lcm(*(f.denominator for f in fractions)))
+    return exact(sign * gcd(*(f.numerator for f in rational)), lcm(*(f.denominator for f in rational)))

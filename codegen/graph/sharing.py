@@ -5,9 +5,9 @@ The greedy form of common-subexpression elimination for polynomials (Hosangadi, 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from heapq import heapify, heappop, heappush
-from itertools import combinations
-from typing import Any
+from itertools import chain, combinations
 
 from .numbers import Number, ratio
 from .operations import Operation, Table
@@ -37,18 +37,27 @@ class _Pairs:
         heapify(self.heap)
 
     def _keys(self, operation: Operation) -> set[Pair]:
-        return {self._key(a, b) for a, b in combinations(operation.operands, 2)}
-
-    def _key(self, a: Any, b: Any) -> Pair:
-        return (a, b, 1) if self.kind == "mul" else (a[0], b[0], ratio(b[1], a[1]))
-
-    def _keys_with(self, operation: Operation, values: set[int]) -> set[Pair]:
-        """Return the pairs of which at least one operand is among some values."""
         operands = operation.operands
-        places = [k for k, a in enumerate(operands) if (a if self.kind == "mul" else a[0]) in values]
-        return {
-            self._key(*(operands[j] for j in sorted((i, k)))) for k in places for i in range(len(operands)) if i != k
-        }
+        if self.kind == "mul":
+            return {(a, b, 1) for a, b in combinations(operands, 2)}
+        return {(a, b, _quotient(g, f)) for (a, f), (b, g) in combinations(operands, 2)}
+
+    def _keys_with(self, operation: Operation, value: int) -> list[Pair]:
+        """Return the pairs of which an operand that stands there once is part."""
+        operands = operation.operands
+        if self.kind == "mul":
+            return [(a, value, 1) if a < value else (value, a, 1) for a in operands if a != value]
+        factor = next(f for a, f in operands if a == value)
+        return [
+            (a, value, _quotient(factor, f)) if a < value else (value, a, _quotient(f, factor))
+            for a, f in operands
+            if a != value
+        ]
+
+    def _stand_once(self, operation: Operation, first: int, second: int, value: int) -> bool:
+        """Whether two operands stand there once each, and what takes their place does not yet."""
+        values = operation.operands if self.kind == "mul" else [a for a, _ in operation.operands]
+        return value not in values and values.count(first) == values.count(second) == 1
 
     def most_frequent(self) -> Pair | None:
         """Return the pair that most operations hold, the smallest of several; None if no two share one."""
@@ -76,16 +85,30 @@ class _Pairs:
 
     def _replace(self, holder: int, key: Pair, value: int) -> None:
         """Renew what the table and the heap know of one operation."""
-        operation = self.table.operations[holder]
+        operation, (first, second, _) = self.table.operations[holder], key
         self.table.operations[holder] = smaller = self._replaced(operation, key, value)
-        before, after = (self._keys_with(one, {*key[:2], value}) for one in (operation, smaller))
-        for gone in before - after:
-            self.holders[gone].discard(holder)
-        for new in after - before:
-            holders = self.holders.setdefault(new, set())
+        gone: Iterable[Pair]
+        new: Iterable[Pair]
+        if self._stand_once(operation, first, second, value):
+            gone = chain(self._keys_with(operation, first), self._keys_with(operation, second))
+            new = self._keys_with(smaller, value)
+        else:
+            before, after = self._keys(operation), self._keys(smaller)
+            gone, new = before - after, after - before
+        self._renew(holder, gone, new)
+
+    def _renew(self, holder: int, gone: Iterable[Pair], new: Iterable[Pair]) -> None:
+        known = self.holders
+        for pair in gone:
+            known[pair].discard(holder)
+        for pair in new:
+            holders = known.get(pair)
+            if holders is None:
+                known[pair] = {holder}
+                continue
             holders.add(holder)
             if len(holders) > 1:
-                heappush(self.heap, (-len(holders), new))
+                heappush(self.heap, (-len(holders), pair))
 
     def _pair(self, key: Pair) -> Operation:
         if self.kind == "mul":
@@ -101,3 +124,7 @@ class _Pairs:
         factor = dict(operands)[key[0]]
         rest = [(v, f) for v, f in operands if v not in key[:2]]
         return Operation("add", tuple(sorted([*rest, (value, factor)])))
+
+
+def _quotient(first: Number, second: Number) -> Number:
+    return 1 if first == second else ratio(first, second)

@@ -116,27 +116,40 @@ class _Augmented:
 
     def __init__(self, states: Iterable[tuple[Numbers, Numbers, list[float]]]) -> None:
         self.states = [state for state in states if _finite([*state[1], state[2]])]
+        self.wholes = [_sum(*state, range(len(state[1]))) for state in self.states]
 
     def enough(self, rows: Sequence[int]) -> list[int]:
         """Return rows, early ones first, that make up for what M lacks as well as all do; none if all do not."""
-        everything = self.soundness(rows)
-        if everything <= DEPENDENT:
+        if max(self.soundness(rows), default=0.0) <= DEPENDENT:
             return []
         taken: list[int] = []
         for row in rows:
-            if self.soundness(taken) >= ENOUGH * everything:
+            if self.do(taken, rows):
                 break
             if self.rank([*taken, row]) > self.rank(taken):
                 taken.append(row)
-        return taken if self.soundness(taken) >= ENOUGH * everything else list(rows)
+        for row in rows:
+            if row not in taken and not self.do(taken, rows):
+                taken.append(row)
+        for row in rows[::-1]:
+            if row in taken and self.do(rest := [other for other in taken if other != row], rows):
+                taken = rest
+        return taken
+
+    def do(self, some: Sequence[int], rows: Sequence[int]) -> bool:
+        """Whether some rows do for all, state by state: at another state others may be those that do not."""
+        pairs = zip(self.soundness(some), self.soundness(rows), strict=True)
+        return all(part >= ENOUGH * whole for part, whole in pairs if whole > DEPENDENT)
 
     def rank(self, rows: Iterable[int]) -> int:
         return max((_rank(_sum(*state, rows)) for state in self.states), default=0)
 
-    def soundness(self, rows: Iterable[int]) -> float:
-        """Return the least pivot, relative to its diagonal entry, of the states at which there is one."""
-        least = [min(_pivots(_sum(*state, rows))) for state in self.states]
-        return min((pivot for pivot in least if pivot > DEPENDENT), default=0.0) if any(least) else 0.0
+    def soundness(self, rows: Iterable[int]) -> list[float]:
+        """Return the least pivot of each state, beside what the diagonal is with all rows.
+
+        Beside its own, a row that alone holds a coordinate without inertia looks sound wherever its entry is not 0.
+        """
+        return [min(_pivots(_sum(*state, rows), whole)) for state, whole in zip(self.states, self.wholes, strict=True)]
 
 
 def _sum(M: Numbers, A: Numbers, W: Sequence[float], rows: Iterable[int]) -> Numbers:
@@ -152,9 +165,9 @@ def _rank(M: Numbers) -> int:
     return sum(pivot > DEPENDENT for pivot in _pivots(M))
 
 
-def _pivots(M: Numbers) -> list[float]:
-    """Pivots of a Cholesky factor with the largest first, of M with a diagonal of ones (and zeros)."""
-    size = [1 / math.sqrt(row[k]) if row[k] > 0 else 0.0 for k, row in enumerate(M)]
+def _pivots(M: Numbers, whole: Numbers | None = None) -> list[float]:
+    """Pivots of a Cholesky factor with the largest first, of M where the diagonal of the whole (or M's own) is of ones."""
+    size = [1 / math.sqrt(row[k]) if row[k] > 0 else 0.0 for k, row in enumerate(whole or M)]
     rest = [[a * size[i] * size[j] for j, a in enumerate(row)] for i, row in enumerate(M)]
     left, pivots = set(range(len(M))), []
     while left:

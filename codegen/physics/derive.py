@@ -131,6 +131,8 @@ class _Derivation:
         self.to_sympy = ToSympy(self.graph, self.names.by_name())
         self.zeros = Zeros(self.graph, self.names.signs())
         self.at_rest = Substitution(self.graph, {v.name: self.graph.zero for v in self.names.v})
+        self.along = {name: Tangent(self.graph, {name: self.graph.one})
+                      for name in (*(x.name for x in self.names.x), self.names.time.name)}  # fmt: skip
 
     def mechanics(self) -> Mechanics:
         model, names = self.model, self.names
@@ -205,8 +207,7 @@ class _Derivation:
         return entry
 
     def _without(self, entry: Node, name: str) -> Node:
-        rate = Tangent(self.graph, {name: self.graph.one})(entry)
-        if self.zeros(rate):
+        if self.zeros(self.along[name](entry)):
             for value in (self.graph.zero, self.graph.one):
                 candidate = self._with(entry, name, value)
                 if self.zeros.equal(candidate, entry):

@@ -19,8 +19,13 @@ def number_type(precision: str) -> Callable[[Any], Any]:
 
 def array(values: Any, precision: str) -> np.ndarray:
     """Return a vector of numbers of this precision."""
+    return np.array(numbers(values, precision), dtype=object if precision == "arbitrary" else number_type(precision))
+
+
+def numbers(values: Any, precision: str) -> list[Any]:
+    """Return values as numbers of this precision."""
     kind = number_type(precision)
-    return np.array([kind(value) for value in values], dtype=object if precision == "arbitrary" else kind)
+    return [value if type(value) is kind else kind(value) for value in values]
 
 
 def compiled(arguments: list[sympy.Symbol], expressions: list[sympy.Expr], precision: str) -> Callable[..., list[Any]]:
@@ -34,7 +39,7 @@ def compiled(arguments: list[sympy.Symbol], expressions: list[sympy.Expr], preci
     return lambda *given: function(*given, *values)
 
 
-def solve(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
+def solve(matrix: Any, right: Any) -> list[Any]:
     """Solve by Gauss elimination with row pivots, in whatever arithmetic the entries have.
 
     Number by number: of a few rows that is several times as quick as array by array.
@@ -54,7 +59,7 @@ def solve(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
         for j in range(k + 1, n):
             b[k] -= a[k][j] * b[j]
         b[k] /= a[k][k]
-    return np.array(b, dtype=right.dtype)
+    return b
 
 
 def _inexact(expression: sympy.Expr) -> set[sympy.Expr]:

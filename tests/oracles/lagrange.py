@@ -15,7 +15,7 @@ from sympy.core.function import AppliedUndef
 
 from eigenmotion import Model, t
 
-from .arithmetic import array, compiled, solve
+from .arithmetic import array, compiled, numbers, solve
 
 
 class Lagrange:
@@ -28,6 +28,7 @@ class Lagrange:
         residual, rows, A = self._equations()
         self._parameters = {str(symbol): value for symbol, value in model.parameters}
         self._inputs = {u.func.__name__: value for u, value in model.inputs}
+        self._own = [numbers(own.values(), precision) for own in (self._inputs, self._parameters)]
         arguments = [*self._plain.values(), *(symbol for symbol, _ in model.parameters)]
         rates_only = [symbol for name, symbol in self._plain.items() if name not in self._second()]
         accelerations = [self._plain[a] for a in self._second()]
@@ -48,17 +49,19 @@ class Lagrange:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return xddot (n,) and lambda (m,) of (7) and the derivative of (8)."""
         n, m = self.n, self.m
-        values = array(self._function(*self._arguments(x, v, time, parameters, inputs)), self.precision)
-        right = n * n, n * n + n + m
-        matrix = np.zeros((n + m, n + m), dtype=values.dtype)
-        matrix[:n, :n], matrix[n:, :n] = values[: right[0]].reshape(n, n), values[right[1] :].reshape(m, n)
-        matrix[:n, n:] = matrix[n:, :n].T
-        solution = solve(matrix, values[slice(*right)])
-        return solution[:n], solution[n:]
+        values = numbers(self._function(*self._arguments(x, v, time, parameters, inputs)), self.precision)
+        forces, A = n * n, n * n + n + m
+        rows = [values[A + k * n : A + (k + 1) * n] for k in range(m)]
+        zeros = numbers([0] * m, self.precision)
+        matrix = [values[k * n : (k + 1) * n] + [row[k] for row in rows] for k in range(n)] + [r + zeros for r in rows]
+        solution = solve(matrix, values[forces:A])
+        return array(solution[:n], self.precision), array(solution[n:], self.precision)
 
-    def _arguments(self, x: Any, v: Any, time: Any, parameters: Any, inputs: Any) -> np.ndarray:
+    def _arguments(self, x: Any, v: Any, time: Any, parameters: Any, inputs: Any) -> list[Any]:
+        if not (parameters or inputs):
+            return [*numbers([*x, *v], self.precision), *self._own[0], *numbers([time], self.precision), *self._own[1]]
         p, u = self._parameters | dict(parameters or {}), self._inputs | dict(inputs or {})
-        return array([*x, *v, *u.values(), time, *(p[name] for name in self._parameters)], self.precision)
+        return numbers([*x, *v, *u.values(), time, *(p[name] for name in self._parameters)], self.precision)
 
     def _second(self) -> list[sympy.Expr]:
         return [x.diff(t, 2) for x in self.model.coordinates]

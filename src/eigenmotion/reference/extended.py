@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from .classical import Classical
 from .elimination import accelerations
+from .written import written
 
 Extended = NDArray[np.longdouble]
 Rhs = Callable[[Any, Extended], Extended]
@@ -27,11 +28,12 @@ def extended(equations: Classical) -> Rhs:
     entries = [entry.xreplace(named) for entry in equations.entries]
     function = sympy.lambdify([*equations.arguments, *names], entries, modules="numpy", cse=True)
     constants = [np.longdouble(value) for _, value in equations.constants] + [_rounded(number) for number in numbers]
+    zeros = [entry.is_zero is True for entry in entries]
+    solved = written(lambda values: accelerations(*equations.split(values)), zeros)
     n = len(equations.x)
 
     def rhs(time: Any, y: Extended) -> Extended:
-        values = function(*y, time, *constants)
-        return np.concatenate([y[n:], np.array(accelerations(*equations.split(values)), dtype=np.longdouble)])
+        return np.array([*y[n:], *solved(function(*y, time, *constants))], dtype=np.longdouble)
 
     return rhs
 

@@ -54,4 +54,18 @@ EM_INLINE void em_map(int rows, const double (*column)[EM_NODE_COUNT], em_bundle
     if (r < rows) em_map_rows(1, column, a, from + r, base + r, factor, out, to + r);
 }
 
+/* sum_r (2) += both maps of a_(from + r), whose numbers so are read once: compilers else keep them on the stack. */
+EM_INLINE void em_both_rows(int rows, const double (*first)[EM_NODE_COUNT], const double (*second)[EM_NODE_COUNT],
+                            em_bundle (*a)[N_STATE], int from, em_bundle (*sum)[2][EM_BUNDLES]) {
+    EM_UNROLL
+    for (int j = 0; j < EM_NODE_COUNT; ++j)
+        for (int r = 0; r < rows; ++r) {
+            const double number = em_number_at(a, from + r, j);
+            for (int b = 0; b < EM_BUNDLES; ++b) {
+                sum[r][0][b] += em_bundle_at(first[j] + b * EM_LANES) * number;
+                sum[r][1][b] += em_bundle_at(second[j] + b * EM_LANES) * number;
+            }
+        }
+}
+
 #endif

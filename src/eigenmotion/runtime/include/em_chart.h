@@ -13,14 +13,17 @@
 #define EM_PARTS 8         /* where a half is not resolved, in so many parts: */
 #define EM_CROSSED 8.0     /* (x - a)^2 changes by a factor of 9 and more within one of the parts beside a */
 
-/* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. */
+/* D (n) of M = L D L^T, and the diagonal of M; 0 from the first pivot on that is not positive. No root is asked for. */
 static void em_pivots(const em_walk *w, double t, const double *x, double *pivots, double *diagonal) {
-    double M[N * N], L[N * N], r[N];
+    double M[N * N];
     factored(t, x, w->run->prepared, M);
-    const int singular = em_ldlt(N, M, L, r, 0.0);
-    for (int k = 0; k < N; ++k) {
-        diagonal[k] = M[k * N + k];
-        pivots[k] = singular >= 0 && k >= singular ? 0.0 : L[k * N + k];
+    for (int k = 0; k < N; ++k) diagonal[k] = M[k * N + k], pivots[k] = 0.0;
+    for (int k = 0; k < N && M[k * N + k] > 0.0; ++k) {
+        const double inverse = 1.0 / (pivots[k] = M[k * N + k]);
+        for (int i = k + 1; i < N; ++i) {
+            const double part = M[i * N + k] * inverse;
+            for (int j = k + 1; j <= i; ++j) M[i * N + j] -= part * M[j * N + k];
+        }
     }
 }
 

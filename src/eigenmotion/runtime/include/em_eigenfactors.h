@@ -52,7 +52,7 @@ EM_INLINE int em_unsound_pivot(int n, const double *restrict M, double least, do
 }
 
 /* C, lambda <- those of M (n, n), near the C given, whatever it is. */
-EM_COLD EM_RARE void em_sweep(int n, const double *M, double *C, double *lambda) {
+EM_COLD void em_sweep(int n, const double *M, double *C, double *lambda) {
     double Lambda[n * n];
     em_orthonormalise(n, C);
     em_congruence(n, C, M, Lambda);

@@ -171,20 +171,31 @@ EM_INLINE void em_product(int m, int n, const real *restrict A, const real *rest
         for (int i = 0; i < n; ++i) Y[row * n + i] = em_inner(n, W + i * n, A + row * n);
 }
 
-/* Lambda (n, n) <- C M C^T, both triangles; M full. */
-EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
+/* T <- C^T where rows are tiled: nobody else reads it. */
+EM_INLINE void em_turned_for_tiles(int n, const real *restrict C, real *restrict T) {
+    if (em_tiled(n)) em_transpose(n, C, T);
+}
+
+/* The lower triangle of Lambda (n, n) <- C M C^T; M full, T of em_turned_for_tiles. */
+EM_INLINE void em_congruence_below(int n, const real *restrict C, const real *restrict T, const real *restrict M,
+                                   real *restrict Lambda) {
     real W[n * n];
     if (em_tiled(n)) {
-        real T[n * n];
-        em_transpose(n, C, T);
         em_multiply(n, 0, 1.0, M, T, W);
         em_multiply(n, 1, 1.0, C, W, Lambda);
-        em_mirror(n, Lambda);
         return;
     }
     em_multiply(n, 0, 1.0, C, M, W);
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) Lambda[i * n + j] = Lambda[j * n + i] = em_inner(n, W + i * n, C + j * n);
+        for (int j = 0; j <= i; ++j) Lambda[i * n + j] = em_inner(n, W + i * n, C + j * n);
+}
+
+/* Lambda (n, n) <- C M C^T, both triangles; M full. */
+EM_INLINE void em_congruence(int n, const real *restrict C, const real *restrict M, real *restrict Lambda) {
+    real T[n * n];
+    em_turned_for_tiles(n, C, T);
+    em_congruence_below(n, C, T, M, Lambda);
+    em_mirror(n, Lambda);
 }
 
 #endif

@@ -56,6 +56,7 @@ static int em_rates_at_nodes(em_walk *w) {
 static void em_drift(em_walk *w) {
     em_nodes *q = &w->nodes;
     em_map(N, em_integral, q->a, 0, w->y, w->h, q->Y, 0);
+    q->drifted = 1;
 }
 
 /* a <- the velocities at the nodes, and the places that they lead to, where those are had for little. */

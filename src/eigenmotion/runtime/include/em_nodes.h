@@ -11,11 +11,12 @@
 #include "em_blame.h"
 #include "em_bundles.h"
 #include "em_node_rates.h"
+#include "em_node_series.h"
 #include "em_node_start.h"
-#include "em_norm.h"
 
 enum {
     EM_AIMED = 5,        /* iterations that a step is made for */
+    EM_LAST_LOOK = 4,    /* the iteration after which a step that is too long is no longer given up */
     EM_SIZES_ORDER = 13  /* after EM_AIMED the error falls with the power 1 + 8 + 5 of the step's size */
 };
 
@@ -24,7 +25,6 @@ enum {
 #define EM_ROUNDED 0.1 /* the error norm then, as good as it gets */
 #define EM_SMOOTH 1e3 /* in tolerances: what has changed by less in the first iteration was known well, */
 #define EM_SLOW 0.25  /* and ought to converge faster than by this factor */
-#define EM_WITHIN 0.03 /* of the first term that a polynomial of the rates lacks, to its integral within the step */
 #define EM_DIVERGES 3748.0 /* (2 * 0.9)^14: the error norm that halves the step */
 
 /* --- the iteration --- */
@@ -53,8 +53,6 @@ static void em_weigh_rates(em_walk *w) {
     for (int k = 2 * N; k < N_STATE; ++k) weight[k] = counts ? w->weight[k] : 0.0;
 }
 
-static double em_rates_count(const em_walk *w) { return EM_SECOND_ORDER ? N : em_count(w); }
-
 /* What rests, within the step. */
 static void em_rest(em_walk *w) {
     em_nodes *q = &w->nodes;
@@ -65,15 +63,31 @@ static void em_rest(em_walk *w) {
         }
 }
 
+/* Y's x and v, of rows k on, <- by the integral of the rates of v and the integral of that. */
+EM_INLINE void em_motion_states(em_walk *w, int rows, int k) {
+    em_nodes *q = &w->nodes;
+    const double h = w->h;
+    em_bundle sum[EM_TOGETHER][2][EM_BUNDLES] = {{{{0.0}}}};
+    em_both_rows(rows, em_integral, em_integral_twice, q->a, N + k, sum);
+    for (int r = 0; r < rows; ++r)
+        for (int b = 0; b < EM_BUNDLES; ++b) {
+            const em_bundle part = h * em_bundle_at(em_node_place + b * EM_LANES);
+            q->Y[b][N + k + r] = w->y[N + k + r] + h * sum[r][0][b];
+            q->Y[b][k + r] = w->y[k + r] + (part * w->y[N + k + r] + h * h * sum[r][1][b]);
+        }
+}
+
 /* Y <- the states that the rates make. */
 static void em_node_states(em_walk *w) {
     em_nodes *q = &w->nodes;
-    const double h = w->h;
-    const int first = EM_FIRST_RATE;
-    em_map(em_rates_end(w) - first, em_integral, q->a, first, w->y + first, h, q->Y, first);
-    if (EM_SECOND_ORDER) em_map(N, em_integral_twice, q->a, N, w->y, h * h, q->Y, 0);
-    for (int b = 0; EM_SECOND_ORDER && b < EM_BUNDLES; ++b)
-        for (int k = 0; k < N; ++k) q->Y[b][k] += em_bundle_at(em_node_place + b * EM_LANES) * (h * w->y[N + k]);
+    if (!EM_SECOND_ORDER) {
+        const int first = q->drifted ? N : 0; /* places are where the velocities of the last iteration led */
+        em_map(em_rates_end(w) - first, em_integral, q->a, first, w->y + first, w->h, q->Y, first);
+        return;
+    }
+    int k = 0;
+    for (; k + EM_TOGETHER <= N; k += EM_TOGETHER) em_motion_states(w, EM_TOGETHER, k);
+    if (k < N) em_motion_states(w, 1, k);
 }
 
 /* The size in tolerances of something at the nodes, of which `square` is the sum of squares over the rates. */
@@ -141,7 +155,8 @@ static double em_power(double base, int times) {
 }
 
 /* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
- * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates. */
+ * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates; what is foreseen where the step
+ * turns out to be too long for its polynomial, which is kept for a shorter one to begin with. */
 static double em_solve_nodes(em_walk *w, int most, double *aimed) {
     double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
     *aimed = EM_DIVERGES;
@@ -153,6 +168,10 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
         w->nodes.slow = k >= EM_AIMED && first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
         if (k <= EM_AIMED) *aimed = k == 1 ? left : left * em_power(em_max(factor, 1e-3), EM_AIMED - k);
         if (k >= 2 && left < EM_LEFT) return left;
+        if (k >= 2 && k <= EM_LAST_LOOK && left >= 1.0) {
+            const double foreseen = em_foreseen(w, change);
+            if (foreseen >= 1.0) return em_find_series(w), em_keep_series(w), foreseen;
+        }
         if (k == EM_AIMED) rounding = EM_ITERATED * em_rates_size(w);
         if (k >= EM_AIMED && change <= rounding) return EM_ROUNDED;
         if (k > 2 && change > em_max(before, earlier)) return EM_DIVERGES; /* x and v may change in turns */
@@ -167,20 +186,14 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
 static void em_finish_nodes(em_walk *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
-    static const double zeros[N_STATE] = {0.0};
-    const int first = EM_FIRST_RATE, end = em_rates_end(w);
-    em_map(end - first, em_series_of, q->a, first, zeros, 1.0, q->series, first);
-    for (int k = first; k < end; ++k)
+    em_find_series(w);
+    for (int k = EM_FIRST_RATE; k < em_rates_end(w); ++k)
         w->y_new[k] = w->y[k] + h * em_number_at(q->series, k, 0); /* the others' integrals vanish */
     for (int k = 0; EM_SECOND_ORDER && k < N; ++k) {
         const double twice = em_number_at(q->series, N + k, 0) / 2.0 - em_number_at(q->series, N + k, 1) / 6.0;
         w->y_new[k] = w->y[k] + h * (w->y[N + k] + h * twice);
     }
-    q->t = w->t;
-    q->t_new = w->t_new;
-    q->h = h;
-    q->mode = w->mode;
-    q->converged = 1;
+    em_keep_series(w);
 }
 
 /* w->error <- by how much the rates change in a step that does not converge: whose do most is to blame. */
@@ -200,42 +213,16 @@ static int em_nodes_step(em_walk *w) {
     em_weigh_rates(w);
     em_rest(w);
     em_begin_nodes(w);
+    q->drifted = 0;
     const double left = em_solve_nodes(w, most, &q->aimed);
     w->end_rate = NULL;
-    w->error_norm = w->size_norm = em_min(left, EM_DIVERGES);
+    w->error_norm = em_min(left, EM_DIVERGES);
+    w->size_norm = q->converged ? em_size_by_truncation(left) : w->error_norm;
     if (left != left) return -1;
     memcpy(w->y_new, w->y, sizeof w->y);
     if (left < 1.0) em_finish_nodes(w);
     else em_note_changes(w);
     return 0;
-}
-
-/* The error of the polynomial: its last coefficients and how far it misses the rate at the end, f, and how fast these fall
- * off. A kink behind the last node shows there alone; one at 0.64 of the step hardly shows in either of both, so that
- * they are added. By pairs of coefficients, for one of them may vanish by chance, or for symmetry. */
-static double em_truncation(em_walk *w, const double *f) {
-    em_nodes *const q = &w->nodes;
-    em_bundle squares[EM_BUNDLES] = {{0.0}};
-    const int behind = em_rates_end(w);
-    double missed = 0.0;
-    for (int k = EM_FIRST_RATE; k < behind; ++k) {
-        em_bundle end = {0.0};
-        for (int b = 0; b < EM_BUNDLES; ++b) {
-            const em_bundle weighed = q->series[b][k] * q->weight[k];
-            squares[b] += weighed * weighed;
-            end += q->series[b][k];
-        }
-        q->miss[k] = f[k] - em_sum_of(end);
-        const double miss = q->miss[k] * q->weight[k];
-        missed += miss * miss;
-    }
-    const double *const square = (const double *)squares;
-    for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
-    const double before = sqrt(square[4] + square[5]), last = sqrt(square[6] + square[7]) + sqrt(missed);
-    const double falls = em_min(1.0, last / (before + DBL_MIN));
-    const double next = fabs(w->h) * last * falls / sqrt(em_rates_count(w));
-    q->within = EM_WITHIN * next;
-    return next * falls * falls * sqrt(falls);
 }
 
 /* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */
@@ -245,12 +232,11 @@ static int em_nodes_judge(em_walk *w) {
         if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, w->K[1])) return -1;
         f = w->K[1];
     }
-    const double truncation = em_truncation(w, f);
+    const double truncation = em_error_of_series(w, f);
     w->error_norm = em_max(w->error_norm, truncation);
     w->stiff = w->nodes.slow && truncation < 1.0;
     if (!(truncation < 1.0)) em_note_changes(w);
-    const double root = sqrt(truncation), by_truncation = root * sqrt(root); /* to the power 12 / 16, with care */
-    w->size_norm = em_max(w->nodes.blind ? 0.1 : w->nodes.aimed, by_truncation);
+    w->size_norm = em_max(w->nodes.blind ? 0.1 : w->nodes.aimed, em_size_by_truncation(truncation));
     return 0;
 }
 

@@ -13,18 +13,6 @@
 #define EM_ALONG _Pragma("GCC unroll 1")
 #endif
 
-/* T <- A^T */
-EM_INLINE void em_transpose(int n, const real *restrict A, real *restrict T) {
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) T[j * n + i] = A[i * n + j];
-}
-
-/* The upper triangle of A <- the lower. */
-EM_INLINE void em_mirror(int n, real *A) {
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < i; ++j) A[j * n + i] = A[i * n + j];
-}
-
 /* v (n) <- C^T w */
 EM_INLINE void em_transposed_product(int n, const real *restrict C, const real *restrict w, real *restrict v) {
     EM_ALONG
@@ -95,7 +83,69 @@ EM_TILES_OF(1)
 #undef EM_TILES_OF
 
 typedef double em_numbers __attribute__((vector_size(8 * EM_LANES), may_alias));
+
+#if EM_LANES >= 4
+#define EM_BY_TILES
+typedef em_numbers_4 em_tile[EM_TILE]; /* rows */
+typedef long long em_marks_4 __attribute__((vector_size(32))); /* of a comparison: -1 or 0 */
+
+/* Which columns of a row of a tile on the diagonal are before it. */
+static const em_marks_4 em_before[EM_TILE] = {{0, 0, 0, 0}, {-1, 0, 0, 0}, {-1, -1, 0, 0}, {-1, -1, -1, 0}};
+
+/* x where marked, else 0 */
+EM_INLINE em_numbers_4 em_marked(em_marks_4 marks, em_numbers_4 x) { return (em_numbers_4)(marks & (em_marks_4)x); }
+
+EM_INLINE void em_load_tile(int n, const double *restrict A, em_numbers_4 *restrict X) {
+    for (int row = 0; row < EM_TILE; ++row) X[row] = *(const em_stored_4 *)(A + row * n);
+}
+
+EM_INLINE void em_store_tile(int n, const em_numbers_4 *restrict X, double *restrict A) {
+    for (int row = 0; row < EM_TILE; ++row) *(em_stored_4 *)(A + row * n) = X[row];
+}
+
+/* T <- sign X^T */
+EM_INLINE void em_transpose_tile(double sign, const em_numbers_4 *restrict X, em_numbers_4 *restrict T) {
+    for (int row = 0; row < EM_TILE; ++row) T[row] = sign * (em_numbers_4){X[0][row], X[1][row], X[2][row], X[3][row]};
+}
 #endif
+#endif
+
+/* T <- A^T */
+EM_INLINE void em_transpose(int n, const real *restrict A, real *restrict T) {
+    int tiled = 0;
+#ifdef EM_BY_TILES
+    tiled = em_tiled(n);
+    for (int i = 0; i < tiled; i += EM_TILE)
+        for (int j = 0; j < tiled; j += EM_TILE) {
+            em_tile X, turned;
+            em_load_tile(n, A + i * n + j, X);
+            em_transpose_tile(1.0, X, turned);
+            em_store_tile(n, turned, T + j * n + i);
+        }
+#endif
+    for (int i = 0; i < n; ++i)
+        for (int j = i < tiled ? tiled : 0; j < n; ++j) T[j * n + i] = A[i * n + j];
+}
+
+/* The upper triangle of A <- the lower. */
+EM_INLINE void em_mirror(int n, real *A) {
+    int tiled = 0;
+#ifdef EM_BY_TILES
+    tiled = em_tiled(n);
+    for (int i = 0; i < tiled; i += EM_TILE) {
+        for (int j = 0; j < i; j += EM_TILE) {
+            em_tile X, turned;
+            em_load_tile(n, A + i * n + j, X);
+            em_transpose_tile(1.0, X, turned);
+            em_store_tile(n, turned, A + j * n + i);
+        }
+        for (int row = i; row < i + EM_TILE; ++row)
+            for (int j = i; j < row; ++j) A[j * n + row] = A[row * n + j];
+    }
+#endif
+    for (int i = tiled; i < n; ++i)
+        for (int j = 0; j < i; ++j) A[j * n + i] = A[i * n + j];
+}
 
 /* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. */
 EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, const real *restrict r, real *restrict X) {

@@ -4,9 +4,33 @@
 
 #include "em_quasivelocities.h"
 
-/* Omega (n, n) <- (32) as published, where eigenvalues are apart. */
+#ifdef EM_BY_TILES
+/* Four rows from i on of em_omega_apart and what they are of the columns above them. */
+EM_INLINE void em_omega_of_rows(int n, int i, const double *restrict s, const double *restrict mu,
+                                double *restrict Omega) {
+    for (int j = 0; j <= i; j += EM_TILE) {
+        const em_numbers_4 across = *(const em_stored_4 *)(s + j);
+        em_tile X, turned;
+        em_load_tile(n, mu + i * n + j, X);
+        for (int row = 0; row < EM_TILE; ++row) {
+            X[row] *= 1.0 / ((across - s[i + row]) * (across + s[i + row]));
+            if (i == j) X[row] = em_marked(em_before[row], X[row]);
+        }
+        em_transpose_tile(-1.0, X, turned);
+        if (i == j) for (int row = 0; row < EM_TILE; ++row) X[row] += turned[row];
+        else em_store_tile(n, turned, Omega + j * n + i);
+        em_store_tile(n, X, Omega + i * n + j);
+    }
+}
+#endif
+
+/* Omega (n, n) <- (32) as published, where eigenvalues are apart; of mu the lower triangle. */
 EM_INLINE void em_omega_apart(int n, const real *restrict s, const real *restrict mu, real *restrict Omega) {
-    for (int i = 0; i < n; ++i) {
+    int tiled = 0;
+#ifdef EM_BY_TILES
+    for (tiled = 0; tiled < em_tiled(n); tiled += EM_TILE) em_omega_of_rows(n, tiled, s, mu, Omega);
+#endif
+    for (int i = tiled; i < n; ++i) {
         Omega[i * n + i] = em_real(0.0);
         for (int j = 0; j < i; ++j) {
             const real gap = (s[j] - s[i]) * (s[j] + s[i]);
@@ -32,12 +56,32 @@ EM_INLINE void em_factor_rates(int n, const real *restrict C, const real *restri
         }
 }
 
+/* The same as em_turning_push, with sums that are formed side by side along rows, in vectors; T = C^T. What Omega makes
+ * of a vector is less what its columns do. */
+EM_INLINE void em_turning_push_along(int n, const real *restrict T, const real *restrict s, const real *restrict r,
+                                     const real *restrict Omega, const real *restrict s_dot,
+                                     const real *restrict eta, const real *restrict w, const real *restrict f,
+                                     real *restrict a, real *restrict q) {
+    real momentum[n], push[n], drag[n], turn[n];
+    for (int i = 0; i < n; ++i) momentum[i] = s[i] * eta[i];
+    em_transposed_product(n, T, f, push);
+    em_transposed_product(n, Omega, momentum, drag);
+    for (int i = 0; i < n; ++i) a[i] = r[i] * (push[i] + drag[i] - s_dot[i] * eta[i]);
+    if (!q) return;
+    em_transposed_product(n, Omega, w, turn);
+    for (int i = 0; i < n; ++i) q[i] = -(s[i] * turn[i] + s_dot[i] * w[i]);
+}
+
 /* a <- S^-1 (C f - Omega S eta - Sdot eta) (41), and q (NULL: not asked) <- S Omega S^-1 eta - S^-1 Sdot eta:
- * Bdot eta = Adot xdot + B q (40); w = S^-1 eta. */
-EM_INLINE void em_turning_push(int n, const real *restrict C, const real *restrict s, const real *restrict r,
-                               const real *restrict Omega, const real *restrict s_dot, const real *restrict eta,
-                               const real *restrict w, const real *restrict f, real *restrict a,
-                               real *restrict q) {
+ * Bdot eta = Adot xdot + B q (40); w = S^-1 eta; T = C^T where rows are tiled. */
+EM_INLINE void em_turning_push(int n, const real *restrict C, const real *restrict T, const real *restrict s,
+                               const real *restrict r, const real *restrict Omega, const real *restrict s_dot,
+                               const real *restrict eta, const real *restrict w, const real *restrict f,
+                               real *restrict a, real *restrict q) {
+    if (em_tiled(n)) {
+        em_turning_push_along(n, T, s, r, Omega, s_dot, eta, w, f, a, q);
+        return;
+    }
     for (int i = 0; i < n; ++i) {
         real drag = s_dot[i] * eta[i], turn = em_real(0.0);
         for (int j = 0; j < n; ++j) {

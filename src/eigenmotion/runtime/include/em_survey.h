@@ -82,25 +82,37 @@ static int em_is_wild(const em_walk *w, const double *a, double size, double pro
     return w->retries < RETRIES && fabs(w->h) > brief * w->longest_step && em_max(tail, off) > wild * size;
 }
 
-/* Between nodes j and j + 1, where g_i has the sign `side`, and at these: *theta <- where the polynomial is lowest among
- * its neighbours, *low <- how low. Whether it is anywhere: a lowest place close to a node may lie on either side of it. */
-static int em_lowest(const double *a, int j, double side, double *theta, double *low) {
-    enum { PARTS = 8 };
-    const double left = em_node(j), part = (em_node(j + 1) - left) / PARTS;
-    double before = side * em_polynomial_at(a, left - part), here = side * em_polynomial_at(a, left);
-    *low = INFINITY;
-    for (int k = 0; k <= PARTS; ++k) {
-        const double after = side * em_polynomial_at(a, left + (k + 1) * part);
-        if (here <= before && here <= after && here < *low) *low = here, *theta = left + k * part;
+/* The way between two places of the survey, walked along in equal parts. */
+typedef struct em_way {
+    double left, right, part; /* in theta */
+    int next;                 /* part */
+} em_way;
+
+enum { EM_PARTS = 8 };
+
+static em_way em_way_to(const em_walk *w, const em_survey *s, int k) {
+    const double left = (s->t[k - 1] - w->t) / w->h, right = (s->t[k] - w->t) / w->h;
+    return (em_way){left, right, (right - left) / EM_PARTS, 0};
+}
+
+/* *theta <- the next place on the way at which the polynomial, times `side`, is lowest among its neighbours, *low <- how
+ * low. Whether there is one: a lowest place close to an end of the way may lie on either side of it. */
+static int em_next_low(const double *a, em_way *way, double side, double *theta, double *low) {
+    double before = side * em_polynomial_at(a, way->left + (way->next - 1) * way->part);
+    double here = side * em_polynomial_at(a, way->left + way->next * way->part);
+    while (way->next <= EM_PARTS) {
+        const double at = way->left + way->next * way->part, after = side * em_polynomial_at(a, at + way->part);
+        ++way->next;
+        if (here < before && here <= after) return *low = here, *theta = at, 1;
         before = here, here = after;
     }
-    return *low < INFINITY;
+    return 0;
 }
 
 /* Whether g_i has the other sign near a lowest place *theta, which becomes one where it has, by parabolas through ever
- * closer places. 1, 0, or -1 and w->reason. */
-static int em_dips(em_walk *w, int i, double side, double *theta, double *value) {
-    double apart = 1.0 / 128.0, f[3], g[EM_SOME_EVENTS];
+ * closer places, at first `apart` from each other. 1, 0, or -1 and w->reason. */
+static int em_dips(em_walk *w, int i, double side, double apart, double *theta, double *value) {
+    double f[3], g[EM_SOME_EVENTS];
     for (int n = 0; n < 8; ++n) {
         *theta = em_min(1.0 - apart, em_max(apart, *theta));
         for (int place = 0; place < 3; ++place) {
@@ -138,27 +150,37 @@ static void em_pass(em_walk *w, int i, const em_point *before, const em_point *a
     w->side_new[i] = sign;
 }
 
-/* The crossings of event i by the signs at the places of the survey and in the dips between the nodes: of nine nodes
+/* The crossings of event i on the way to place k, where the polynomial turns back before or behind zero: each dip towards it
+ * from the side on which g_i is by then, in their order. *before <- the last point known. 0, or -1 and w->reason. */
+static int em_search_way(em_walk *w, const em_survey *s, int i, int k, const double *a, double size, em_point *before) {
+    const double coarse = 1.0 / 128.0, close = 0.05; /* of the step; of `size` */
+    em_way way = em_way_to(w, s, k);
+    double theta = 0.0, low;
+    while (w->side_new[i] != 0 && em_next_low(a, &way, w->side_new[i], &theta, &low)) {
+        em_point dip;
+        if (!(low < close * size)) continue;
+        const int dips = em_dips(w, i, w->side_new[i], em_min(coarse, 0.5 * way.part), &theta, &dip.g);
+        if (dips < 0) return -1;
+        dip.t = w->t + theta * w->h;
+        if (!dips || !(theta > way.left && theta < way.right && (dip.t - before->t) * w->direction > 0.0)) continue;
+        em_pass(w, i, before, &dip);
+        *before = dip;
+    }
+    return 0;
+}
+
+/* The crossings of event i by the signs at the places of the survey and in the dips between them: of nine nodes
  * a polynomial is made, which is g_i wherever g_i is smooth within a step. 0, or -1 and w->reason. */
 static int em_search(em_walk *w, const em_survey *s, int i) {
-    double a[EM_NODES], size = 0.0, theta = 0.0, low;
+    double a[EM_NODES], size = 0.0;
     em_polynomial(s, i, a);
     for (int k = 0; k < EM_NODES; ++k) size += fabs(a[k]);
     if (em_is_wild(w, a, size, s->probe[i])) return em_fail(&w->reason, EM_STEP_SIZE_UNDERFLOW, -1, -1, w->h);
     em_point before = {w->t, w->g[i]};
     em_pass(w, i, &before, &before);
     for (int k = 0; k < s->count; ++k) {
-        em_point here = {s->t[k], s->g[k][i]};
-        const double side = w->side_new[i];
-        const int node = k - s->near - 1; /* before this one */
-        if (node >= (s->near > 0) && side != 0.0 && side * here.g >= 0.0 && side * s->g[k - 1][i] >= 0.0 &&
-            em_lowest(a, node, side, &theta, &low) && low < 0.05 * size) {
-            em_point dip;
-            const int dips = em_dips(w, i, side, &theta, &dip.g);
-            if (dips < 0) return -1;
-            dip.t = w->t + theta * w->h;
-            if (dips && theta > em_node(node) && theta < em_node(node + 1)) em_pass(w, i, &before, &dip), before = dip;
-        }
+        const em_point here = {s->t[k], s->g[k][i]};
+        if (k > 0 && em_search_way(w, s, i, k, a, size, &before)) return -1;
         em_pass(w, i, &before, &here);
         if (here.g != 0.0 && !em_enters(w, i, here.g)) before = here;
     }

@@ -21,7 +21,7 @@ enum {
     EM_NODES = 9,      /* those at its ends included where a closer look is needed, */
     EM_QUARTERS = 26,  /* and ever closer to a start at which one is zero */
     EM_PLACES = EM_QUARTERS + EM_NODES,
-    EM_MOST_FOUND = N_EVENTS > 0 ? N_EVENTS * (EM_PLACES + EM_NODES) : 1,
+    EM_MOST_FOUND = N_EVENTS > 0 ? N_EVENTS * (EM_PLACES + 4 * EM_NODES) : 1, /* four dips a part, less is sampled */
     EM_SOME_INPUTS = N_INPUTS > 0 ? N_INPUTS : 1,
     EM_ROWS_OR_ONE = N_ROWS > 0 ? N_ROWS : 1,
     EM_SOME_MEMORY = N_MEMORY > 0 ? N_MEMORY : 1,
@@ -93,6 +93,7 @@ typedef struct em_nodes {
     double aimed;                            /* the error after as many iterations as a step is made for */
     double within;                           /* the error of the polynomial where the state within the step is asked for */
     int mode, before_mode, converged, known, blind, on_lanes; /* converged: there is a series; known: a step before */
+    int drifted;                             /* whether the places at the nodes are those that the rates make */
     int slow;                                /* whether the iteration converges slowly, though it had little to do */
 } em_nodes;
 
