@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:d043c4c2ad454a054c7066d5625436457fb712d91635b46133c9c19ce13f178d */
+/* body sha256:5ba77ea3c8a563bdfc46e3eee085596fbaa8bbe9cd28870ec760fc22ab360e3f */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -250,8 +250,7 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -447,8 +446,7 @@ static int rhs_cholesky(real t, const real *restrict y, const real *restrict c, 
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, q3, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -671,8 +669,7 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
         em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
         em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
         for (int column = 0; column <= row; ++column) {
-            Delta[row*N_ROWS + column] = em_real(0.0);
-            em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+            Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
             em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
             em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
         }
@@ -1522,8 +1519,7 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
             em_add_to_load(N2, row, B2[0], a2, NULL, lambda);
             em_add_to_load(N3, row, B3[0], a3, NULL, lambda);
             for (int column = 0; column <= row; ++column) {
-                Delta[row*N_ROWS + column] = em_real(0.0);
-                em_add_product(N1, B1[row], B1[column], &Delta[row*N_ROWS + column]);
+                Delta[row*N_ROWS + column] = em_inner(N1, B1[row], B1[column]);
                 em_add_product(N2, B2[row], B2[column], &Delta[row*N_ROWS + column]);
                 em_add_product(N3, B3[row], B3[column], &Delta[row*N_ROWS + column]);
             }

@@ -226,7 +226,5 @@ def test_ctrl_c_ends_lanes(formulation, request):
     runs = simulate_ensemble(link, (0.0, 1e7), parameters={"K1": springs}, max_steps=10**12, workers=1)
     assert time.process_time() - start < 20
     assert set(runs.stop) == {StopReason.INTERRUPTED}
-    assert (
-        runs.t_end > 0
-    ).sum() >= 2  # which ones is chance: far out some lanes begin anew, or wait for the other flock
+    assert (runs.t_end > 0).sum() >= 2  # by chance: far out some begin anew, or wait for the other flock
     assert np.isnan(runs.x).all()

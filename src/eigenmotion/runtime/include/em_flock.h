@@ -103,14 +103,24 @@ EM_INLINE void em_flock_errors(real (*K)[EM_FLOCK_STATE], int k, real *fifth, re
     }
 }
 
+/* Sums in EM_TOGETHER parts, which do not wait for each other. */
+EM_INLINE real em_flock_whole(const real *part) { return (part[0] + part[1]) + (part[2] + part[3]); }
+
+/* sum_k (a_k b_k)^2 */
+EM_INLINE real em_flock_squares(int n, const real *a, const real *b) {
+    real part[EM_TOGETHER] = {{0.0}};
+    for (int k = 0; k < n; ++k) part[k % EM_TOGETHER] += (a[k] * b[k]) * (a[k] * b[k]);
+    return em_flock_whole(part);
+}
+
 /* The norm of the error (em_runge_kutta.h). */
 EM_INLINE void em_flock_norm(const em_flock *f, em_lane_state *w, const real *weight) {
-    real sum[2] = {em_real(0.0), em_real(0.0)}, error[2][EM_FLOCK_STATE], v[N];
+    real sum[2], error[2][EM_FLOCK_STATE], v[N];
     for (int k = 0; k < em_flock_moving(f); k += EM_TOGETHER) em_flock_errors(w->K, k, error[0] + k, error[1] + k);
     for (int e = 0; e < 2; ++e) {
         EM_VELOCITY(f->mode, w->y, w->c, w->memory, error[e] + N, v);
         em_copy(N, v, error[e] + N);
-        for (int k = 0; k < em_flock_counted(f); ++k) sum[e] += (error[e][k] * weight[k]) * (error[e][k] * weight[k]);
+        sum[e] = em_flock_squares(em_flock_counted(f), error[e], weight);
     }
     const real under = sum[0] + 0.01 * sum[1];
     *w->error = em_where(under == 0.0, em_real(0.0), fabs(*w->h) * sum[0] / sqrt(under * (2.0 * N)));
@@ -119,12 +129,16 @@ EM_INLINE void em_flock_norm(const em_flock *f, em_lane_state *w, const real *we
 /* y_new put right in lanes that *done keeps; v (n) <- the velocities before. */
 EM_INLINE void em_flock_settle(const em_flock *f, em_lane_state *w, EM_UNUSED real *v, EM_UNUSED em_truth *done) {
 #ifdef EM_SETTLE
-    real raw[N_STATE], scratch[N_MEMORY > 0 ? N_MEMORY : 1];
-    real *const memory = EM_SECOND_ORDER ? scratch : w->memory_new;
+    real raw[N_STATE];
+    if (EM_SECOND_ORDER) { /* settling moves v alone, in all lanes */
+        em_copy(N, w->y_new + N, v);
+        EM_SETTLE(f->mode, *w->t_new, w->y_new, w->c, NULL, *w->h * f->stretch, done);
+        return;
+    }
     em_copy(N_STATE, w->y_new, raw);
-    EM_SETTLE(f->mode, *w->t_new, w->y_new, w->c, memory, *w->h * f->stretch, done);
-    EM_VELOCITY(f->mode, raw, w->c, memory, raw + N, v);
-    for (int k = 2 * EM_SECOND_ORDER * N; k < N_STATE; ++k) w->y_new[k] = em_where(*done, w->y_new[k], raw[k]);
+    EM_SETTLE(f->mode, *w->t_new, w->y_new, w->c, w->memory_new, *w->h * f->stretch, done);
+    EM_VELOCITY(f->mode, raw, w->c, w->memory_new, raw + N, v);
+    for (int k = 0; k < N_STATE; ++k) w->y_new[k] = em_where(*done, w->y_new[k], raw[k]);
 #else
     (void)f, (void)w;
     if (N_POSITIONS > 0) *done = (em_truth){0}; /* Newton's method on positions is for numbers */
@@ -145,9 +159,9 @@ EM_INLINE real em_flock_moved(EM_UNUSED const em_lane_state *w, EM_UNUSED const 
 
 /* NaN and infinity survive a product with zero. */
 EM_INLINE em_truth em_flock_finite(const real *a) {
-    real sum = em_real(0.0);
-    for (int k = 0; k < N_STATE; ++k) sum += 0.0 * a[k];
-    return sum == 0.0;
+    real part[EM_TOGETHER] = {{0.0}};
+    for (int k = 0; k < N_STATE; ++k) part[k % EM_TOGETHER] += 0.0 * a[k];
+    return em_flock_whole(part) == 0.0;
 }
 
 EM_INLINE void em_flock_rate(const em_flock *f, const em_lane_state *w, const real *t, const real *y, real *dy) {
@@ -172,8 +186,18 @@ EM_INLINE void em_flock_judge(em_lane_state *w, const real *argument, const real
 /* What came of attempts at a step. */
 typedef struct em_attempts {
     em_truth sound, settled; /* -1: it gave numbers that can be judged; it ended where runs may be */
-    real moved;              /* how far settling moved it */
+    real moved, error, factor; /* how far settling moved it; log of the error; by which the next step's size differs */
 } em_attempts;
+
+/* error and factor, as in em_step_size.h */
+EM_INLINE void em_flock_control(const em_lane_state *w, em_attempts *found) {
+    enum { ORDER = 8 };
+    const real error = log(em_lane_max(*w->error, em_real(1e-300)));
+    const real wanted = em_where(error < 0.0, 0.4 * *w->last_error - 0.7 * error, -error);
+    const real factor = em_lane_min(em_real(4.0), em_lane_max(em_real(0.2), 0.9 * exp(wanted / (double)ORDER)));
+    found->error = error;
+    found->factor = em_where(*w->retries > 0.0, em_lane_min(em_real(1.0), factor), factor);
+}
 
 /* An attempt at a step in every lane. */
 static em_attempts em_flock_attempt(const em_flock *f, em_lane_state *w) {
@@ -190,23 +214,13 @@ static em_attempts em_flock_attempt(const em_flock *f, em_lane_state *w) {
     em_flock_combine(em_flock_moving(f), rk->a[rk->stages], rk->stages, *w->h, w->y, w->K, w->y_new);
     em_flock_weigh(f, w, weight);
     em_flock_norm(f, w, weight);
+    em_flock_control(w, &found); /* here, where it waits for itself while steps are settled */
     em_flock_settle(f, w, v, &found.settled);
     em_flock_rate(f, w, w->t_new, w->y_new, w->f_new);
     em_flock_judge(w, argument, weight);
     found.moved = em_flock_moved(w, v, weight);
     found.sound = em_flock_finite(w->y_new) & (em_flock_finite(w->f_new) | ~(*w->error < 1.0)) & (*w->error < INFINITY);
     return found;
-}
-
-/* The size of the next step, as in em_step_size.h and em_step.h. */
-EM_INLINE void em_flock_resize(em_lane_state *w, em_truth accepted) {
-    enum { ORDER = 8 };
-    const real error = log(em_lane_max(*w->error, em_real(1e-300)));
-    const real wanted = em_where(error < 0.0, 0.4 * *w->last_error - 0.7 * error, -error);
-    real factor = em_lane_min(em_real(4.0), em_lane_max(em_real(0.2), 0.9 * exp(wanted / (double)ORDER)));
-    factor = em_where(*w->retries > 0.0, em_lane_min(em_real(1.0), factor), factor);
-    *w->h_next = fabs(*w->h) * factor;
-    *w->last_error = em_where(accepted, em_lane_max(error, em_real(-9.2)), *w->last_error);
 }
 
 /* -1 in lanes whose `accepted` step is looked at number by number: the first, short ones at which a singularity may be near
@@ -258,7 +272,8 @@ static void em_flock_step(em_flock *f, em_lane_state *w) {
     const em_attempts found = em_flock_attempt(f, w);
     const em_truth small = found.sound & (*w->error < 1.0), live = em_flock_live(f);
     const em_truth due = f->always ? small : small & (em_flock_due(f, w, small) | ~found.settled);
-    em_flock_resize(w, small);
+    *w->h_next = fabs(*w->h) * found.factor;
+    *w->last_error = em_where(small, em_lane_max(found.error, em_real(-9.2)), *w->last_error);
     const em_truth lost = em_flock_lost(f, w, &found, small), looks = live & (lost | due);
     em_truth stays = live & ~looks;
     for (int lane = 0; lane < EM_LANES && em_any(looks); ++lane) {

@@ -142,8 +142,8 @@ EM_INLINE void em_backward(int n, const real *restrict L, const real *restrict r
 /* eta = S C v <-> eta = L^T v: the same velocities under another root of M. */
 EM_INLINE void em_transposed(int n, const real *restrict L, real *restrict v) {
     for (int i = 0; i < n; ++i) {
-        real sum = em_real(0.0);
-        for (int k = i; k < n; ++k) sum += L[k * n + i] * v[k];
+        real sum = L[i * n + i] * v[i];
+        for (int k = i + 1; k < n; ++k) sum += L[k * n + i] * v[k];
         v[i] = sum;
     }
 }
@@ -158,14 +158,17 @@ EM_INLINE void em_clear(int n, real *restrict b) {
     for (int i = 0; i < n; ++i) b[i] = em_real(0.0);
 }
 
+/* a . b, from the first product on: a sum that began at zero would add it, for the sake of its sign. */
+EM_INLINE real em_inner(int n, const real *restrict a, const real *restrict b) {
+    real sum = a[0] * b[0];
+    for (int i = 1; i < n; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
 /* Y (m, n) <- A W^T */
 EM_INLINE void em_product(int m, int n, const real *restrict A, const real *restrict W, real *restrict Y) {
     for (int row = 0; row < m; ++row)
-        for (int i = 0; i < n; ++i) {
-            real sum = em_real(0.0);
-            for (int j = 0; j < n; ++j) sum += W[i * n + j] * A[row * n + j];
-            Y[row * n + i] = sum;
-        }
+        for (int i = 0; i < n; ++i) Y[row * n + i] = em_inner(n, W + i * n, A + row * n);
 }
 
 /* T <- C^T where rows are tiled: nobody else reads it. */
@@ -184,11 +187,7 @@ EM_INLINE void em_congruence_below(int n, const real *restrict C, const real *re
     }
     em_multiply(n, 0, 1.0, C, M, W);
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) {
-            real sum = em_real(0.0);
-            for (int k = 0; k < n; ++k) sum += W[i * n + k] * C[j * n + k];
-            Lambda[i * n + j] = sum;
-        }
+        for (int j = 0; j <= i; ++j) Lambda[i * n + j] = em_inner(n, W + i * n, C + j * n);
 }
 
 /* Lambda (n, n) <- C M C^T, both triangles; M full. */

@@ -17,8 +17,8 @@
 EM_INLINE void em_transposed_product(int n, const real *restrict C, const real *restrict w, real *restrict v) {
     EM_ALONG
     for (int j = 0; j < n; ++j) {
-        real sum = em_real(0.0);
-        for (int i = 0; i < n; ++i) sum += C[i * n + j] * w[i];
+        real sum = C[j] * w[0];
+        for (int i = 1; i < n; ++i) sum += C[i * n + j] * w[i];
         v[j] = sum;
     }
 }
@@ -184,8 +184,8 @@ EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A
 #endif
     for (int i = em_tiled(n); i < n; ++i)
         for (int j = 0; j < (lower ? i + 1 : n); ++j) {
-            real sum = em_real(0.0);
-            for (int k = 0; k < n; ++k) sum += sign * A[i * n + k] * B[k * n + j];
+            real sum = sign * A[i * n] * B[j];
+            for (int k = 1; k < n; ++k) sum += sign * A[i * n + k] * B[k * n + j];
             O[i * n + j] = sum;
         }
 }

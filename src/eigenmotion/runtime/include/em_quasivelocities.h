@@ -15,11 +15,7 @@ EM_INLINE void em_velocity_of_eta(int n, const real *restrict C, const real *res
 /* v <- S C v, the quasi-velocities (17) */
 EM_INLINE void em_eta_of_velocity(int n, const real *restrict C, const real *restrict s, real *restrict v) {
     real eta[n];
-    for (int i = 0; i < n; ++i) {
-        eta[i] = em_real(0.0);
-        for (int j = 0; j < n; ++j) eta[i] += C[i * n + j] * v[j];
-        eta[i] *= s[i];
-    }
+    for (int i = 0; i < n; ++i) eta[i] = s[i] * em_inner(n, C + i * n, v);
     memcpy(v, eta, sizeof eta);
 }
 
@@ -34,11 +30,7 @@ EM_INLINE void em_momentum_of_eta(int n, const real *restrict C, const real *res
 /* f <- S^-1 C f: a force, or a constraint row, as the quasi-velocities feel it (28) */
 EM_INLINE void em_force_on_eta(int n, const real *restrict C, const real *restrict s, real *restrict f) {
     real a[n];
-    for (int i = 0; i < n; ++i) {
-        a[i] = em_real(0.0);
-        for (int j = 0; j < n; ++j) a[i] += C[i * n + j] * f[j];
-        a[i] /= s[i];
-    }
+    for (int i = 0; i < n; ++i) a[i] = em_inner(n, C + i * n, f) / s[i];
     memcpy(f, a, sizeof a);
 }
 
@@ -68,11 +60,7 @@ EM_INLINE void em_velocity(int n, const real *restrict C, const real *restrict s
 EM_INLINE void em_rows_on_eta(int m, int n, const real *restrict C, const real *restrict r,
                               const real *restrict A, real *restrict B) {
     for (int row = 0; row < m; ++row)
-        for (int i = 0; i < n; ++i) {
-            real sum = n == 1 ? A[row] : em_real(0.0);
-            for (int j = 0; n > 1 && j < n; ++j) sum += A[row * n + j] * C[i * n + j];
-            B[row * n + i] = r[i] * sum;
-        }
+        for (int i = 0; i < n; ++i) B[row * n + i] = r[i] * (n == 1 ? A[row] : em_inner(n, A + row * n, C + i * n));
 }
 
 #endif

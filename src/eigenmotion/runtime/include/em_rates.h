@@ -44,7 +44,16 @@ EM_INLINE void em_omega_apart(int n, const real *restrict s, const real *restric
 EM_INLINE void em_factor_rates(int n, const real *restrict C, const real *restrict r, const real *restrict mu,
                                const real *restrict Omega, real *restrict C_dot, real *restrict s_dot) {
     for (int i = 0; i < n; ++i) s_dot[i] = 0.5 * mu[i * n + i] * r[i];
-    em_multiply(n, 0, -1.0, Omega, C, C_dot);
+    if (n >= EM_TILE) em_multiply(n, 0, -1.0, Omega, C, C_dot);
+    for (int i = 0; i < n && n < EM_TILE; ++i) /* without Omega_ii = 0 */
+        for (int j = 0; j < n; ++j) {
+            real sum = em_real(0.0);
+            for (int k = 0; k < n; ++k) {
+                if (k == i) continue;
+                sum = k == (i == 0) ? -Omega[i * n + k] * C[k * n + j] : sum - Omega[i * n + k] * C[k * n + j];
+            }
+            C_dot[i * n + j] = sum;
+        }
 }
 
 /* The same as em_turning_push, with sums that are formed side by side along rows, in vectors; T = C^T. What Omega makes
@@ -74,13 +83,13 @@ EM_INLINE void em_turning_push(int n, const real *restrict C, const real *restri
         return;
     }
     for (int i = 0; i < n; ++i) {
-        real push = em_real(0.0), drag = s_dot[i] * eta[i], turn = em_real(0.0);
+        real drag = s_dot[i] * eta[i], turn = em_real(0.0);
         for (int j = 0; j < n; ++j) {
-            push += C[i * n + j] * f[j];
+            if (n < EM_TILE && j == i) continue; /* Omega_ii = 0 */
             drag += Omega[i * n + j] * (s[j] * eta[j]);
-            turn += Omega[i * n + j] * w[j];
+            turn = n < EM_TILE && j == (i == 0) ? Omega[i * n + j] * w[j] : turn + Omega[i * n + j] * w[j];
         }
-        a[i] = r[i] * (push - drag);
+        a[i] = r[i] * (em_inner(n, C + i * n, f) - drag);
         if (q) q[i] = s[i] * turn - s_dot[i] * w[i];
     }
 }
@@ -90,7 +99,7 @@ EM_INLINE void em_turning_push(int n, const real *restrict C, const real *restri
 EM_INLINE void em_triangular_push(int n, const real *restrict L, const real *restrict r, real *restrict Mdot,
                                   const real *restrict eta, const real *restrict f, real *restrict a,
                                   real *restrict q) {
-    for (int i = 0; i < n; ++i) a[i] = f[i], q[i] = em_real(0.0);
+    em_copy(n, f, a);
     em_forward(n, L, r, a);
     real X[n * n]; /* transposed, which it is equal to */
     if (em_tiled(n) > 0 ? n > EM_TILE : n >= 2 * EM_TILE) {
@@ -106,7 +115,7 @@ EM_INLINE void em_triangular_push(int n, const real *restrict L, const real *res
         for (int j = 0; j <= i; ++j) {
             const real Phi = (i == j ? 0.5 : 1.0) * X[j * n + i];
             a[i] -= Phi * eta[j];
-            q[j] -= Phi * eta[i];
+            q[j] = i == j ? -Phi * eta[i] : q[j] - Phi * eta[i];
         }
 }
 
