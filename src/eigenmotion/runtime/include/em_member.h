@@ -7,6 +7,10 @@
 
 #define EM_LANE(table, k) (table)[(size_t)(k) * (size_t)width + (size_t)lane]
 
+/* Numbers that its lane keeps of a run's last step: asked of the lanes that it is in, for those that this object is linked
+ * with may be for nodes alone, and keep none. */
+static int em_member_remembers(const em_walk *w) { return w->run->model->lanes->remembered; }
+
 /* When the lane's steps are looked at next. */
 static void em_member_plan(const em_walk *w, em_flock *f, int lane) {
     const em_run *run = w->run;
@@ -44,7 +48,7 @@ EM_ACROSS void em_member_board(void *walk, em_flock *f, int lane) {
     }
     for (int k = 0; k < EM_MODEL_LANES.n_prepared; ++k) EM_LANE(f->c, k) = run->prepared[k];
     for (int k = 0; k < N_INPUTS; ++k) EM_LANE(f->u, k) = w->u[k];
-    for (int k = 0; k < EM_MODEL_LANES.remembered; ++k) EM_LANE(f->memory, k) = w->memory[k];
+    for (int k = 0; k < em_member_remembers(w); ++k) EM_LANE(f->memory, k) = w->memory[k];
     f->t[lane] = w->t;
     f->h_next[lane] = w->h_next;
     f->last_error[lane] = w->last_error;
@@ -80,7 +84,7 @@ static void em_member_read(em_walk *w, const em_flock *f, int lane) {
         w->K[0][k] = EM_LANE(f->K, k);
         w->f_new[k] = EM_LANE(f->f_new, k);
     }
-    for (int k = 0; k < EM_MODEL_LANES.remembered; ++k) {
+    for (int k = 0; k < em_member_remembers(w); ++k) {
         w->memory[k] = EM_LANE(f->memory, k);
         w->memory_new[k] = EM_LANE(f->memory_new, k);
     }
@@ -124,7 +128,7 @@ static int em_member_lands(em_walk *w, em_flock *f, int lane) {
         EM_LANE(f->y_new, k) = w->y_new[k];
         EM_LANE(f->f_new, k) = w->f_new[k];
     }
-    for (int k = 0; k < EM_MODEL_LANES.remembered; ++k) EM_LANE(f->memory_new, k) = w->memory_new[k];
+    for (int k = 0; k < em_member_remembers(w); ++k) EM_LANE(f->memory_new, k) = w->memory_new[k];
     f->stiff[lane] = w->stiff;
     return 0;
 }
