@@ -12,7 +12,7 @@ from eigenmotion.codegen.c.emit import SourceFile, Sources
 from eigenmotion.models import chain as chain_model
 
 from eigenmotion import Model, build
-from eigenmotion.building.build import compiled
+from eigenmotion.building.build import all_of
 from eigenmotion.building.extension import load
 from eigenmotion.building.request import request
 from eigenmotion.building.toolchain import toolchain
@@ -111,7 +111,7 @@ def test_missing_omega_term_is_found():
     without = "static const real still[N1*N1];\n    em_turning_push(N1, C1, T1, s1, r1, still, "
     assert sum(file.text.count(term) for file in sources.files) == 1
     files = tuple(SourceFile(file.name, file.text.replace(term, without)) for file in sources.files)
-    assert_found(load(compiled(Sources(sources.name, files), toolchain())))
+    assert_found(load(all_of(Sources(sources.name, files), toolchain())))
 
 
 def test_sign_of_t1_is_found():
