@@ -57,7 +57,7 @@ def test_the_models_are_proved(name, formulation):
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 def test_a_start_where_something_bends_is_proved(formulation):
-    """What judged the first steps took the slope of M before the start for that behind it, and refused what was right."""
+    """What judged the first steps took the slope of M before the start for that behind it, and refused them."""
     M = sympy.Piecewise((1 + q - k, q > k), (1, True))
     model = em.Model(name="bends", coordinates=[q], kinetic_energy=M * qd**2 / 2, potential_energy=q**2,
                      parameters={k: 0.7}, initial={q: 0.7, qd: 1.0})  # fmt: skip
