@@ -102,6 +102,16 @@ def test_factors_of_the_time_may_have_either_sign_or_vanish():
         assert system.simulate((0.0, 2.0), parameters={"k": k}).x[0, -1] == pytest.approx(x, abs=1e-12)
 
 
+@pytest.mark.parametrize(("bend", "slope"), [(1.0, 0.0), (0.0, 1.0), (1e-20, 1.0), (-1e-14, 1.0), (0.0, 0.0)])
+def test_a_quadratic_may_be_all_but_straight(bend, slope):
+    """Its time was a difference of equal numbers: what ended at 1 s never held."""
+    model = driven("straight", Piecewise((1, K * t**2 + DUTY * t < 1), (-1, True)), {K: 1.0, DUTY: 0.0})
+    run = system_for(model).simulate((0.0, 2.0), parameters={"k": bend, "duty": slope}, sensitivities=["duty"])
+    assert np.allclose(run.x[0, -1], 1.0 if slope or bend else 2.0, rtol=0, atol=1e-12)
+    if slope:
+        assert run.sensitivity["duty"].dv[0, -1] == pytest.approx(-2.0, rel=1e-9)
+
+
 def test_times_that_meet_or_pass_each_other(pulsed):
     for last in (0.0, -1.0):
         assert pulsed.simulate((0.0, 10.0), parameters={"d": last}).v[0, -1] == 0.0

@@ -128,14 +128,16 @@ class Breaks:
         return {operands[0] for kind, operands in records if kind is Kind.SYMBOL}
 
     def _quadratic(self, node: Node, rate: Node, bend: Node) -> list[tuple[Node, Node]]:
-        """Solve bend t^2 / 2 + slope t + rest = 0."""
+        """Solve bend t^2 / 2 + slope t + rest = 0; nothing cancels where parameters make bend small, or 0."""
         graph = self.graph
         slope, rest = (self._at(part, **{self.time: graph.zero}) for part in (rate, node))
         if graph.varies(slope) or graph.varies(rest):
             raise UnsolvedError
         inside = graph.add(graph.power(slope, 2), graph.scale(graph.mul(bend, rest), -2))
         root = graph.power(inside, Fraction(1, 2))
-        return [(self._ratio(graph.add(slope, graph.scale(root, sign)), bend), graph.zero) for sign in (1, -1)]
+        away = graph.call("select", graph.call("<", slope, graph.zero), graph.negative(root), root)
+        larger = graph.add(slope, away)
+        return [(self._ratio(larger, bend), graph.zero), (self._ratio(graph.scale(rest, 2), larger), graph.zero)]
 
     def _inverted(self, node: Node) -> list[tuple[Node, Node]]:
         """Solve c f(argument) + rest = 0 for the argument, and that for t."""

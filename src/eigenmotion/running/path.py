@@ -103,9 +103,7 @@ def _happened(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tupl
     made: list[Vector] = []
     marks: list[tuple[int, Place]] = []
     for t, places in at_once.items():
-        acted = [
-            (event, time) for event, time in places if c.acting[event] and time < len(after[event])
-        ]  # or ended the run
+        acted = [(k, time) for k, time in places if c.acting[k] and time < len(after[k])]  # else it ended the run
         groups = _in_turns(acted, states, after)
         others = [place for place in places if place not in acted]
         marks += [(len(made), place) for place in others]
