@@ -57,9 +57,16 @@ class Breaks:
         for node in [node for node in graph.reachable(roots) if self._is_condition(node)]:
             try:
                 found.update(dict.fromkeys(self._of(node)))
-            except UnsolvedError:
+            except (UnsolvedError, ZeroDivisionError):
                 self.unsolved.append(node)
-        self.times = tuple(Break(at, period, self._terms(at)) for at, period in found)
+        self.times = tuple(Break(at, period, self._rounding(at)) for at, period in found)
+
+    def _rounding(self, at: Node) -> Node:
+        """Of what is infinitely steep, as asin(1) and log(0), that of the time itself: no number tells more."""
+        try:
+            return self._terms(at)
+        except ZeroDivisionError:
+            return self.graph.zero
 
     def _is_condition(self, node: Node) -> bool:
         kind, operands = self.graph.records[node]
