@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import eigenmotion as em
-from eigenmotion.building import parts
+from eigenmotion.building import extension, parts
 from eigenmotion.building.build import all_of, cached_sources, later
 from eigenmotion.building.extension import load
 from eigenmotion.building.proof import verdict
@@ -53,8 +53,7 @@ def units(monkeypatch):
 
 def forget(monkeypatch):
     """As in a new process: what is loaded next has no part but the first."""
-    for name in [name for name in sys.modules if name.startswith("_eigenmotion_")]:
-        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setattr(extension, "_loaded", {})
 
 
 def test_each_part_is_compiled_once_and_nothing_changes(own_cache, units, monkeypatch):

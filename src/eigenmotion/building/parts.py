@@ -1,6 +1,6 @@
 """What of a model is compiled at first, and what as somebody first asks for it.
 
-A module without some units has NULL where their functions would be (em_units.h). A part is a module, too: the same
+A library without some units has NULL where their functions would be (em_units.h). A part is a library, too: the same
 objects and those of its units, from whose `em_model` the first one takes what it lacks (`PointModel.need`).
 """
 
@@ -34,7 +34,7 @@ _DIFFERENTIATES = '#include "em_rate_jacobian.h"'
 def at_first(text: str) -> tuple[str, ...]:
     """Return the units of a NAME.c that its first run may need: what events do stands among its derivatives.
 
-    Where objects are not ELF's, nothing may be missing as a module is linked.
+    Where objects are not ELF's, nothing may be missing as a library is linked.
     """
     if not sys.platform.startswith("linux"):
         return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
