@@ -2,6 +2,7 @@
 
 import logging
 import sys
+from collections.abc import Callable
 from functools import cache, partial
 from os import PathLike
 from pathlib import Path
@@ -12,7 +13,7 @@ from ..codegen.model import Model
 from ..files import write
 from .cache import entry, guarded, key
 from .errors import BuildError, FolderError
-from .extension import compile_in, load
+from .extension import compile_in, load, stepper_ahead
 from .parts import PARTS, WORDS, at_first
 from .request import Request, request
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
@@ -112,13 +113,14 @@ def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
     It has what every run may need. Where `output` is given, that folder gets the sources and a module that has all,
     once both are there.
     """
-    sources = cached_sources(wanted)
-    if output is not None:
-        binary = all_of(sources, tools, wanted.model)
-        with guarded():
-            module = binary.read_bytes()
-        _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
-    return compiled(sources, tools, wanted.model)
+    with stepper_ahead(tools) as ahead:
+        sources = cached_sources(wanted, ahead)
+        if output is not None:
+            binary = all_of(sources, tools, wanted.model)
+            with guarded():
+                module = binary.read_bytes()
+            _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
+        return compiled(sources, tools, wanted.model)
 
 
 def _folder(output: object) -> Path:
@@ -136,9 +138,9 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
         raise FolderError(f"cannot write to the output folder {folder}: {error}") from error
 
 
-def cached_sources(wanted: Request) -> Sources:
-    """Return the sources of a request, derived unless the same generator did so before."""
-    folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder))
+def cached_sources(wanted: Request, ahead: Callable[[str], object] | None = None) -> Sources:
+    """Return the sources of a request, derived unless the same generator did so before; `ahead` as of `generate`."""
+    folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder, ahead))
     with guarded():
         files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
     return Sources(wanted.model.name, files)
@@ -199,9 +201,9 @@ def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
     return key(sources.name, *bodies, _abi(), tools.identity, *proved)
 
 
-def _generate(wanted: Request, folder: Path) -> None:
+def _generate(wanted: Request, folder: Path, ahead: Callable[[str], object] | None) -> None:
     _log.info("deriving %s", wanted.model.name)
-    for file in wanted.sources().files:
+    for file in wanted.sources(ahead).files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 
 

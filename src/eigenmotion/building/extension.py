@@ -3,7 +3,7 @@
 import ctypes
 import logging
 import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,7 +11,7 @@ from tempfile import TemporaryDirectory
 from threading import Lock
 from typing import TYPE_CHECKING
 
-from ..codegen.c.emit import Sources
+from ..codegen.c.emit import SourceFile, Sources
 from ..codegen.model import Model
 from .cache import LOCATION, entry, key
 from .errors import BuildError
@@ -37,7 +37,7 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
     build that is killed leaves behind goes with that. What has been proved of objects that are kept is not proved anew.
     """
     library, proved = f"{sources.name}{EXTENSION_SUFFIX}", methods_of(tuple(units) or whole())
-    with _work(sources, folder) as work:
+    with _work(sources.files, folder) as work:
         with ThreadPoolExecutor(max_workers=1) as pool:
             built = pool.submit(compile_and_link, work, sources.name, tools, units, kept)
             from .proof import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
@@ -50,10 +50,10 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
 
 
 @contextmanager
-def _work(sources: Sources, folder: Path) -> Iterator[Path]:
-    """A folder with the sources."""
+def _work(files: Iterable[SourceFile], folder: Path) -> Iterator[Path]:
+    """A folder with files."""
     with TemporaryDirectory(prefix="work-", dir=folder) as place:
-        for file in sources.files:
+        for file in files:
             (Path(place) / file.name).write_text(file.text, encoding="utf-8")
         yield Path(place)
 
@@ -68,8 +68,9 @@ def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[st
     replaced = {f"{name}_{IN_PLACE_OF[unit]}.o" for unit in units if unit in IN_PLACE_OF}
     shaped = [unit for unit in dict.fromkeys(("stepper", *units)) if unit in OF_A_SHAPE]
     there = {path.name for path in kept}
+    text = (work / f"{name}.c").read_text(encoding="utf-8")
     with ThreadPoolExecutor(max_workers=len(units) + 2) as pool:
-        shared = [pool.submit(_shared_unit, work, name, unit, tools) for unit in shaped]
+        shared = [pool.submit(_shared_unit, text, unit, tools) for unit in shaped]
         own = [unit for unit in units if unit not in OF_A_SHAPE and f"{name}_{unit}.o" not in there]
         made = [pool.submit(tools.compile_unit, work, name, unit) for unit in own]
         if is_module:
@@ -79,14 +80,24 @@ def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[st
     return new
 
 
-def _shared_unit(work: Path, name: str, unit: str, tools: Toolchain) -> str:
+@contextmanager
+def stepper_ahead(tools: Toolchain) -> Iterator[Callable[[str], object]]:
+    """What this gives has a stepper compiled that it is told, while a model's kernels are still being written.
+
+    Whoever needs it finds it in the cache, or waits for it; what goes wrong here goes wrong there again, and says so.
+    """
+    with ThreadPoolExecutor(max_workers=1) as pool:
+        yield lambda text: pool.submit(_shared_unit, text, "stepper", tools)
+
+
+def _shared_unit(text: str, unit: str, tools: Toolchain) -> str:
     """Return the path of the object of a unit that a model of the same shape may have left in the cache."""
-    text = tools.preprocess_unit(work, name, unit)
 
     def fill(folder: Path) -> None:
-        shutil.move(work / tools.compile_unit(work, name, unit), folder / f"{unit}.o")
+        with _work([SourceFile(f"{unit}.c", text)], folder) as work:
+            shutil.move(work / tools.compile_unit(work, unit, unit), folder / f"{unit}.o")
 
-    return str(entry("steppers", key(text, tools.identity), fill) / f"{unit}.o")
+    return str(entry("steppers", key(tools.preprocess_unit(text, unit), tools.identity), fill) / f"{unit}.o")
 
 
 def load(binary: Path) -> "System":

@@ -1,6 +1,6 @@
 """What to generate: a model, the options that shape its code, and the command that a header states."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
 from importlib.metadata import version
@@ -40,9 +40,9 @@ class Request:
         """Hash of all that the generated text depends on, the generator included."""
         return key(self.input_hash, self.origin, generator_hash())
 
-    def sources(self) -> Sources:
-        """Derive and render."""
-        return generate(self.model, self.choices, origin=self.origin)
+    def sources(self, ahead: Callable[[str], object] | None = None) -> Sources:
+        """Derive and render; `ahead` as of `generate`."""
+        return generate(self.model, self.choices, origin=self.origin, ahead=ahead)
 
     def explanation(self) -> str:
         """Say in words what the generated code carries and what it left out."""
