@@ -26,7 +26,7 @@ WORDS: Mapping[str, str] = MappingProxyType({
     "members": "what runs side by side need",
     "duals": "the Jacobian of the right-hand side",
 })  # fmt: skip
-_AT_FIRST = ("stepper", "model", "aside", "lanes")
+_AT_FIRST = ("stepper", "model", "rhs", "lanes", "aside")
 _ACTS = "#define EM_ACTS"
 _DIFFERENTIATES = '#include "em_rate_jacobian.h"'
 
@@ -38,7 +38,8 @@ def at_first(text: str) -> tuple[str, ...]:
     """
     if not sys.platform.startswith("linux"):
         return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
-    return (*_AT_FIRST, "derivatives") if _ACTS in text.splitlines() else _AT_FIRST
+    first = {*_AT_FIRST, "derivatives"} if _ACTS in text.splitlines() else _AT_FIRST
+    return tuple(unit for unit in UNITS if unit in first)
 
 
 def whole() -> tuple[str, ...]:

@@ -27,15 +27,16 @@ HURRIED = ("-O1",)  # for what is called at times only
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
     "stepper": ("EM_UNIT=EM_STEPPER",),
-    "model": ("EM_UNIT=EM_MODEL",),
-    "aside": ("EM_UNIT=EM_ASIDE",),
-    "lanes": ("EM_NODES_ALONE",),
-    "methods": ("EM_UNIT=EM_METHODS",),
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
     "members": ("EM_ON_LANES",),
+    "methods": ("EM_UNIT=EM_METHODS",),
+    "model": ("EM_UNIT=EM_MODEL",),
+    "rhs": ("EM_UNIT=EM_RHS",),
+    "lanes": ("EM_NODES_ALONE",),
+    "aside": ("EM_UNIT=EM_ASIDE",),
     "duals": ("EM_ON_LANES", "EM_ON_DUALS"),
 }
-"""What a model's C file is compiled to, side by side, and the macros that say so (em_real.h)."""
+"""What a model's C file is compiled to, side by side and the longest first, and the macros that say so (em_real.h)."""
 OF_A_SHAPE = ("stepper", "methods")
 """Those that models of one shape have in common."""
 IN_PLACE_OF = {"members": "lanes"}
