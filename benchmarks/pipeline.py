@@ -80,7 +80,7 @@ def stages(file: str, definitions: dict[str, int]) -> Seconds:
         for name, title in COMPILER.items():
             stack.enter_context(patch.object(Toolchain, name, timed(title, getattr(Toolchain, name), seconds)))
         stack.enter_context(patch.object(Toolchain, "compile_unit", unit_by_unit(seconds)))
-        for place, name, title in ((proof, "prove", "proof"), (extension, "_import", "import")):
+        for place, name, title in ((proof, "prove", "proof"), (extension, "system_in", "library loaded")):
             stack.enter_context(patch.object(place, name, timed(title, getattr(place, name), seconds)))
         model = timed("load", load_model, seconds)(MODELS / f"{file}.py", **definitions)
         timed("all", build, seconds)(model)

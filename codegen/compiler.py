@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import asdict, astuple
 
-from .c.emit import Sources, emit
-from .c.lower import Defaults, lower
+from .c.emit import Sources, emit, stepper
+from .c.lower import Defaults, lower, outlined
 from .c.program import Program
 from .choices import STANDARD, Choices
 from .model import Model, ModelError
@@ -16,8 +17,9 @@ from .physics.specialise import ALL_SAVINGS, Saving, specialise
 
 
 def generate(
-    model: Model, choices: Choices = STANDARD, *, origin: str = "", savings: frozenset[Saving] = ALL_SAVINGS
-) -> Sources:
+    model: Model, choices: Choices = STANDARD, *, origin: str = "", savings: frozenset[Saving] = ALL_SAVINGS,
+    ahead: Callable[[str], object] | None = None,
+) -> Sources:  # fmt: skip
     """Derive, specialise, lower and print a model.
 
     Parameters
@@ -26,16 +28,23 @@ def generate(
         The command to name in the files.
     savings
         What may be left out; tests switch some off to compare with the general program.
+    ahead
+        Is told what the stepper will be compiled from, where that is known before the kernels are written.
 
     Raises
     ------
     ModelError
         The model has a mistake, or a choice is not for it.
     """
-    return emit(program(model, choices, savings), origin or _origin(model, choices), input_hash(model, choices))
+    return emit(program(model, choices, savings, ahead), origin or _origin(model, choices), input_hash(model, choices))
 
 
-def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS) -> Program:
+def program(
+    model: Model,
+    choices: Choices,
+    savings: frozenset[Saving] = ALL_SAVINGS,
+    ahead: Callable[[str], object] | None = None,
+) -> Program:
     """Return the record that the templates print."""
     if model.switches and choices.schur == "eigenfactor":
         raise ModelError(
@@ -43,7 +52,10 @@ def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAV
             'carries eigenfactors. Build with schur="factor".'
         )
     scene = specialise(derive(model), model.scales, savings)
-    return lower(scene, _defaults(model), choices)
+    outline = outlined(scene, _defaults(model), choices)
+    if ahead is not None and not (outline.acts or scene.may_break):  # what these need is counted with the kernels
+        ahead(stepper(outline))
+    return lower(scene, outline, choices)
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:

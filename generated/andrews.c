@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:88e7de442a6cb6e597014890043507bcaa6c38d52372ea268eb34431eb6a8ff3 */
+/* body sha256:6c4cad36fa07c0b82e8a1fa4fc2716fe2dae09e990590e42ea8ec3b1808bbecb */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -56,7 +56,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 42,
@@ -77,7 +77,7 @@ EM_UNUSED static const int coordinate3[N3] = { 3, 4 };
 EM_UNUSED static const int coordinate4[N4] = { 5, 6 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -2319,7 +2319,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

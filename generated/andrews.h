@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:8ece8006792032286c1815d589a62d4d84edb194098f2a345f978bc46764a45b */
+/* body sha256:8d88aae3b012f596092f5eec2882dd9844b9f0372c9825c1e53e34bcb5c95111 */
 /* andrews: 7 coordinates, 6 constraint rows, 32 states.
  * Link andrews.c with a program of your own,
  * or import the Python module built from andrews.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model andrews_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model andrews_model;
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:c26f72922a994b4dc497d7af21797b6854d219ac767e75b231b2ab6b2c43140a */
-/* body sha256:e32f29269fb620c71576e26b143466b3c9acca069b2e2d80f56daeae4bb45ce3 */
+/* body sha256:5a5872d5bdd7ab50a7459d1700d97c0e83dbb15a07264bbf19641532c2b53882 */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -54,7 +54,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 0,
@@ -69,7 +69,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real A1[N_ROWS][N1],
@@ -482,7 +482,7 @@ EM_ACROSS const int resets_quasi[] = { 0 };
 EM_ACROSS const em_switch switches[] = { {0, 4, 5, -1, 0}, {-1, -1, -1, -1, -1} };
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

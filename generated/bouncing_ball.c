@@ -1,6 +1,6 @@
 /* eigenmotion generate bouncing_ball.py */
 /* input sha256:b7d000c069f0520add35771fdb7290225e3d5e3978791ce23beb67cb08a91940 */
-/* body sha256:0c69eb3d8aa255e4723d20edcbd8b623caa4c822027990e18dcac913c3eaba1c */
+/* body sha256:800463246d3f8c60fdb49c7beac933b2520d5981f6505b732a9951900774c565 */
 /* bouncing_ball: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -58,7 +58,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 1,
@@ -75,7 +75,7 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict c, real f1[N1], real f2[N2], real A2[N_ROWS][N2],
@@ -474,7 +474,7 @@ EM_ACROSS const int resets_quasi[] = { 0 };
 EM_ACROSS const em_switch switches[] = { {0, 4, -1, -1, 0}, {-1, -1, -1, -1, -1} };
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

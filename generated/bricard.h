@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:6d62745e2b590e152ea0837984683a760f1543ed4a63f39bac6be8a166d8ec2c */
+/* body sha256:9a0428135fff93aac2f7a67542bf5b8726b0af5b5d0a80716cd94c3f2bb2a497 */
 /* bricard: 5 coordinates, 4 constraint rows, 40 states.
  * Link bricard.c with a program of your own,
  * or import the Python module built from bricard.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model bricard_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model bricard_model;
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:a2e58535d1f7ac9b171d9379207c2909748c5c7ba8a807d88fa7767f781ee298 */
+/* body sha256:5755b4006f17fc48ffdb849c4e274a7f1deeee8d3958a98883476fa863ae46f7 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -50,7 +50,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 8,
@@ -65,7 +65,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -316,7 +316,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-#ifndef EM_NODES_ALONE
+#endif
+#if EM_HOLDS(EM_MODEL) && !defined(EM_NODES_ALONE)
+
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[6])
 {
@@ -394,7 +396,6 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     Mdot1[3][3] = em_real(0.0);
 }
 
-#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -1066,7 +1067,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

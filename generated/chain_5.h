@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:229cac2b5571948018f2a28a266584e4fe7b605050fe3eaefacc5ed910d1cff4 */
+/* body sha256:f2eed3f065d355a93c3f522ee76daa93befa7273d775907a788f4e9ddd1e358c */
 /* chain_5: 5 coordinates, 0 constraint rows, 40 states.
  * Link chain_5.c with a program of your own,
  * or import the Python module built from chain_5.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model chain_5_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model chain_5_model;
 
 #endif

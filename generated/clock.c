@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
-/* body sha256:30022ef4dd6148866185ee7ffd114dd61714b300a6cddb13c7f3e7e0840cb4cc */
+/* body sha256:d31ef6990055093ae276e6cb7527a06ff7bd85264747315a13844afb6aa99302 */
 /* clock: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -54,7 +54,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 0,
@@ -69,7 +69,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1],
@@ -498,7 +498,7 @@ EM_ACROSS const int resets_quasi[] = { 0, 0 };
 EM_ACROSS const em_switch switches[] = { {1, 5, 6, -1, 0}, {-1, -1, -1, -1, -1} };
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

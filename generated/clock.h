@@ -1,6 +1,6 @@
 /* eigenmotion generate clock.py */
 /* input sha256:30bb022e4f03f12696dfe7410ea21eb6ee4bb8a47c01f6ef858679d48cf0d0a0 */
-/* body sha256:8e3cc5f25d6ec36810f0c4efb352058769d832bdadad7257bd8f04a6d5fce7eb */
+/* body sha256:f7760144f65f7b7c14f512044bc5c0d7af0ead6e17cacbc5711b4a21ae803326 */
 /* clock: 1 coordinates, 1 constraint rows, 2 states.
  * Link clock.c with a program of your own,
  * or import the Python module built from clock.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model clock_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model clock_model;
 
 #endif

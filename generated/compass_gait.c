@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:d1eefdf4c0e82881a91437bf1de803a5bf9ae3fc11c005b3e3a45d344b0289a2 */
+/* body sha256:698a4439024d3018eedd329898682470c7530a14adcc052e7524974ba442193b */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -55,7 +55,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 0,
@@ -70,7 +70,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -862,7 +862,7 @@ EM_ACROSS const int resets_quasi[] = { 0, 0 };
 EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1} };
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

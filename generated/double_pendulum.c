@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:d407de718e20fdd9b250ad2cf97b2ff61f639f2e0c7d0d2a21ce2269205bfc09 */
+/* body sha256:91d01bed8b7d96b79fd605d1eecda3b386f770db376aa2c42b333d9be3f1a350 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -50,7 +50,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 5,
@@ -65,7 +65,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -228,7 +228,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-#ifndef EM_NODES_ALONE
+#endif
+#if EM_HOLDS(EM_MODEL) && !defined(EM_NODES_ALONE)
+
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1], real shared[4])
 {
@@ -268,7 +270,6 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     Mdot1[1][1] = em_real(0.0);
 }
 
-#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -663,7 +664,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:335de84d58457195863ffffa2706fecf0ea08fe9c92392323b05637279555e6b */
+/* body sha256:3ad24b684a10dd454519be0fa4e11db2f38d97c5065c5833afe83ab0a4da0439 */
 /* drone: 8 coordinates, 0 constraint rows, 58 states.
  * Link drone.c with a program of your own,
  * or import the Python module built from drone.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model drone_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model drone_model;
 
 #endif

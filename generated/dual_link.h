@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:1b658da0787374067a525439e97bffeca60ccda930973cf8f9a41dad0c4a0676 */
+/* body sha256:16eba669bcae2820a80578cada7551ec66a2716cce6301165033ac9a46d427d8 */
 /* dual_link: 4 coordinates, 1 constraint rows, 20 states.
  * Link dual_link.c with a program of your own,
  * or import the Python module built from dual_link.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model dual_link_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model dual_link_model;
 
 #endif

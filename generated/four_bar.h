@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:35ec7478d7aa0de52c621243d431cea10838487d1a9c85b6e2375428c85161e1 */
+/* body sha256:45a651c9b5971534774c6bd15ce89889ce609fb44d9aa6733ecfac7060b4d8b4 */
 /* four_bar: 3 coordinates, 2 constraint rows, 12 states.
  * Link four_bar.c with a program of your own,
  * or import the Python module built from four_bar.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model four_bar_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model four_bar_model;
 
 #endif

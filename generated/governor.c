@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:d692e7f3a4e9a619ffb5496882c24427c8075e0991652a65f742b3698554dfe9 */
+/* body sha256:45e9dd17f3c7eeff21f46ff40a4e5cda43a7ea98606ba67d0bbda3937b6d26b1 */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -55,7 +55,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 9,
@@ -76,7 +76,7 @@ EM_UNUSED static const int coordinate3[N3] = { 2 };
 EM_UNUSED static const int coordinate4[N4] = { 3 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* M of single coordinates */
 EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
@@ -264,7 +264,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-#ifndef EM_NODES_ALONE
+#endif
+#if EM_HOLDS(EM_MODEL) && !defined(EM_NODES_ALONE)
+
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1])
 {
@@ -281,7 +283,6 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     M1[0][0] = J + M*(z_1*z_1) + M*(z_3*z_3);
 }
 
-#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -939,7 +940,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:1b529264532878cb23ea3d4f2c5ab6094f60ee29b89156a25ade8ce7a3eed1ec */
+/* body sha256:75401853d2c989fedc94aff8d63dec091bcbcd04c18734814ab805a625349758 */
 /* governor: 4 coordinates, 0 constraint rows, 8 states.
  * Link governor.c with a program of your own,
  * or import the Python module built from governor.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model governor_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model governor_model;
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:aa713d82ebe7e8c7635fa680fce664c01227d09ee3c4724ec0670f30d7048e32 */
+/* body sha256:23fdd01b0deeba1302e289edd34e4ab3c48722b851c52b5110cb8a4b3d24b352 */
 /* jansen: 7 coordinates, 6 constraint rows, 70 states.
  * Link jansen.c with a program of your own,
  * or import the Python module built from jansen.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model jansen_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model jansen_model;
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate newtons_cradle.py */
 /* input sha256:d03fffd6f0b1f4e84fea167ae4c5a20d5a9d871dbd52e74b346227dc71006e77 */
-/* body sha256:f1cada50b9608f66b18c17b22a09e195a0e72fbcfad6b3d7b7686cf711047c24 */
+/* body sha256:2bd2a29b3422d2ce4bd33998d7481fee2cc3cedeceb83b745b5a065ccc66e5c9 */
 /* newtons_cradle_4: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -59,7 +59,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 3,
@@ -80,7 +80,7 @@ EM_UNUSED static const int coordinate3[N3] = { 2 };
 EM_UNUSED static const int coordinate4[N4] = { 3 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1], real f2[N2],
@@ -626,7 +626,7 @@ EM_ACROSS const int resets_quasi[] = { 0 };
 EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1} };
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum.py */
 /* input sha256:d53f6c3fdecb6f24b59994a52196687fc85759167453b9057cbc490f9c45eff3 */
-/* body sha256:f4ce1ea749662a06fb1ca3a269e63c4bc3ab5002aaecefe3daf3cf657979023f */
+/* body sha256:25fe38f1db4c2b2897d945a8653cd317dc07e0928fb55dd455e2625cbc01005b */
 /* pendulum: 1 coordinates, 0 constraint rows, 2 states.
  * Link pendulum.c with a program of your own,
  * or import the Python module built from pendulum.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model pendulum_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model pendulum_model;
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate pendulum_with_stop.py */
 /* input sha256:870d4cabe95c52947e89d3d80910ab681558241f29e21b55f193fd3427cf0d18 */
-/* body sha256:68650445c1724ce61a17df42d126f2bccf56bc0192388495065575ab1180f695 */
+/* body sha256:6119cef16726203361276eaef26e2a7611e185f0c747ad6cab298483932012a9 */
 /* pendulum_with_stop: 1 coordinates, 1 constraint rows, 2 states.
  * Link pendulum_with_stop.c with a program of your own,
  * or import the Python module built from pendulum_with_stop.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model pendulum_with_stop_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model pendulum_with_stop_model;
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:ea3bd9e3ae68e61b042b8e4d3b4ba41b0854d205261516b118386de3c516a683 */
+/* body sha256:4c5d9cdca2b12ea600cca80b458a06843d2f2dbe2ec1b1ab877503624700c1fe */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -52,7 +52,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 2,
@@ -69,7 +69,7 @@ EM_UNUSED static const int coordinate1[N1] = { 0 };
 EM_UNUSED static const int coordinate2[N2] = { 1 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* M of single coordinates */
 EM_INLINE void eigenfactor_masses(const real *restrict x, const real *restrict c, real M2[N2][N2],
@@ -171,7 +171,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-#ifndef EM_NODES_ALONE
+#endif
+#if EM_HOLDS(EM_MODEL) && !defined(EM_NODES_ALONE)
+
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M2[N2][N2])
 {
@@ -180,7 +182,6 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     M2[0][0] = m*(r*r);
 }
 
-#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -447,7 +448,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

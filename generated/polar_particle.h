@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:3965b10b6e13e8b32f5dda501f1fe7da70a48abec8b68a36bb42f829a42dfbd1 */
+/* body sha256:e214a16f4ad8005b5014445bd8cbb8569e236ab3031da859d45d3e7897938563 */
 /* polar_particle: 2 coordinates, 0 constraint rows, 4 states.
  * Link polar_particle.c with a program of your own,
  * or import the Python module built from polar_particle.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model polar_particle_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model polar_particle_model;
 
 #endif

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:8be84450c8ff1f14f650ae6964dc60102626a3b8689234f68370c183c0967646 */
+/* body sha256:0f6c9bc5124dd65d33490a302ba09789c9800603a2ad251393b838ef602c191b */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -50,7 +50,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 2,
@@ -65,7 +65,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4, 5 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -962,7 +962,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-#ifndef EM_NODES_ALONE
+#endif
+#if EM_HOLDS(EM_MODEL) && !defined(EM_NODES_ALONE)
+
 /* M of the blocks that vary */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                               real shared[50])
@@ -1325,7 +1327,6 @@ EM_INLINE void settled_rates(const real *restrict v, const real *restrict c, con
     Mdot1[5][5] = em_real(0.0);
 }
 
-#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -3901,7 +3902,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:a61560058a81686106eb11beacefdc10851e9f9bcc0e40d223f0fb98801e3df6 */
+/* body sha256:4f764c699c2d21b6f96d23e3255e615f2fad6982c5f541b5dc82cb64aec19791 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -52,7 +52,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 5,
@@ -67,7 +67,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -1098,7 +1098,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:57652bc1ded3b72e97da907a535db36dba3af84bd3427aa242e92aec826a07c5 */
+/* body sha256:9f3e5faefc2e06a8e9a635e2b5f049d3ef4f084be277cf4d5e8bcadbdf394345 */
 /* quaternion_top: 4 coordinates, 1 constraint rows, 28 states.
  * Link quaternion_top.c with a program of your own,
  * or import the Python module built from quaternion_top.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model quaternion_top_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model quaternion_top_model;
 
 #endif

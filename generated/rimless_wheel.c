@@ -1,6 +1,6 @@
 /* eigenmotion generate rimless_wheel.py */
 /* input sha256:bce80e9863561a6e1bf2c46ba9e8914030752e914806d6722b4f921044fa3a3c */
-/* body sha256:8a9e09d3c6df7e0449e975c01043dc2b165cfba290c4825cd6ac89f36e3ef510 */
+/* body sha256:d2e06d8f8f8564abfa23817299761ca4c5e8e3d90f6964f96190acd11cca90fa */
 /* rimless_wheel: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -52,7 +52,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_IMPACTS = 0,
@@ -67,7 +67,7 @@ enum {
 EM_UNUSED static const int coordinate1[N1] = { 0 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict c, real f1[N1])
@@ -469,7 +469,7 @@ EM_ACROSS const int resets_quasi[] = { 0, 0 };
 EM_ACROSS const em_switch switches[] = { {-1, -1, -1, -1, -1} };
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

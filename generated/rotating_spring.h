@@ -1,6 +1,6 @@
 /* eigenmotion generate rotating_spring.py */
 /* input sha256:9fd001e04d700e24247c3d43938cdd83f0c561fb68403918e37258e6c68b23c2 */
-/* body sha256:5b4508f99c8d45d0d1867e7450d220511746f2fe9d66619ba894dfc48e8852cd */
+/* body sha256:06de3fdf8869aa1c0eb9a5e8e0acb9363f0de6069d29b1161199a47b49792405 */
 /* rotating_spring: 2 coordinates, 0 constraint rows, 4 states.
  * Link rotating_spring.c with a program of your own,
  * or import the Python module built from rotating_spring.pyx. */
@@ -9,6 +9,7 @@
 
 #include "eigenmotion.h"
 
-extern const em_model rotating_spring_model;
+/* Seen from outside of a library, whatever else it hides. */
+__attribute__((visibility("default"))) extern const em_model rotating_spring_model;
 
 #endif

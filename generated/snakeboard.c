@@ -1,6 +1,6 @@
 /* eigenmotion generate snakeboard.py */
 /* input sha256:d70ece58f05e5f9e65f4727d2ec66dffb4d52447c0fb6fbf54b7fa75292c5627 */
-/* body sha256:8e1d42847e2f3a6e16a1e22bd6539621d61eb262da272152388ae06668f7a964 */
+/* body sha256:8be1a838c617f8d93d85360c473b92aa49e09eb8973e1ae7c7eef0d6c242d551 */
 /* snakeboard: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -56,7 +56,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 5,
@@ -77,7 +77,7 @@ EM_UNUSED static const int coordinate3[N3] = { 2, 3 };
 EM_UNUSED static const int coordinate4[N4] = { 4 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -263,7 +263,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-#ifndef EM_NODES_ALONE
+#endif
+#if EM_HOLDS(EM_MODEL) && !defined(EM_NODES_ALONE)
+
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real A1[N_ROWS][N1],
                               real A2[N_ROWS][N2], real A3[N_ROWS][N3], real b[N_ROWS])
@@ -292,7 +294,6 @@ EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, re
     b[1] = em_real(0.0);
 }
 
-#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -807,7 +808,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

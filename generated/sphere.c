@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:5ba77ea3c8a563bdfc46e3eee085596fbaa8bbe9cd28870ec760fc22ab360e3f */
+/* body sha256:e3a1ad25ca8a20b28461f05d739665fccff4ec96d6d8071704e52266ece55e65 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -56,7 +56,7 @@ enum {
 #ifdef EM_UNIT
 #include "em_units.h"
 #endif
-#if EM_HOLDS(EM_MODEL | EM_ASIDE | EM_DERIVATIVES)
+#if EM_HOLDS(EM_MODEL | EM_RHS | EM_ASIDE | EM_DERIVATIVES)
 
 enum {
     N_PARAMETERS = 4,
@@ -75,7 +75,7 @@ EM_UNUSED static const int coordinate2[N2] = { 1 };
 EM_UNUSED static const int coordinate3[N3] = { 2, 3, 4 };
 #endif
 
-#if EM_HOLDS(EM_MODEL)
+#if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
 EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
@@ -474,7 +474,9 @@ EM_ACROSS int model_rhs(int mode, real t, const real *y, const real *c, const re
     return rhs_eigenfactor(t, y, c, u, memory, flags, dy, fault);
 }
 
-#ifndef EM_NODES_ALONE
+#endif
+#if EM_HOLDS(EM_MODEL) && !defined(EM_NODES_ALONE)
+
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
 EM_INLINE void settled_masses(const real *restrict x, const real *restrict c, real M3[N3][N3],
                               real A1[N_ROWS][N1], real A2[N_ROWS][N2], real A3[N_ROWS][N3], real b[N_ROWS],
@@ -563,7 +565,6 @@ EM_INLINE void settled_rates(const real *restrict x, const real *restrict v, con
     Mdot3[2][2] = ((-16.0/5.0))*(-z_20 - z_19);
 }
 
-#endif
 #endif
 #ifdef EM_ON_LANES
 
@@ -1463,7 +1464,7 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 }
 
 #endif
-#if !EM_ALONE(EM_ASIDE)
+#if !EM_ALONE(EM_ASIDE) && !EM_ALONE(EM_RHS)
 #include "em_mechanics.h"
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)

@@ -30,7 +30,7 @@ COMPILERS = tuple(name for name in ("gcc", "clang") if shutil.which(name))
 """Those there are: what users compile with is tried with each."""
 KEPT: list[object] = []
 OF_OTHER_UNITS = re.compile(
-    r"#if EM_HOLDS\(EM_(MODEL|ASIDE|DERIVATIVES|MODEL \| EM_ASIDE \| EM_DERIVATIVES)\)|#ifdef EM_ON_LANES"
+    r"#if EM_HOLDS\(EM_(MODEL|RHS|ASIDE|DERIVATIVES|MODEL \| EM_RHS \| EM_ASIDE \| EM_DERIVATIVES)\)|#ifdef EM_ON_LANES"
 )
 LARGE = ("bicycle", "jansen")
 """Models with a block of more than six coordinates, whose inverse nothing writes out."""
@@ -133,7 +133,7 @@ def compile_into(
         _run([*cc, "-DEM_ON_LANES", "-c", source, "-o", "lanes.o"], folder)
         others = ["lanes.o"]
     elif "-O0" in flags:
-        others = ["-DEM_UNIT=EM_MODEL|EM_ASIDE|EM_DERIVATIVES", _stepper(folder, cc, source)]
+        others = ["-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES", _stepper(folder, cc, source)]
     if duals:
         _run([*cc, "-DEM_ON_LANES", "-DEM_ON_DUALS", "-c", source, "-o", "duals.o"], folder)
         others.append("duals.o")

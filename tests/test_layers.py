@@ -81,6 +81,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "codegen.choices",
         "system",
         "files",
+        "garbage",
     ),
     "reference": ("codegen.model", "arguments"),
     "pages": ("codegen.model", "files"),
@@ -133,6 +134,7 @@ ROOMS: dict[str, tuple[str, ...]] = {
         "files",
     ),
     "files": (),
+    "garbage": (),
 }
 """What each room may import while the program runs, itself apart; "" is the package's own names, loaded when used."""
 

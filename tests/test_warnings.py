@@ -85,7 +85,7 @@ def warnings_of(model: em.Model, folder: Path, compiler: str, stepper: bool = Tr
         (folder / file.name).write_text(file.text)
     aim = ("-fsyntax-only",) if compiler == "clang" else ("-c", "-o", os.devnull)
     command = (compiler, *STRICT, *toolchain(compiler).optimised, f"-I{INCLUDE}", *aim, f"{sources.name}.c")
-    numbers = () if stepper else ("-DEM_UNIT=EM_MODEL|EM_ASIDE|EM_DERIVATIVES",)
+    numbers = () if stepper else ("-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES",)
     both = ((*command, *numbers), (*command, "-DEM_ON_LANES"))
     return "".join(subprocess.run(one, cwd=folder, capture_output=True, text=True, check=False).stderr for one in both)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from itertools import accumulate
 
 from ..choices import Choices
@@ -12,7 +12,7 @@ from ..model.event import Event
 from ..physics.specialise import Kind, Scene
 from .kernels import kernels_of
 from .layout import Layout, laid_out
-from .program import BlockView, EventView, Named, Program, ShapeView, SwitchView
+from .program import BlockView, EventView, Named, Outline, Program, ShapeView, SwitchView
 from .roles import Kernels, Stages
 
 
@@ -33,14 +33,22 @@ class Defaults:
     switches: tuple[Switch, ...]
 
 
-def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
-    """Lay out state and memory, and write the kernels."""
-    layout, mechanics, eigen = laid_out(scene, choices), scene.mechanics, choices.eigenfactor
+def lower(scene: Scene, outline: Outline, choices: Choices) -> Program:
+    """Write the kernels."""
+    layout = laid_out(scene, choices)
     kernels, n_constants = kernels_of(scene, choices, layout)
+    known = {field.name: getattr(outline, field.name) for field in fields(outline)}
+    return Program(**known, n_prepared=layout.first_constant + n_constants,
+                   costs=_costs(kernels, choices.formulation), kernels=kernels)  # fmt: skip
+
+
+def outlined(scene: Scene, defaults: Defaults, choices: Choices) -> Outline:
+    """Lay out state and memory."""
+    layout, mechanics, eigen = laid_out(scene, choices), scene.mechanics, choices.eigenfactor
     blocks, groups = layout.blocks, layout.row_groups
     turning = [block for block in blocks if block.turning and eigen]
     coupled = [group for group in groups if group.size > 1]
-    return Program(
+    return Outline(
         name=mechanics.name, formulation=choices.formulation, close_eigenvalues=choices.close_eigenvalues,
         schur=choices.schur, eigenfactor=eigen, cholesky=choices.formulation == "cholesky",
         carries_v=choices.carries_v, bounded=layout.couples and choices.bounded,
@@ -50,8 +58,7 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         needs_mass=_needs_mass(blocks, choices), settles=_settles(scene, choices),
         settling=_settling(scene, layout, bool(turning), choices),
         augmented=mechanics.augmented, n=scene.n, m=scene.m, h=scene.h, n_state=layout.n_state,
-        n_memory=layout.n_memory, n_prepared=layout.first_constant + n_constants,
-        n_C=sum(block.size**2 for block in turning), n_s=sum(block.size for block in turning),
+        n_memory=layout.n_memory, n_C=sum(block.size**2 for block in turning), n_s=sum(block.size for block in turning),
         coordinates=tuple(Named(x.name, repr(value)) for x, value in zip(mechanics.x, defaults.x, strict=True)),
         velocities=tuple(map(repr, defaults.v)), parameters=_named(defaults.parameters),
         inputs=_named(defaults.inputs), outputs=tuple(name for name, _ in mechanics.outputs),
@@ -63,7 +70,6 @@ def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
         delta_eigenfactors=bool(groups), row_groups=groups,
         n_C_delta=sum(group.size**2 for group in coupled), n_s_delta=sum(group.size for group in coupled),
         layout=layout.slices, left_out=scene.left_out, conserves_energy=scene.conserves_energy,
-        costs=_costs(kernels, choices.formulation), kernels=kernels,
     )  # fmt: skip
 
 

@@ -130,8 +130,8 @@ class ShapeView:
 
 
 @dataclass(frozen=True, slots=True)
-class Program:
-    """Everything that the files of one model say.
+class Outline:
+    """What the files of one model say but for its kernels, and known before they are written.
 
     eigenfactor, cholesky : whether that is the formulation
     carries_v : whether the state holds xdot itself
@@ -148,7 +148,6 @@ class Program:
     pushes : whether forces take part of multipliers, so that those push by other rows than A
     n_impacts, resets, switches : what events do; of resets, whether they are in quasi-velocities
     shapes, dimension : of the drawing; numbers a position has in it, 0 where there is none
-    costs : operations of the model-specific part and of the whole right-hand side, for readers
     """
 
     name: str
@@ -173,7 +172,6 @@ class Program:
     h: int
     n_state: int
     n_memory: int
-    n_prepared: int
     n_C: int
     n_s: int
     n_C_delta: int
@@ -200,8 +198,6 @@ class Program:
     layout: tuple[Slice, ...]
     left_out: tuple[str, ...]
     conserves_energy: bool
-    costs: tuple[str, ...]
-    kernels: Kernels
 
     @property
     def acts(self) -> bool:
@@ -211,7 +207,7 @@ class Program:
     @property
     def n_breaks(self) -> int:
         """How many times, or series of them, there are at which conditions in the time alone change."""
-        return self.kernels.breaks.count
+        return 0
 
     @property
     def settles_in_lanes(self) -> bool:
@@ -222,12 +218,6 @@ class Program:
     def switched_rows(self) -> str:
         """The bits of the rows that hold at times."""
         return f"{sum(1 << switch.row for switch in self.switches):#x}"
-
-    @property
-    def lane_by_lane(self) -> tuple[str, ...]:
-        """Functions of its right-hand sides that vectors do not have."""
-        kernels = self.kernels
-        return tuple(sorted((kernels.published.called | kernels.triangular.called) - IN_VECTORS))
 
     @property
     def turning(self) -> tuple[BlockView, ...]:
@@ -248,3 +238,27 @@ class Program:
     def coupled(self) -> tuple[RowGroup, ...]:
         """Groups of more than one constraint row."""
         return tuple(group for group in self.row_groups if group.size > 1)
+
+
+@dataclass(frozen=True, slots=True)
+class Program(Outline):
+    """Everything that the files of one model say.
+
+    n_prepared : numbers of a parameter set, the constants that kernels share among them
+    costs : operations of the model-specific part and of the whole right-hand side, for readers
+    """
+
+    n_prepared: int
+    costs: tuple[str, ...]
+    kernels: Kernels
+
+    @property
+    def n_breaks(self) -> int:
+        """How many times, or series of them, there are at which conditions in the time alone change."""
+        return self.kernels.breaks.count
+
+    @property
+    def lane_by_lane(self) -> tuple[str, ...]:
+        """Functions of its right-hand sides that vectors do not have."""
+        kernels = self.kernels
+        return tuple(sorted((kernels.published.called | kernels.triangular.called) - IN_VECTORS))

@@ -20,6 +20,9 @@ class Saving(Enum):
 
 
 ALL_SAVINGS = frozenset(Saving)
+CONDITIONS = (sympy.Piecewise, sympy.Max, sympy.Min, sympy.Abs, sympy.sign, sympy.Heaviside, sympy.floor, sympy.ceiling,
+              sympy.Mod)  # fmt: skip
+"""What has a condition in it, or a kink."""
 
 
 class Kind(Enum):
@@ -89,6 +92,15 @@ class Scene:
         return tuple(_coupled(pattern))
 
     @property
+    def may_break(self) -> bool:
+        """Whether a condition may change with the time: there is one, and the time. What does, `breaks` finds out."""
+        mechanics = self.mechanics
+        given = [mechanics.kinetic_energy, mechanics.V, *mechanics.Q, *mechanics.b, *mechanics.phi, *mechanics.A,
+                 *mechanics.P, *(event for _, event in mechanics.events)]  # fmt: skip
+        parts = _parts(given)
+        return mechanics.time in parts and any(isinstance(part, CONDITIONS) for part in parts)
+
+    @property
     def turning(self) -> tuple[Block, ...]:
         """The blocks that carry C and s as states."""
         return tuple(block for block in self.blocks if block.kind is Kind.TURNING)
@@ -135,13 +147,18 @@ def _block(mechanics: Mechanics, number: int, group: tuple[int, ...], savings: f
 
 
 def _held(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
-    """Return the symbols in expressions; looks once at what they share, where `free_symbols` walks it every time."""
+    """Return the symbols in expressions."""
+    return {part for part in _parts(expressions) if part.is_Symbol}
+
+
+def _parts(expressions: Iterable[sympy.Basic]) -> set[sympy.Basic]:
+    """Return expressions and all that is in them; looks once at what they share, where SymPy's own walk does again."""
     seen: set[sympy.Basic] = set()
     new = set(expressions)
     while new:
         seen |= new
         new = {part for expression in new for part in expression.args} - seen
-    return {part for part in seen if part.is_Symbol}
+    return seen
 
 
 def _conserves_energy(mechanics: Mechanics) -> bool:

@@ -6,6 +6,8 @@ Names load what they need when first used, so that `eigenmotion --help` does not
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from .garbage import kept
+
 if TYPE_CHECKING:
     from .arguments.signals import Sampled as Sampled
     from .arguments.signals import Signal as Signal
@@ -73,7 +75,8 @@ _HOME = {
 def __getattr__(name: str) -> object:
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value = getattr(import_module(_HOME[name], __name__), name)
+    with kept():
+        value = getattr(import_module(_HOME[name], __name__), name)
     globals()[name] = value
     return value
 

@@ -2,6 +2,7 @@
 
 import logging
 import sys
+from collections.abc import Callable
 from functools import cache, partial
 from os import PathLike
 from pathlib import Path
@@ -12,7 +13,7 @@ from ..codegen.model import Model
 from ..files import write
 from .cache import entry, guarded, key
 from .errors import BuildError, FolderError
-from .extension import compile_in, load
+from .extension import compile_in, load, stepper_ahead
 from .parts import PARTS, WORDS, at_first
 from .request import Request, request
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
@@ -107,18 +108,19 @@ def later(wanted: Request, tools: Toolchain, part: str) -> "CompiledModel":
 
 
 def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
-    """Generate and compile, or find both in the cache; return the extension module in the cache.
+    """Generate and compile, or find both in the cache; return the library in the cache.
 
     It has what every run may need. Where `output` is given, that folder gets the sources and a module that has all,
     once both are there.
     """
-    sources = cached_sources(wanted)
-    if output is not None:
-        binary = all_of(sources, tools, wanted.model)
-        with guarded():
-            module = binary.read_bytes()
-        _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
-    return compiled(sources, tools, wanted.model)
+    with stepper_ahead(tools) as ahead:
+        sources = cached_sources(wanted, ahead)
+        if output is not None:
+            binary = all_of(sources, tools, wanted.model)
+            with guarded():
+                module = binary.read_bytes()
+            _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
+        return compiled(sources, tools, wanted.model)
 
 
 def _folder(output: object) -> Path:
@@ -136,16 +138,16 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
         raise FolderError(f"cannot write to the output folder {folder}: {error}") from error
 
 
-def cached_sources(wanted: Request) -> Sources:
-    """Return the sources of a request, derived unless the same generator did so before."""
-    folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder))
+def cached_sources(wanted: Request, ahead: Callable[[str], object] | None = None) -> Sources:
+    """Return the sources of a request, derived unless the same generator did so before; `ahead` as of `generate`."""
+    folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder, ahead))
     with guarded():
         files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
     return Sources(wanted.model.name, files)
 
 
 def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> Path:
-    """Return the path of the extension module made of `sources`, and proved to be the model, where that is given.
+    """Return the path of the library made of `sources`, and proved to be the model, where that is given.
 
     It has what every run may need, and NULL for the rest (parts.py).
     """
@@ -159,7 +161,7 @@ def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> 
 
 
 def part_of(sources: Sources, tools: Toolchain, model: Model | None, part: str) -> Path:
-    """Return the path of the module that has a part in new objects, and the rest in those of `compiled`."""
+    """Return the path of the library that has a part in new objects, and the rest in those of `compiled`."""
     units = PARTS[part]
     kept = _objects(compiled(sources, tools, model))
     if part == "implicit":  # of which derivatives are a part by themselves
@@ -174,19 +176,19 @@ def part_of(sources: Sources, tools: Toolchain, model: Model | None, part: str) 
 
 
 def all_of(sources: Sources, tools: Toolchain, model: Model | None = None) -> Path:
-    """Return the path of the module that has all, and proved so: for folders that users keep."""
+    """Return the path of Python's module that has all, and proved so: for folders that users keep."""
 
     def fill(folder: Path) -> None:
         _log.info("compiling all of %s", sources.name)
         compile_in(sources, tools, folder, model)
 
-    folder = entry("binaries", key(_key(sources, tools, model), "all"), fill)
+    folder = entry("binaries", key(_key(sources, tools, model), "all", _python()), fill)
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
-def _objects(module: Path) -> dict[str, Path]:
-    """Return the objects that an entry has beside its module, by name."""
-    return {path.name: path for path in sorted(module.parent.glob("*.o"))}
+def _objects(library: Path) -> dict[str, Path]:
+    """Return the objects that an entry has beside its library, by name."""
+    return {path.name: path for path in sorted(library.parent.glob("*.o"))}
 
 
 def _text(sources: Sources) -> str:
@@ -196,12 +198,12 @@ def _text(sources: Sources) -> str:
 def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
     bodies = [body_hash(file.text) for file in sources.files]
     proved = () if model is None else (model.canonical(), _proof())
-    return key(sources.name, *bodies, _abi(), tools.identity, _python(), *proved)
+    return key(sources.name, *bodies, _abi(), tools.identity, *proved)
 
 
-def _generate(wanted: Request, folder: Path) -> None:
+def _generate(wanted: Request, folder: Path, ahead: Callable[[str], object] | None) -> None:
     _log.info("deriving %s", wanted.model.name)
-    for file in wanted.sources().files:
+    for file in wanted.sources(ahead).files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 
 
@@ -212,7 +214,7 @@ def _abi() -> str:
 
 
 def _python() -> str:
-    """The interpreter, whose binary interface the module uses."""
+    """The interpreter, whose binary interface a module uses."""
     return key(sys.version, EXTENSION_SUFFIX)
 
 

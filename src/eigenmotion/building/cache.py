@@ -2,7 +2,7 @@
 
     sources/KEY/    NAME.h NAME.c NAME.pyx     KEY: the model, the options, and the text of the generator
     binaries/KEY/   NAME.<extension suffix>    KEY: the sources' text and the ABI's, compiler, flags, processor,
-                    NAME_UNIT.o ...                 Python, the model and its proof; and which part it is (parts.py)
+                    NAME_UNIT.o ...                 the model and its proof; which part it is (parts.py), or Python
     steppers/KEY/   UNIT.o                     KEY: its text after the preprocessor, compiler, flags, processor
     KIND/KEY/sums                              hash of every other file of the entry
     KIND/.KEY.XXXXXXXX/                        an entry on its way in or out

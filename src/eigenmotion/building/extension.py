@@ -1,20 +1,18 @@
-"""Extension modules: sources are compiled into one, and it is imported."""
+"""Libraries of models: sources are compiled into one, and it is loaded; one that has all is a module of Python, too."""
 
+import ctypes
 import logging
+import os
 import shutil
-import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
-from importlib.machinery import ExtensionFileLoader, ModuleSpec
-from importlib.util import module_from_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from threading import Lock
-from types import ModuleType
 from typing import TYPE_CHECKING
 
-from ..codegen.c.emit import Sources
+from ..codegen.c.emit import SourceFile, Sources
 from ..codegen.model import Model
 from .cache import LOCATION, entry, key
 from .errors import BuildError
@@ -25,101 +23,102 @@ if TYPE_CHECKING:
     from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
+_CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 _loading = Lock()
+_loaded: dict[Path, "System"] = {}
+_CAPSULE = b"eigenmotion.em_model"  # which outlives its capsules, as they ask
+_capsule = ctypes.pythonapi.PyCapsule_New
+_capsule.restype, _capsule.argtypes = ctypes.py_object, (ctypes.c_void_p, ctypes.c_char_p, ctypes.c_void_p)
 
 
 def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | None = None,
                units: Sequence[str] = (), kept: Sequence[Path] = ()) -> None:  # fmt: skip
-    """Compile units (all), prove the module of them and of objects that are `kept`, and keep it beside new objects.
+    """Compile units (all), prove the library of them and of objects that are `kept`, and keep it beside new objects.
 
-    Compilers work in a folder of its own, for they leave files about. It lies in the one that gets the module: what a
+    Compilers work in a folder of its own, for they leave files about. It lies in the one that gets the library: what a
     build that is killed leaves behind goes with that. What has been proved of objects that are kept is not proved anew.
     """
-    module = f"{sources.name}{EXTENSION_SUFFIX}"
-    units = tuple(units) or whole()
-    with _work(sources, folder) as work:
+    library, proved = f"{sources.name}{EXTENSION_SUFFIX}", methods_of(tuple(units) or whole())
+    with _work(sources.files, folder) as work:
         with ThreadPoolExecutor(max_workers=1) as pool:
             built = pool.submit(compile_and_link, work, sources.name, tools, units, kept)
             from .proof import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
         made = built.result()
         if model is not None:
-            system = _loaded_apart(work / module, sources.name)
-            prove_methods(model, system, methods_of(units)) if kept else prove(model, system, methods_of(units))
-        for name in (module, *made):
+            system = system_in(work / library)
+            prove_methods(model, system, proved) if kept else prove(model, system, proved)
+        for name in (library, *made):
             shutil.copyfile(work / name, folder / name)
 
 
 @contextmanager
-def _work(sources: Sources, folder: Path) -> Iterator[Path]:
-    """A folder with the sources."""
+def _work(files: Iterable[SourceFile], folder: Path) -> Iterator[Path]:
+    """A folder with files."""
     with TemporaryDirectory(prefix="work-", dir=folder) as place:
-        for file in sources.files:
+        for file in files:
             (Path(place) / file.name).write_text(file.text, encoding="utf-8")
         yield Path(place)
 
 
 def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[str] = (), kept: Sequence[Path] = ()
                      ) -> tuple[str, ...]:  # fmt: skip
-    """Units of NAME.c side by side, with what makes a module of them unless that is `kept`; then the module.
+    """Units of NAME.c side by side, then the library of them. Without `units`: all, and it is a module of Python.
 
-    Returns the names of objects that are new, and this model's alone.
+    Returns the names of objects that are new, and this model's alone. As many are compiled at once as there are cores:
+    with more of them, the one that takes longest would not be done first, but last.
     """
-    units = tuple(units) or whole()
+    is_module, units = not units, tuple(units) or whole()
     replaced = {f"{name}_{IN_PLACE_OF[unit]}.o" for unit in units if unit in IN_PLACE_OF}
     shaped = [unit for unit in dict.fromkeys(("stepper", *units)) if unit in OF_A_SHAPE]
     there = {path.name for path in kept}
-    with ThreadPoolExecutor(max_workers=len(units) + 2) as pool:
-        shared = [pool.submit(_shared_unit, work, name, unit, tools) for unit in shaped]
+    text = (work / f"{name}.c").read_text(encoding="utf-8")
+    with ThreadPoolExecutor(max_workers=len(shaped)) as beside, ThreadPoolExecutor(max_workers=_CORES) as pool:
+        shared = [beside.submit(_shared_unit, text, unit, tools) for unit in shaped]
         own = [unit for unit in units if unit not in OF_A_SHAPE and f"{name}_{unit}.o" not in there]
         made = [pool.submit(tools.compile_unit, work, name, unit) for unit in own]
-        if not kept:
+        if is_module:
             made.append(pool.submit(tools.compile_module, work, name))
         new, others = tuple(one.result() for one in made), [one.result() for one in shared]
     tools.link(work, (*new, *others, *(str(path) for path in kept if path.name not in replaced)), name)
     return new
 
 
-def _shared_unit(work: Path, name: str, unit: str, tools: Toolchain) -> str:
+@contextmanager
+def stepper_ahead(tools: Toolchain) -> Iterator[Callable[[str], object]]:
+    """What this gives has a stepper compiled that it is told, while a model's kernels are still being written.
+
+    Whoever needs it finds it in the cache, or waits for it; what goes wrong here goes wrong there again, and says so.
+    """
+    with ThreadPoolExecutor(max_workers=1) as pool:
+        yield lambda text: pool.submit(_shared_unit, text, "stepper", tools)
+
+
+def _shared_unit(text: str, unit: str, tools: Toolchain) -> str:
     """Return the path of the object of a unit that a model of the same shape may have left in the cache."""
-    text = tools.preprocess_unit(work, name, unit)
 
     def fill(folder: Path) -> None:
-        shutil.move(work / tools.compile_unit(work, name, unit), folder / f"{unit}.o")
+        with _work([SourceFile(f"{unit}.c", text)], folder) as work:
+            shutil.move(work / tools.compile_unit(work, unit, unit), folder / f"{unit}.o")
 
-    return str(entry("steppers", key(text, tools.identity), fill) / f"{unit}.o")
+    return str(entry("steppers", key(tools.preprocess_unit(text, unit), tools.identity), fill) / f"{unit}.o")
 
 
 def load(binary: Path) -> "System":
-    """Import the extension module at `binary`, once a process, and return its `system`."""
+    """Load the library at `binary`, once a process, and return the System of its model."""
+    with _loading:
+        if binary not in _loaded:
+            _loaded[binary] = system_in(binary)
+        return _loaded[binary]
+
+
+def system_in(binary: Path) -> "System":
+    """Return a System of what is in a library now; it stays loaded, wherever its file goes."""
     from ..system.system import System  # noqa: PLC0415, as above
 
     stem = binary.name.removesuffix(EXTENSION_SUFFIX)
-    name = f"_eigenmotion_{binary.parent.name}.{stem}"
-    with _loading:
-        try:
-            system: object = (sys.modules.get(name) or _import(name, binary)).system
-        except ImportError as error:
-            raise BuildError(f"{binary} cannot be loaded: {error}. Code must be allowed to run from there; "
-                             f"${LOCATION} names another folder") from error  # fmt: skip
-    if not isinstance(system, System):
-        raise BuildError(f"{binary}: `system` is a {type(system).__name__}, not a System")
-    return system
-
-
-def _import(name: str, binary: Path) -> ModuleType:
-    sys.modules[name] = module = _executed(name, binary)
-    return module
-
-
-def _executed(name: str, binary: Path) -> ModuleType:
-    loader = ExtensionFileLoader(name, str(binary))
-    module = module_from_spec(ModuleSpec(name, loader, origin=str(binary)))
-    loader.exec_module(module)
-    return module
-
-
-def _loaded_apart(binary: Path, stem: str) -> "System":
-    """Return the System of a module that is loaded from here this once; what is imported later is a copy of it."""
-    with _loading:
-        system: System = _executed(f"_eigenmotion_apart.{stem}", binary).system
-    return system
+    try:
+        model = ctypes.c_char.in_dll(ctypes.CDLL(str(binary)), f"{stem}_model")
+    except (OSError, ValueError) as error:
+        raise BuildError(f"{binary} cannot be loaded: {error}. Code must be allowed to run from there; "
+                         f"${LOCATION} names another folder") from error  # fmt: skip
+    return System(_capsule(ctypes.addressof(model), _CAPSULE, None))

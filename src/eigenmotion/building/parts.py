@@ -1,6 +1,6 @@
 """What of a model is compiled at first, and what as somebody first asks for it.
 
-A module without some units has NULL where their functions would be (em_units.h). A part is a module, too: the same
+A library without some units has NULL where their functions would be (em_units.h). A part is a library, too: the same
 objects and those of its units, from whose `em_model` the first one takes what it lacks (`PointModel.need`).
 """
 
@@ -26,7 +26,7 @@ WORDS: Mapping[str, str] = MappingProxyType({
     "members": "what runs side by side need",
     "duals": "the Jacobian of the right-hand side",
 })  # fmt: skip
-_AT_FIRST = ("stepper", "model", "aside", "lanes")
+_AT_FIRST = ("stepper", "model", "rhs", "lanes", "aside")
 _ACTS = "#define EM_ACTS"
 _DIFFERENTIATES = '#include "em_rate_jacobian.h"'
 
@@ -34,11 +34,12 @@ _DIFFERENTIATES = '#include "em_rate_jacobian.h"'
 def at_first(text: str) -> tuple[str, ...]:
     """Return the units of a NAME.c that its first run may need: what events do stands among its derivatives.
 
-    Where objects are not ELF's, nothing may be missing as a module is linked.
+    Where objects are not ELF's, nothing may be missing as a library is linked.
     """
     if not sys.platform.startswith("linux"):
         return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
-    return (*_AT_FIRST, "derivatives") if _ACTS in text.splitlines() else _AT_FIRST
+    first = {*_AT_FIRST, "derivatives"} if _ACTS in text.splitlines() else _AT_FIRST
+    return tuple(unit for unit in UNITS if unit in first)
 
 
 def whole() -> tuple[str, ...]:

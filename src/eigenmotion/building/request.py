@@ -1,6 +1,6 @@
 """What to generate: a model, the options that shape its code, and the command that a header states."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from functools import cache
 from importlib.metadata import version
@@ -9,11 +9,11 @@ from importlib.resources.abc import Traversable
 from os import PathLike
 from pathlib import Path
 
-from ..arguments.names import unknown
 from ..codegen.c.emit import Sources
 from ..codegen.choices import STANDARD, Choices
 from ..codegen.compiler import explain, generate, input_hash
 from ..codegen.model import Model, ModelError
+from ..garbage import kept
 from .cache import key
 from .loading import load_model
 
@@ -40,9 +40,10 @@ class Request:
         """Hash of all that the generated text depends on, the generator included."""
         return key(self.input_hash, self.origin, generator_hash())
 
-    def sources(self) -> Sources:
-        """Derive and render."""
-        return generate(self.model, self.choices, origin=self.origin)
+    def sources(self, ahead: Callable[[str], object] | None = None) -> Sources:
+        """Derive and render; `ahead` as of `generate`."""
+        with kept():
+            return generate(self.model, self.choices, origin=self.origin, ahead=ahead)
 
     def explanation(self) -> str:
         """Say in words what the generated code carries and what it left out."""
@@ -78,6 +79,8 @@ def request(
     given = definitions or {}
     if isinstance(source, Model):
         if given:
+            from ..arguments.names import unknown  # noqa: PLC0415, for which compilers need not wait: it loads NumPy
+
             raise ModelError(f"model {source.name}: {unknown('option', given, OPTIONS)} A Model takes no keywords.")
         return Request(source, choices)
     return Request(load_model(source, **given), choices, _command(Path(source).name, given, choices))

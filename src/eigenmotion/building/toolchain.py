@@ -27,15 +27,16 @@ HURRIED = ("-O1",)  # for what is called at times only
 LINK = ("-bundle", "-undefined", "dynamic_lookup") if sys.platform == "darwin" else ("-shared",)
 UNITS = {
     "stepper": ("EM_UNIT=EM_STEPPER",),
-    "model": ("EM_UNIT=EM_MODEL",),
-    "aside": ("EM_UNIT=EM_ASIDE",),
-    "lanes": ("EM_NODES_ALONE",),
-    "methods": ("EM_UNIT=EM_METHODS",),
     "derivatives": ("EM_UNIT=EM_DERIVATIVES",),
     "members": ("EM_ON_LANES",),
+    "methods": ("EM_UNIT=EM_METHODS",),
+    "model": ("EM_UNIT=EM_MODEL",),
+    "rhs": ("EM_UNIT=EM_RHS",),
+    "lanes": ("EM_NODES_ALONE",),
+    "aside": ("EM_UNIT=EM_ASIDE",),
     "duals": ("EM_ON_LANES", "EM_ON_DUALS"),
 }
-"""What a model's C file is compiled to, side by side, and the macros that say so (em_real.h)."""
+"""What a model's C file is compiled to, side by side and the longest first, and the macros that say so (em_real.h)."""
 OF_A_SHAPE = ("stepper", "methods")
 """Those that models of one shape have in common."""
 IN_PLACE_OF = {"members": "lanes"}
@@ -91,9 +92,10 @@ class Toolchain:
         self._run(*self._of_unit(unit), "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
 
-    def preprocess_unit(self, folder: Path, stem: str, unit: str) -> str:
-        """Return all that the compiler reads of a unit: STEM.c and its headers, without comments."""
-        return self._run(*self._of_unit(unit), "-E", "-P", f"{stem}.c", folder=folder)
+    def preprocess_unit(self, text: str, unit: str) -> str:
+        """Return all that the compiler reads of a unit: a text and its headers, without comments and empty lines."""
+        read = self._run(*self._of_unit(unit), "-E", "-P", "-x", "c", "-", text=text)
+        return "\n".join(filter(None, read.splitlines()))
 
     def _of_unit(self, unit: str) -> tuple[str, ...]:
         optimised = HURRIED if unit == "duals" else self.optimised
@@ -119,8 +121,8 @@ class Toolchain:
             return error.__cause__ is not None
         return True
 
-    def _run(self, *arguments: str, folder: Path | None = None) -> str:
-        return run((*self.command, *arguments), folder)
+    def _run(self, *arguments: str, folder: Path | None = None, text: str = "") -> str:
+        return run((*self.command, *arguments), folder, text)
 
 
 def toolchain(compiler: str | None = None, flags: str | None = None) -> Toolchain:
@@ -171,8 +173,8 @@ def _words(text: object, what: str) -> tuple[str, ...]:
     raise BuildError(f"{what} is {text!r}: {problem}")
 
 
-def run(command: tuple[str, ...], folder: Path | None = None) -> str:
-    """Run a tool and return its standard output.
+def run(command: tuple[str, ...], folder: Path | None = None, text: str = "") -> str:
+    """Run a tool, which reads a text if it asks, and return its standard output.
 
     Raises
     ------
@@ -180,7 +182,8 @@ def run(command: tuple[str, ...], folder: Path | None = None) -> str:
         It could not be started, or did not answer 0.
     """
     try:
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", check=False)
+        done = subprocess.run(command, cwd=folder, input=text, capture_output=True, text=True, encoding="utf-8",
+                              errors="replace", check=False)  # fmt: skip
     except (OSError, ValueError) as error:
         raise BuildError(f"cannot start {command[0]}: {error}") from error
     if done.returncode:

@@ -18,8 +18,6 @@ extern const int resets_quasi[];
 __attribute__((const)) const em_lanes *lanes_here(void);
 int prepare(const double *parameters, double *c, em_fault *fault);
 int state(double t, const double *x, const double *v, const double *c, double *y, em_fault *fault);
-int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory, int flags, double *dy,
-              em_fault *fault);
 int model_settle(int *mode, int flags, double t, double *y, const double *c, double *memory, double pace, em_fault *fault);
 int model_velocity(int mode, double t, const double *y, const double *c, double *v, em_fault *fault);
 void model_velocity_error(int mode, const double *y, const double *c, const double *memory, const double *e, double *ev);
@@ -31,6 +29,11 @@ void factored_matrix(double t, const double *x, const double *c, double *M);
 void factored(double t, const double *x, const double *c, double *M);
 void pfaffian(double t, const double *x, const double *c, double *A, double *b);
 void position(double t, const double *x, const double *c, double *phi, double *terms);
+
+/* --- of EM_RHS --- */
+
+int model_rhs(int mode, double t, const double *y, const double *c, const double *u, double *memory, int flags, double *dy,
+              em_fault *fault);
 
 /* --- of EM_ASIDE --- */
 
