@@ -16,8 +16,9 @@ from .physics.specialise import ALL_SAVINGS, Saving, specialise
 
 
 def generate(
-    model: Model, choices: Choices = STANDARD, *, origin: str = "", savings: frozenset[Saving] = ALL_SAVINGS
-) -> Sources:
+    model: Model, choices: Choices = STANDARD, *, origin: str = "", savings: frozenset[Saving] = ALL_SAVINGS,
+    whole: bool = True,
+) -> Sources:  # fmt: skip
     """Derive, specialise, lower and print a model.
 
     Parameters
@@ -26,16 +27,19 @@ def generate(
         The command to name in the files.
     savings
         What may be left out; tests switch some off to compare with the general program.
+    whole
+        Whether derivatives are there, too, which runs do not need and which take as long as all the rest. The rest is
+        the same text.
 
     Raises
     ------
     ModelError
         The model has a mistake, or a choice is not for it.
     """
-    return emit(program(model, choices, savings), origin or _origin(model, choices), input_hash(model, choices))
+    return emit(program(model, choices, savings, whole), origin or _origin(model, choices), input_hash(model, choices))
 
 
-def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS) -> Program:
+def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS, whole: bool = True) -> Program:
     """Return the record that the templates print."""
     if model.switches and choices.schur == "eigenfactor":
         raise ModelError(
@@ -43,7 +47,7 @@ def program(model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAV
             'carries eigenfactors. Build with schur="factor".'
         )
     scene = specialise(derive(model), model.scales, savings)
-    return lower(scene, _defaults(model), choices)
+    return lower(scene, _defaults(model), choices, whole)
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:
@@ -53,7 +57,7 @@ def input_hash(model: Model, choices: Choices = STANDARD) -> str:
 
 def explain(model: Model, choices: Choices = STANDARD) -> str:
     """Return a text for readers: states, blocks, operations, and what was left out and why."""
-    made = program(model, choices)
+    made = program(model, choices, whole=False)
     layout = [f"  {part.name:8} y[{part.start}:{part.start + part.length}]" for part in made.layout]
     blocks = [f"  {{{block.names}}}: {_kind(block.turning, block.fixed)}" for block in made.blocks]
     return "\n".join([

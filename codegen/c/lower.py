@@ -33,10 +33,10 @@ class Defaults:
     switches: tuple[Switch, ...]
 
 
-def lower(scene: Scene, defaults: Defaults, choices: Choices) -> Program:
-    """Lay out state and memory, and write the kernels."""
+def lower(scene: Scene, defaults: Defaults, choices: Choices, whole: bool = True) -> Program:
+    """Lay out state and memory, and write the kernels: `whole` with derivatives, without which no event acts."""
     layout, mechanics, eigen = laid_out(scene, choices), scene.mechanics, choices.eigenfactor
-    kernels, n_constants = kernels_of(scene, choices, layout)
+    kernels, n_constants = kernels_of(scene, choices, layout, whole or _acts(scene))
     blocks, groups = layout.blocks, layout.row_groups
     turning = [block for block in blocks if block.turning and eigen]
     coupled = [group for group in groups if group.size > 1]

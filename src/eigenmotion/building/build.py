@@ -13,7 +13,7 @@ from ..files import write
 from .cache import entry, guarded, key
 from .errors import BuildError, FolderError
 from .extension import compile_in, load
-from .parts import PARTS, WORDS, at_first
+from .parts import ALL_AT_FIRST, PARTS, WORDS, at_first
 from .request import Request, request
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
 
@@ -98,7 +98,7 @@ def later(wanted: Request, tools: Toolchain, part: str) -> "CompiledModel":
         As `build`; says what was asked for.
     """
     try:
-        return load(part_of(cached_sources(wanted), tools, wanted.model, part)).compiled
+        return load(part_of(wanted, tools, part)).compiled
     except BuildError as error:
         raise type(error)(
             f"{error}\n\nIt is {WORDS[part]} of {wanted.model.name} that cannot be compiled: parts of a model are as "
@@ -112,13 +112,13 @@ def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
     It has what every run may need. Where `output` is given, that folder gets the sources and a module that has all,
     once both are there.
     """
-    sources = cached_sources(wanted)
     if output is not None:
+        sources = cached_sources(wanted)
         binary = all_of(sources, tools, wanted.model)
         with guarded():
             module = binary.read_bytes()
         _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
-    return compiled(sources, tools, wanted.model)
+    return compiled(first_sources(wanted), tools, wanted.model)
 
 
 def _folder(output: object) -> Path:
@@ -138,7 +138,18 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
 
 def cached_sources(wanted: Request) -> Sources:
     """Return the sources of a request, derived unless the same generator did so before."""
-    folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder))
+    return _cached_sources(wanted, wanted.sources_hash, whole=True)
+
+
+def first_sources(wanted: Request) -> Sources:
+    """Return what of the sources first runs need: all but derivatives, unless those are part of that."""
+    if ALL_AT_FIRST:
+        return cached_sources(wanted)
+    return _cached_sources(wanted, key(wanted.sources_hash, "first"), whole=False)
+
+
+def _cached_sources(wanted: Request, name: str, whole: bool) -> Sources:
+    folder = entry("sources", name, lambda folder: _generate(wanted, folder, whole))
     with guarded():
         files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
     return Sources(wanted.model.name, files)
@@ -158,12 +169,13 @@ def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> 
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
-def part_of(sources: Sources, tools: Toolchain, model: Model | None, part: str) -> Path:
+def part_of(wanted: Request, tools: Toolchain, part: str) -> Path:
     """Return the path of the module that has a part in new objects, and the rest in those of `compiled`."""
-    units = PARTS[part]
-    kept = _objects(compiled(sources, tools, model))
+    units, model, first = PARTS[part], wanted.model, first_sources(wanted)
+    kept = _objects(compiled(first, tools, model))
     if part == "implicit":  # of which derivatives are a part by themselves
-        kept |= _objects(part_of(sources, tools, model, "derivatives"))
+        kept |= _objects(part_of(wanted, tools, "derivatives"))
+    sources = cached_sources(wanted) if part == "derivatives" else first
 
     def fill(folder: Path) -> None:
         _log.info("compiling %s of %s", WORDS[part], sources.name)
@@ -199,9 +211,9 @@ def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
     return key(sources.name, *bodies, _abi(), tools.identity, _python(), *proved)
 
 
-def _generate(wanted: Request, folder: Path) -> None:
+def _generate(wanted: Request, folder: Path, whole: bool) -> None:
     _log.info("deriving %s", wanted.model.name)
-    for file in wanted.sources().files:
+    for file in wanted.sources(whole).files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 
 

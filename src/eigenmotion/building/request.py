@@ -40,9 +40,9 @@ class Request:
         """Hash of all that the generated text depends on, the generator included."""
         return key(self.input_hash, self.origin, generator_hash())
 
-    def sources(self) -> Sources:
-        """Derive and render."""
-        return generate(self.model, self.choices, origin=self.origin)
+    def sources(self, whole: bool = True) -> Sources:
+        """Derive and render; without derivatives where it is not to be the `whole`."""
+        return generate(self.model, self.choices, origin=self.origin, whole=whole)
 
     def explanation(self) -> str:
         """Say in words what the generated code carries and what it left out."""
