@@ -18,7 +18,7 @@ from .physics.specialise import ALL_SAVINGS, Saving, specialise
 
 def generate(
     model: Model, choices: Choices = STANDARD, *, origin: str = "", savings: frozenset[Saving] = ALL_SAVINGS,
-    ahead: Callable[[str], object] | None = None,
+    whole: bool = True, ahead: Callable[[str], object] | None = None,
 ) -> Sources:  # fmt: skip
     """Derive, specialise, lower and print a model.
 
@@ -28,6 +28,9 @@ def generate(
         The command to name in the files.
     savings
         What may be left out; tests switch some off to compare with the general program.
+    whole
+        Whether derivatives are there, too, which runs do not need and which take as long as all the rest. The rest is
+        the same text.
     ahead
         Is told what the stepper will be compiled from, where that is known before the kernels are written.
 
@@ -36,15 +39,14 @@ def generate(
     ModelError
         The model has a mistake, or a choice is not for it.
     """
-    return emit(program(model, choices, savings, ahead), origin or _origin(model, choices), input_hash(model, choices))
+    made = program(model, choices, savings, whole=whole, ahead=ahead)
+    return emit(made, origin or _origin(model, choices), input_hash(model, choices))
 
 
 def program(
-    model: Model,
-    choices: Choices,
-    savings: frozenset[Saving] = ALL_SAVINGS,
-    ahead: Callable[[str], object] | None = None,
-) -> Program:
+    model: Model, choices: Choices, savings: frozenset[Saving] = ALL_SAVINGS, *,
+    whole: bool = True, ahead: Callable[[str], object] | None = None,
+) -> Program:  # fmt: skip
     """Return the record that the templates print."""
     if model.switches and choices.schur == "eigenfactor":
         raise ModelError(
@@ -55,7 +57,7 @@ def program(
     outline = outlined(scene, _defaults(model), choices)
     if ahead is not None and not (outline.acts or scene.may_break):  # what these need is counted with the kernels
         ahead(stepper(outline))
-    return lower(scene, outline, choices)
+    return lower(scene, outline, choices, whole)
 
 
 def input_hash(model: Model, choices: Choices = STANDARD) -> str:
@@ -65,7 +67,7 @@ def input_hash(model: Model, choices: Choices = STANDARD) -> str:
 
 def explain(model: Model, choices: Choices = STANDARD) -> str:
     """Return a text for readers: states, blocks, operations, and what was left out and why."""
-    made = program(model, choices)
+    made = program(model, choices, whole=False)
     layout = [f"  {part.name:8} y[{part.start}:{part.start + part.length}]" for part in made.layout]
     blocks = [f"  {{{block.names}}}: {_kind(block.turning, block.fixed)}" for block in made.blocks]
     return "\n".join([

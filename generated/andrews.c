@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:6c4cad36fa07c0b82e8a1fa4fc2716fe2dae09e990590e42ea8ec3b1808bbecb */
+/* body sha256:fb3e764ee28bb0c3b1be7b89e55978cbffa152071c67f2ef53c42d0f62d1bfcd */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -855,53 +855,6 @@ em_lanes andrews_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_r
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double c_0 = c[46];
-    const double c_1 = c[47];
-    const double cos_theta = em_cos(theta);
-    const double z_2 = cos_theta*sin_theta;
-    const double rr = c[24];
-    const double da = c[21];
-    const double c_2 = c[48];
-    const double c_3 = c[49];
-    const double z_3 = (c_1*z_2 - (rr - da*cos_theta)*sin_theta*c_2) - c_3*z_2;
-    dM[49] = sin_theta*c_0 - z_3;
-    dM[56] = dM[50] = -z_3;
-    const double c_4 = c[50];
-    const double phi = x[3];
-    const double cos_phi = em_cos(phi);
-    const double z_5 = c_4*cos_phi;
-    dM[178] = dM[172] = -z_5;
-    const double c_5 = c[51];
-    const double sin_phi = em_sin(phi);
-    const double z_7 = sin_phi*cos_phi;
-    const double zt = c[37];
-    const double c_6 = c[52];
-    const double c_7 = c[53];
-    const double c_8 = c[54];
-    dM[179] = -(z_5 + c_8*z_7 - (c_5*z_7 - (zt - c_6*sin_phi)*cos_phi*c_7));
-    const double c_9 = c[55];
-    const double omega = x[5];
-    const double cos_omega = em_cos(omega);
-    const double z_9 = c_9*cos_omega;
-    dM[292] = dM[286] = -z_9;
-    const double c_10 = c[56];
-    const double sin_omega = em_sin(omega);
-    const double z_11 = sin_omega*cos_omega;
-    const double u_ = c[33];
-    const double c_11 = c[57];
-    const double c_12 = c[58];
-    const double c_13 = c[59];
-    dM[293] = -(z_9 + c_13*z_11 - (c_10*z_11 - (u_ - c_11*sin_omega)*cos_omega*c_12));
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -1170,6 +1123,54 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double rr = c[24];
+    const double da = c[21];
+    const double m2 = c[1];
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double z_1 = m2*sin_theta;
+    const double z_2 = da*z_1;
+    const double cos_theta = em_cos(theta);
+    const double z_4 = cos_theta*(da*da)*z_1;
+    const double z_5 = z_4 - 0.5*(z_4 - (rr - da*cos_theta)*z_2);
+    dM[49] = rr*z_2 + 2.0*z_5;
+    dM[56] = dM[50] = 2.0*z_5;
+    const double zt = c[37];
+    const double ea = c[23];
+    const double e = c[22];
+    const double z_6 = ea - e;
+    const double m4 = c[3];
+    const double phi = x[3];
+    const double cos_phi = em_cos(phi);
+    const double z_8 = m4*cos_phi;
+    const double z_9 = z_6*z_8;
+    const double z_10 = zt*z_9;
+    dM[178] = dM[172] = -z_10;
+    const double sin_phi = em_sin(phi);
+    const double z_12 = sin_phi*(z_6*z_6)*z_8;
+    dM[179] = -(z_10 + 2.0*z_12 - (z_12 - (zt - z_6*sin_phi)*z_9));
+    const double u_ = c[33];
+    const double zf = c[36];
+    const double fa = c[38];
+    const double z_13 = zf - fa;
+    const double m6 = c[5];
+    const double omega = x[5];
+    const double cos_omega = em_cos(omega);
+    const double z_15 = m6*cos_omega;
+    const double z_16 = z_13*z_15;
+    const double z_17 = u_*z_16;
+    dM[292] = dM[286] = -z_17;
+    const double sin_omega = em_sin(omega);
+    const double z_19 = sin_omega*(z_13*z_13)*z_15;
+    dM[293] = -(z_17 + 2.0*z_19 - (z_19 - (u_ - z_13*sin_omega)*z_16));
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

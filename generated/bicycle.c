@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:cc38ee35ecaa79bc407d856ab59cf47ddd2a5bae0e148e35669faabcff814704 */
+/* body sha256:e332615673b1aea8f8b203b2cd8cd248875793c128bc6563e88ac355005ac7f8 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -55,7 +55,7 @@ enum {
 
 enum {
     N_PARAMETERS = 26,
-    N_PREPARED = 156,     /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PREPARED = 154,     /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
     N_GIVEN = 27,         /* inputs, parameters and the time */
     N_ARGUMENTS = 43,     /* x, v and these: what motion depends on */
@@ -2164,474 +2164,6 @@ em_lanes bicycle_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_r
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double x_B = c[10];
-    const double theta = x[4];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double c_0 = c[26];
-    const double z_2 = x_B*cos_theta - sin_theta*c_0;
-    const double m_B = c[7];
-    const double psi = x[2];
-    const double cos_psi = em_cos(psi);
-    const double z_4 = m_B*cos_psi;
-    const double r_R = c[4];
-    const double phi = x[3];
-    const double sin_phi = em_sin(phi);
-    const double z_6 = r_R*sin_phi;
-    const double z_7 = sin_phi*sin_theta;
-    const double z_8 = sin_phi*cos_theta;
-    const double z_9 = z_6 - x_B*z_7 - c_0*z_8;
-    const double sin_psi = em_sin(psi);
-    const double z_11 = m_B*sin_psi;
-    const double r_F = c[5];
-    const double c_3 = c[29];
-    const double c_2 = c[28];
-    const double delta = x[5];
-    const double cos_delta = em_cos(delta);
-    const double z_13 = c_2*cos_delta;
-    const double z_14 = c_3 + z_13;
-    const double z_15 = sin_theta*z_14;
-    const double c_4 = c[30];
-    const double z_16 = cos_delta*c_4;
-    const double z_17 = c_4 - z_16;
-    const double z_18 = cos_theta*z_17;
-    const double z_19 = z_15 - z_18;
-    const double c_ = c[1];
-    const double z_20 = c_3*cos_delta;
-    const double z_21 = c_2 + z_20;
-    const double z_22 = cos_theta*z_21;
-    const double z_23 = sin_theta*z_17;
-    const double z_24 = z_22 - z_23;
-    const double c_1 = c[27];
-    const double z_25 = cos_theta*c_1 - r_R*sin_theta;
-    const double z_26 = r_F*z_19 + z_25 - c_*z_24;
-    const double m_F = c[9];
-    const double z_27 = m_F*cos_psi;
-    const double z_28 = z_21*z_7;
-    const double z_29 = z_17*z_8;
-    const double cos_phi = em_cos(phi);
-    const double c_5 = c[31];
-    const double sin_delta = em_sin(delta);
-    const double z_32 = c_5*sin_delta;
-    const double z_33 = z_28 + z_29 + cos_phi*z_32;
-    const double z_34 = z_14*z_8;
-    const double z_35 = z_17*z_7;
-    const double c_6 = c[32];
-    const double z_36 = c_6*sin_delta;
-    const double z_37 = z_34 + z_35 - cos_phi*z_36;
-    const double z_38 = c_1*z_7 - (z_6 - r_R*z_8);
-    const double z_39 = c_*z_33 + r_F*z_37 - z_38;
-    const double z_40 = m_F*sin_psi;
-    const double z_H = c[13];
-    const double c_7 = c[33];
-    const double z_41 = z_H*z_19 + z_25 - c_7*z_24;
-    const double m_H = c[8];
-    const double z_42 = m_H*cos_psi;
-    const double z_43 = z_37*z_H + z_33*c_7 - z_38;
-    const double z_44 = m_H*sin_psi;
-    const double c_8 = c[34];
-    const double z_45 = sin_phi*sin_psi;
-    dM[144] = dM[130] = -(z_2*z_4 + z_9*z_11 + z_26*z_27 + z_39*z_40 + z_41*z_42 + z_43*z_44 + c_8*z_45);
-    const double z_46 = sin_phi*cos_psi;
-    dM[145] = dM[138] = z_9*z_4 + z_39*z_27 + z_43*z_42 + c_8*z_46 - z_2*z_11 - z_26*z_40 - z_41*z_44;
-    const double z_47 = sin_theta*cos_phi;
-    const double c_27 = c[53];
-    const double z_48 = cos_psi*c_27;
-    const double z_49 = cos_theta*cos_phi;
-    const double c_28 = c[54];
-    const double z_50 = cos_psi*c_28;
-    const double z_51 = sin_phi*sin_delta;
-    const double c_29 = c[55];
-    const double z_52 = cos_psi*c_29;
-    const double c_26 = c[52];
-    const double z_53 = cos_psi*cos_phi;
-    const double z_54 = z_14*z_49;
-    const double c_30 = c[56];
-    const double z_55 = cos_psi*c_30;
-    const double z_56 = z_21*z_47;
-    const double c_32 = c[58];
-    const double z_57 = cos_psi*c_32;
-    const double z_58 = z_17*z_49;
-    const double z_59 = z_17*z_47;
-    dM[152] = dM[131] = -(z_47*z_48 + z_49*z_50 + z_51*z_52 - c_26*z_53 - z_54*z_55 - z_56*z_57 - z_58*z_57 -
-        z_59*z_55);
-    const double z_60 = cos_phi*sin_psi;
-    const double z_61 = sin_psi*c_27;
-    const double z_62 = sin_psi*c_28;
-    const double z_63 = sin_psi*c_29;
-    const double z_64 = sin_psi*c_30;
-    const double z_65 = sin_psi*c_32;
-    dM[153] = dM[139] = c_26*z_60 + z_54*z_64 + z_56*z_65 + z_58*z_65 + z_59*z_64 - z_47*z_61 - z_49*z_62 -
-        z_51*z_63;
-    const double z_66 = cos_theta*z_14;
-    const double z_67 = sin_theta*z_21;
-    const double z_68 = z_14*z_7;
-    const double z_69 = z_21*z_8;
-    dM[160] = dM[132] = sin_theta*z_61 + cos_theta*z_62 + z_7*z_50 + z_69*z_57 + z_29*z_55 - z_66*z_64 - z_67*z_65
-        - z_18*z_65 - z_8*z_48 - z_23*z_64 - z_68*z_55 - z_35*z_57;
-    dM[161] = dM[140] = -(sin_theta*z_48 + cos_theta*z_50 + z_8*z_61 + z_68*z_64 + z_35*z_65 - z_66*z_55 -
-        z_67*z_57 - z_18*z_57 - z_7*z_62 - z_23*z_55 - z_69*z_65 - z_29*z_64);
-    const double z_70 = cos_theta*sin_delta;
-    const double c_58 = c[84];
-    const double z_71 = sin_psi*c_58;
-    const double z_72 = sin_theta*sin_delta;
-    const double c_59 = c[85];
-    const double z_73 = sin_psi*c_59;
-    const double z_74 = cos_delta*cos_phi;
-    const double z_75 = sin_delta*z_7;
-    const double z_76 = cos_psi*c_58;
-    const double z_77 = sin_delta*z_8;
-    const double z_78 = cos_psi*c_59;
-    dM[168] = dM[133] = -(z_70*z_71 + z_75*z_76 + z_77*z_78 - z_72*z_73 - z_74*z_52);
-    dM[169] = dM[141] = z_70*z_76 + z_74*z_63 - z_72*z_78 - z_77*z_73 - z_75*z_71;
-    const double z_79 = r_R*cos_phi;
-    const double z_80 = z_79 - x_B*z_47 - c_0*z_49;
-    const double z_81 = z_54 + z_59 + sin_phi*z_36;
-    const double z_82 = sin_phi*z_32 - z_56 - z_58;
-    const double z_83 = c_1*z_47 - (z_79 - r_R*z_49);
-    const double z_84 = r_F*z_81 - c_*z_82 - z_83;
-    const double z_85 = z_H*z_81 - c_7*z_82 - z_83;
-    dM[208] = dM[194] = z_80*z_4 + z_84*z_27 + z_85*z_42 + c_8*z_53;
-    dM[209] = dM[202] = z_80*z_11 + z_84*z_40 + z_85*z_44 + c_8*z_60;
-    const double c_9 = c[35];
-    const double c_10 = c[36];
-    const double z_86 = z_81*c_10 - z_82*c_9;
-    const double c_11 = c[37];
-    const double z_87 = z_82*c_10 - z_81*c_11;
-    const double z_88 = sin_phi*cos_delta;
-    const double z_89 = z_88 + z_47*z_32 - z_49*z_36;
-    const double z_90 = cos_delta*z_89;
-    const double c_12 = c[38];
-    const double c_13 = c[39];
-    const double z_91 = z_33*c_9 + z_37*c_10;
-    const double z_92 = z_37*c_11 + z_33*c_10;
-    const double z_93 = z_74 + c_6*z_77 - c_5*z_75;
-    const double z_94 = cos_delta*c_12;
-    const double z_95 = (z_91*z_32 - z_92*z_36) + (z_93*z_94 + cos_phi*c_13);
-    const double c_15 = c[41];
-    const double c_16 = c[42];
-    const double z_96 = c_16*z_49;
-    const double c_17 = c[43];
-    const double z_97 = sin_delta*c_17;
-    const double z_98 = z_21*z_86 + c_15*z_47 + z_96 + z_89*z_97 - z_17*z_87;
-    const double z_99 = z_21*z_91 + z_17*z_92 + c_15*z_7 + c_16*z_8 - z_93*z_97;
-    const double c_19 = c[45];
-    const double z_100 = c_16*z_47;
-    const double c_20 = c[46];
-    const double z_101 = sin_delta*c_20;
-    const double z_102 = z_17*z_86 + c_19*z_49 + z_100 - z_14*z_87 - z_89*z_101;
-    const double z_103 = z_17*z_91 + z_14*z_92 + c_19*z_8 + c_16*z_7 + z_93*z_101;
-    const double c_22 = c[48];
-    const double z_104 = z_9*c_22;
-    const double c_23 = c[49];
-    const double z_105 = z_39*c_23;
-    const double c_24 = c[50];
-    const double z_106 = z_43*c_24;
-    const double c_25 = c[51];
-    dM[210] = 0.5*(z_80*z_104 + z_84*z_105 + z_85*z_106 + c_25*(sin_phi*cos_phi) - (cos_phi*(z_86*z_32 + z_87*z_36
-        - z_90*c_12 - sin_phi*c_13) - sin_phi*z_95) - (z_98*z_7 + z_99*z_47) - (z_102*z_8 + z_103*z_49));
-    const double z_107 = cos_phi*sin_delta;
-    const double z_108 = z_107*z_63;
-    const double z_109 = (z_29*z_65 + z_35*z_64) - ((z_7*z_61 + z_8*z_62) - (z_34*z_64 + z_28*z_65));
-    dM[216] = dM[195] = -(c_26*z_45 + z_108 + z_109);
-    const double z_110 = z_107*z_52;
-    const double z_111 = (z_29*z_57 + z_35*z_55) - ((z_7*z_48 + z_8*z_50) - (z_34*z_55 + z_28*z_57));
-    dM[217] = dM[203] = -(-z_110 - c_26*z_46 - z_111);
-    const double c_38 = c[64];
-    const double c_39 = c[65];
-    const double z_112 = z_26*c_38 + z_41*c_39;
-    const double z_113 = z_34*z_112;
-    const double c_36 = c[62];
-    const double c_37 = c[63];
-    const double z_114 = z_26*c_36 + z_41*c_37;
-    const double z_115 = z_28*z_114;
-    const double z_116 = z_29*z_114;
-    const double z_117 = z_35*z_112;
-    const double z_118 = m_F*z_26 + m_H*z_41;
-    const double c_42 = c[68];
-    const double z_119 = (m_B*z_2 + z_118)*c_42;
-    const double z_120 = z_118*z_8;
-    const double z_121 = z_118*z_7;
-    const double c_74 = c[100];
-    const double z_122 = z_114*z_107;
-    const double c_70 = c[96];
-    const double z_123 = z_112*z_107;
-    const double c_72 = c[98];
-    const double z_124 = z_2*z_7;
-    const double c_79 = c[105];
-    const double z_125 = z_2*z_8;
-    const double c_78 = c[104];
-    dM[218] = dM[211] = (-0.5)*(sin_theta*z_103 + z_120*c_42 + z_121*c_74 + z_123*c_72 + z_124*c_79 + z_125*c_78 -
-        cos_theta*z_99 - 2.0*z_113 - 2.0*z_115 - 2.0*z_116 - 2.0*z_117 - sin_phi*z_119 - z_122*c_70);
-    const double z_126 = z_21*z_49;
-    const double z_127 = z_14*z_47;
-    dM[224] = dM[196] = z_47*z_62 + z_126*z_65 + z_58*z_64 - z_49*z_61 - z_127*z_64 - z_59*z_65;
-    dM[225] = dM[204] = z_49*z_48 + z_127*z_55 + z_59*z_57 - z_47*z_50 - z_126*z_57 - z_58*z_55;
-    const double z_128 = c_38*z_84 + c_39*z_85;
-    const double z_129 = c_36*z_84 + c_37*z_85;
-    const double z_130 = z_112*z_127;
-    const double z_131 = z_59*z_114;
-    const double z_132 = z_114*z_126;
-    const double z_133 = z_58*z_112;
-    const double z_134 = m_F*z_84 + m_H*z_85;
-    const double z_135 = cos_theta*c_42;
-    const double z_136 = sin_theta*c_74;
-    const double z_137 = z_118*z_49;
-    const double z_138 = z_118*z_47;
-    const double z_139 = z_2*z_49;
-    const double z_140 = z_2*z_47;
-    dM[226] = dM[212] = 0.5*(z_95 + 2.0*z_66*z_128 + 2.0*z_67*z_129 + 2.0*z_18*z_129 + 2.0*z_23*z_128 + 2.0*z_130
-        + 2.0*z_131 + z_137*c_74 + z_139*c_79 - 2.0*z_132 - 2.0*z_133 - z_134*z_135 - z_134*z_136 -
-        sin_theta*z_80*c_79 - cos_theta*z_80*c_78 - z_138*c_42 - z_140*c_78);
-    const double z_141 = sin_delta*z_49;
-    const double z_142 = sin_delta*z_47;
-    dM[232] = dM[197] = -(z_88*z_63 + z_73*z_141 + z_71*z_142);
-    dM[233] = dM[205] = z_88*z_52 + z_76*z_142 + z_78*z_141;
-    const double c_77 = c[103];
-    const double z_143 = z_88*z_112;
-    const double c_76 = c[102];
-    const double z_144 = z_88*z_114;
-    const double c_75 = c[101];
-    dM[234] = dM[213] = (-0.5)*(c_6*z_91 + c_5*z_92 + z_143*c_72 + z_128*c_76*z_72 + z_128*c_75*z_70 +
-        z_114*c_75*z_141 + z_112*c_75*z_142 - z_129*c_77*z_70 - z_144*c_70 - z_114*c_77*z_142 - z_112*c_76*z_141 -
-        z_129*c_75*z_72);
-    const double R_yy = c[15];
-    dM[242] = dM[214] = cos_phi*R_yy;
-    const double F_yy = c[17];
-    dM[250] = dM[215] = F_yy*z_93;
-    const double z_145 = x_B*z_8 - c_0*z_7;
-    const double z_146 = z_35 - z_69;
-    const double z_147 = z_29 - z_68;
-    const double z_148 = c_1*z_8 - r_R*z_7;
-    const double z_149 = c_*z_146 + z_148 - r_F*z_147;
-    const double z_150 = c_7*z_146 + z_148 - z_H*z_147;
-    const double z_151 = x_B*sin_theta + c_0*cos_theta;
-    const double z_152 = r_R*cos_theta + sin_theta*c_1;
-    const double z_153 = z_18 + z_67;
-    const double z_154 = z_23 + z_66;
-    const double z_155 = c_*z_153 + r_F*z_154;
-    const double z_156 = z_155 - z_152;
-    const double z_157 = z_H*z_154 + c_7*z_153;
-    const double z_158 = z_152 - z_157;
-    dM[272] = dM[258] = -(z_145*z_4 + z_149*z_27 + z_150*z_42 + z_156*z_40 - z_151*z_11 - z_158*z_44);
-    dM[273] = dM[266] = -(z_151*z_4 + z_145*z_11 + z_149*z_40 + z_158*z_42 + z_150*z_44 - z_156*z_27);
-    const double z_159 = z_49*z_32 + z_47*z_36;
-    const double z_160 = z_59 - z_126;
-    const double z_161 = z_58 - z_127;
-    const double z_162 = z_161*c_10 - c_9*z_160;
-    const double z_163 = z_160*c_10 - c_11*z_161;
-    const double z_164 = z_159*z_94 - (z_162*z_32 + z_163*z_36);
-    const double z_165 = z_17*z_163 + z_100 - z_21*z_162 - c_15*z_49 - z_159*z_97;
-    const double z_166 = z_17*z_162 + z_96 - z_14*z_163 - c_19*z_47 - z_159*z_101;
-    const double z_167 = z_26*c_23;
-    const double z_168 = z_41*c_24;
-    dM[274] = (-0.5)*(sin_phi*(-z_164) + (z_102*z_47 - z_166*z_49) + z_2*z_151*c_22 + z_145*z_104 + z_149*z_105 +
-        z_158*z_168 + z_150*z_106 - (z_98*z_49 - z_165*z_47) - z_156*z_167);
-    dM[280] = dM[259] = z_47*z_62 + z_126*z_65 + z_58*z_64 - z_49*z_61 - z_127*z_64 - z_59*z_65;
-    dM[281] = dM[267] = z_49*z_48 + z_127*z_55 + z_59*z_57 - z_47*z_50 - z_126*z_57 - z_58*z_55;
-    const double z_169 = m_F*z_156 - m_H*z_158;
-    const double z_170 = c_38*z_156 - c_39*z_158;
-    const double z_171 = c_36*z_156 - c_37*z_158;
-    const double c_40 = c[66];
-    const double c_41 = c[67];
-    const double z_172 = z_171*c_70;
-    const double z_173 = z_170*c_72;
-    dM[282] = dM[275] = 0.5*((cos_theta*z_102 + sin_theta*z_166) + (sin_theta*z_98 + cos_theta*z_165) +
-        2.0*c_1*(z_137 + z_169*z_47) + 2.0*(z_130 - z_54*z_170) + 2.0*(z_131 - z_58*z_171) + 2.0*c_40*(z_139 -
-        z_151*z_47) + cos_phi*(m_B*z_151 - z_169)*c_42 + z_51*z_172 - 2.0*r_R*(z_138 - z_169*z_49) - 2.0*(z_132 +
-        z_56*z_171) - 2.0*(z_133 + z_59*z_170) - 2.0*c_41*(z_140 + z_151*z_49) - z_51*z_173);
-    const double z_174 = z_24*c_10 - z_19*c_11;
-    const double z_175 = z_19*c_10 - z_24*c_9;
-    const double z_176 = cos_theta*c_16;
-    const double z_177 = c_5*z_70 + c_6*z_72;
-    const double z_178 = c_11*z_154 + z_153*c_10;
-    const double z_179 = c_9*z_153 + z_154*c_10;
-    const double z_180 = sin_theta*c_16;
-    const double z_181 = c_5*z_72 - c_6*z_70;
-    const double z_182 = r_R - z_152;
-    const double z_183 = z_182 + z_155;
-    const double z_184 = z_182 + z_157;
-    const double z_185 = c_38*z_183 + c_39*z_184;
-    const double z_186 = c_36*z_183 + c_37*z_184;
-    const double z_187 = m_F*z_183 + m_H*z_184;
-    const double z_188 = r_R - z_151;
-    dM[283] = (-0.5)*((cos_theta*(z_14*z_174 + z_176 - z_17*z_175 - sin_theta*c_19 - z_177*z_101) -
-        sin_theta*(cos_theta*c_19 + z_14*z_178 + z_17*z_179 + z_180 - z_181*z_101)) + 2.0*(z_112*z_66 +
-        z_15*z_185) + 2.0*(z_114*z_67 - z_22*z_186) + 2.0*(z_18*z_114 + z_23*z_186) + 2.0*(z_23*z_112 -
-        z_18*z_185) + z_119 - (sin_theta*(z_21*z_175 + z_180 - z_17*z_174 - cos_theta*c_15 - z_177*z_97) -
-        cos_theta*(sin_theta*c_15 + z_21*z_179 + z_17*z_178 + z_176 + z_181*z_97)) - 2.0*r_R*(sin_theta*z_187 +
-        cos_theta*z_118) - 2.0*c_1*(-(cos_theta*z_187 - sin_theta*z_118)) - 2.0*c_40*(-(cos_theta*z_188 -
-        sin_theta*z_2)) - 2.0*c_41*(sin_theta*z_188 + cos_theta*z_2));
-    dM[288] = dM[260] = z_18*z_55 + z_22*z_57 + sin_theta*z_50 - z_23*z_57 - z_15*z_55 - cos_theta*z_48 - z_109;
-    dM[289] = dM[268] = -(z_23*z_65 + z_15*z_64 + cos_theta*z_61 - z_18*z_64 - z_22*z_65 - sin_theta*z_62 -
-        z_111);
-    const double z_189 = z_39*c_38 + z_43*c_39;
-    const double z_190 = c_38*z_149 + c_39*z_150;
-    const double z_191 = z_39*c_36 + z_43*c_37;
-    const double z_192 = c_36*z_149 + c_37*z_150;
-    const double z_193 = m_F*z_39 + m_H*z_43;
-    const double z_194 = m_F*z_149 + m_H*z_150;
-    dM[290] = dM[276] = (-0.5)*(2.0*(z_15*z_189 + z_66*z_190) + 2.0*(z_23*z_191 + z_18*z_192) +
-        2.0*c_1*(cos_theta*z_193 - sin_theta*z_194) + 2.0*c_1*(z_121 - z_169*z_8) + 2.0*c_40*(cos_theta*z_9 -
-        sin_theta*z_145) + 2.0*r_R*(z_120 + z_169*z_7) + 2.0*c_40*(z_124 + z_151*z_8) + 2.0*c_41*(z_125 -
-        z_151*z_7) - 2.0*(z_22*z_191 - z_67*z_192) - 2.0*(z_18*z_189 - z_23*z_190) - 2.0*r_R*(sin_theta*z_193 +
-        cos_theta*z_194) - 2.0*(z_113 + z_68*z_170) - 2.0*(z_116 + z_35*z_171) - 2.0*c_41*(sin_theta*z_9 +
-        cos_theta*z_145) - 2.0*(z_115 - z_69*z_171) - 2.0*(z_117 - z_29*z_170) - z_164);
-    const double c_104 = c[130];
-    const double c_105 = c[131];
-    const double c_106 = c[132];
-    const double c_107 = c[133];
-    dM[291] = dM[284] = 0.5*(z_178*z_36 + z_181*z_94 + c_104*z_70 + c_107*z_72 - z_179*z_32 - z_21*c_105*z_72 -
-        c_106*(z_17*z_72) - z_14*c_106*z_70 - c_105*(z_17*z_70));
-    dM[296] = dM[261] = -(z_70*z_78 + z_72*z_76 + z_77*z_71 - z_75*z_73);
-    dM[297] = dM[269] = -(z_72*z_71 + z_70*z_73 + z_75*z_78 - z_77*z_76);
-    dM[298] = dM[277] = 0.5*(c_6*z_162 + 2.0*c_3*(z_114*z_77 + z_171*z_75) + 2.0*c_4*(z_191*z_70 - z_192*z_72) +
-        2.0*c_4*(z_189*z_72 + z_190*z_70) + 2.0*c_4*(z_114*z_75 - z_171*z_77) + z_74*z_173 - c_5*z_163 -
-        2.0*c_3*(z_191*z_72 + z_192*z_70) - 2.0*c_2*(z_189*z_70 - z_190*z_72) - 2.0*c_2*(z_112*z_75 - z_170*z_77)
-        - 2.0*c_4*(z_112*z_77 + z_170*z_75) - z_74*z_172);
-    const double z_195 = cos_delta*z_114;
-    const double z_196 = cos_delta*z_112;
-    const double c_110 = c[136];
-    const double z_197 = sin_delta*sin_delta;
-    const double z_198 = sin_theta*z_197;
-    const double c_111 = c[137];
-    const double z_199 = cos_theta*z_197;
-    dM[299] = dM[285] = (-0.5)*(c_70*z_195 + c_111*z_199 - c_6*z_179 - c_5*z_178 - c_72*z_196 - c_110*z_198);
-    dM[314] = dM[279] = F_yy*z_159;
-    dM[315] = dM[287] = F_yy*z_181;
-    const double z_200 = c_4*z_77;
-    const double z_201 = z_200 + c_5*z_74 - c_3*z_75;
-    const double z_202 = c_4*z_75;
-    const double z_203 = z_202 - c_2*z_77 - c_6*z_74;
-    const double z_204 = c_*z_201 + r_F*z_203;
-    const double z_205 = z_H*z_203 + c_7*z_201;
-    const double z_206 = c_4*z_70;
-    const double z_207 = z_206 + c_2*z_72;
-    const double z_208 = c_4*z_72;
-    const double z_209 = z_208 + c_3*z_70;
-    const double z_210 = r_F*z_207 - c_*z_209;
-    const double z_211 = z_H*z_207 - c_7*z_209;
-    dM[336] = dM[322] = z_204*z_27 + z_205*z_42 + z_210*z_40 + z_211*z_44;
-    dM[337] = dM[330] = -(z_210*z_27 + z_211*z_42 - z_204*z_40 - z_205*z_44);
-    const double c_14 = c[40];
-    const double z_212 = z_51 + z_49*(c_6*cos_delta) - z_47*(c_5*cos_delta);
-    const double z_213 = c_4*sin_delta;
-    const double z_214 = z_49*z_213;
-    const double z_215 = c_5*z_88 + c_3*z_142 - z_214;
-    const double z_216 = z_47*z_213;
-    const double z_217 = c_2*z_141 - z_216 - c_6*z_88;
-    const double z_218 = c_9*z_215 + z_217*c_10;
-    const double z_219 = c_11*z_217 + z_215*c_10;
-    const double z_220 = c_14*(sin_delta*z_89 + cos_delta*z_212) + 0.5*(c_5*(cos_delta*z_86 - sin_delta*z_218) +
-        c_6*(cos_delta*z_87 + sin_delta*z_219));
-    const double z_221 = c_3*sin_delta;
-    const double c_18 = c[44];
-    const double z_222 = z_90 - sin_delta*z_212;
-    const double z_223 = (z_86*z_221 + z_21*z_218) + (z_87*z_213 + z_17*z_219) - 2.0*c_18*z_222;
-    const double z_224 = c_2*sin_delta;
-    const double c_21 = c[47];
-    const double z_225 = (z_86*z_213 - z_17*z_218) + (z_87*z_224 - z_14*z_219) - 2.0*c_21*z_222;
-    dM[338] = (-0.5)*(sin_phi*(2.0*z_220) + z_223*z_47 + z_210*z_167 + z_211*z_168 - z_225*z_49 - z_204*z_105 -
-        z_205*z_106);
-    dM[344] = dM[323] = -(z_88*z_63 + z_73*z_141 + z_71*z_142);
-    dM[345] = dM[331] = z_88*z_52 + z_76*z_142 + z_78*z_141;
-    const double z_226 = c_36*z_210 + c_37*z_211;
-    const double z_227 = c_2*z_112;
-    const double z_228 = c_38*z_210 + c_39*z_211;
-    const double z_229 = c_3*z_114;
-    const double z_230 = m_F*z_210 + m_H*z_211;
-    const double z_231 = z_230*c_42;
-    const double z_232 = z_230*c_74;
-    dM[346] = dM[339] = 0.5*(sin_theta*z_225 + cos_theta*z_223 + 2.0*c_5*(z_144 - z_51*z_226) + 2.0*(z_141*z_227 +
-        z_54*z_228) + 2.0*(z_142*z_229 + z_56*z_226) + cos_phi*z_231 - 2.0*(z_114*z_214 - z_58*z_226) -
-        2.0*(z_112*z_216 - z_59*z_228) - 2.0*c_6*(z_143 - z_51*z_228) - z_49*z_231 - z_47*z_232);
-    const double z_233 = z_209*c_10 - c_11*z_207;
-    const double z_234 = z_207*c_10 - c_9*z_209;
-    const double z_235 = cos_theta*cos_delta;
-    const double z_236 = sin_theta*cos_delta;
-    const double z_237 = c_5*z_235 + c_6*z_236;
-    const double z_238 = cos_delta*z_177 + sin_delta*z_237;
-    const double z_239 = c_2*z_70;
-    const double z_240 = c_3*z_72;
-    const double z_241 = z_206 - z_240;
-    const double z_242 = z_208 - z_239;
-    const double z_243 = c_*z_241 + r_F*z_242;
-    const double z_244 = z_H*z_242 + c_7*z_241;
-    const double z_245 = c_38*z_243 + c_39*z_244;
-    const double z_246 = c_36*z_243 + c_37*z_244;
-    const double z_247 = m_F*z_243 + m_H*z_244;
-    const double c_43 = c[69];
-    const double z_248 = cos_delta*sin_delta;
-    dM[347] = 0.5*(sin_theta*((z_174*z_224 + z_14*z_233) + (z_175*z_213 - z_17*z_234) + 2.0*c_21*z_238) +
-        cos_theta*((z_175*z_221 + z_21*z_234) + (z_174*z_213 - z_17*z_233) + 2.0*c_18*z_238) + 2.0*(z_186*z_206 +
-        z_18*z_246) + 2.0*(z_185*z_208 + z_23*z_245) + z_247*c_42 - 2.0*(z_185*z_239 - z_66*z_245) -
-        2.0*(z_186*z_240 - z_67*z_246) - c_43*z_248 - z_247*z_135 - z_247*z_136);
-    dM[352] = dM[324] = -(z_70*z_78 + z_72*z_76 + z_77*z_71 - z_75*z_73);
-    dM[353] = dM[332] = -(z_72*z_71 + z_70*z_73 + z_75*z_78 - z_77*z_76);
-    const double z_249 = c_38*z_204 + c_39*z_205;
-    const double z_250 = c_36*z_204 + c_37*z_205;
-    const double z_251 = m_F*z_204 + m_H*z_205;
-    dM[354] = dM[340] = (-0.5)*(2.0*(z_189*z_239 - z_66*z_249) + 2.0*(z_191*z_240 - z_67*z_250) + 2.0*(z_75*z_227
-        + z_68*z_228) + 2.0*(z_112*z_200 - z_29*z_228) + z_251*z_135 + z_251*z_136 + z_8*z_232 + 2.0*z_220 -
-        2.0*(z_191*z_206 + z_18*z_250) - 2.0*(z_189*z_208 + z_23*z_249) - 2.0*(z_114*z_202 - z_35*z_226) -
-        2.0*(z_77*z_229 + z_69*z_226) - z_7*z_231);
-    const double c_46 = c[72];
-    const double c_45 = c[71];
-    const double c_48 = c[74];
-    const double c_47 = c[73];
-    const double c_50 = c[76];
-    const double c_51 = c[77];
-    dM[355] = dM[348] = 0.5*(2.0*c_14*(sin_delta*z_177 - cos_delta*z_237) + 2.0*(c_48*z_199 + cos_delta*z_18*c_47)
-        + c_104*z_236 - c_5*(cos_delta*z_175 - sin_delta*z_234) - c_6*(cos_delta*z_174 - sin_delta*z_233) -
-        2.0*(c_46*z_199 - z_235*(z_21*c_45)) - 2.0*(z_236*(z_14*c_47) - c_50*z_198) - 2.0*(c_51*z_198 +
-        cos_delta*z_23*c_45) - c_107*z_235);
-    const double z_252 = r_R - c_*z_17 - r_F*z_14;
-    const double z_253 = r_R - z_14*z_H - z_17*c_7;
-    const double z_254 = c_38*z_252 + c_39*z_253;
-    const double c_52 = c[78];
-    const double z_255 = c_1 - c_*z_21 - z_17*r_F;
-    const double z_256 = c_1 - z_17*z_H - z_21*c_7;
-    const double z_257 = c_36*z_255 + c_37*z_256;
-    const double c_53 = c[79];
-    const double z_258 = c_36*z_252 + c_37*z_253;
-    const double c_54 = c[80];
-    const double z_259 = z_17*sin_delta;
-    const double z_260 = c_38*z_255 + c_39*z_256;
-    const double c_55 = c[81];
-    const double c_56 = c[82];
-    const double c_57 = c[83];
-    dM[356] = (z_254*z_224 - sin_delta*z_14*c_52) + (z_257*z_221 - z_21*sin_delta*c_53) + sin_delta*c_56 -
-        (z_258*z_213 + c_54*z_259) - (z_260*z_213 + c_55*z_259) - c_57*z_248;
-    const double z_261 = cos_delta*z_8;
-    const double z_262 = cos_delta*z_7;
-    dM[360] = dM[325] = -(z_108 + z_236*z_78 + z_73*z_261 + z_71*z_262 - z_235*z_76);
-    dM[361] = dM[333] = z_110 + z_235*z_71 + z_76*z_262 + z_78*z_261 - z_236*z_73;
-    dM[362] = dM[341] = (-0.5)*(c_6*z_218 + c_5*z_219 + 2.0*c_6*(z_123 + z_74*z_228) + 2.0*c_2*(z_189*z_236 +
-        z_249*z_72) + 2.0*c_4*(z_189*z_235 + z_249*z_70) + 2.0*c_4*(z_8*z_195 - z_226*z_77) + 2.0*c_4*(z_7*z_196 -
-        z_228*z_75) - 2.0*c_3*(z_191*z_235 + z_250*z_70) - 2.0*c_5*(z_122 + z_74*z_226) - 2.0*c_3*(z_7*z_195 -
-        z_226*z_75) - 2.0*c_2*(z_8*z_196 - z_228*z_77) - 2.0*c_4*(z_191*z_236 + z_250*z_72));
-    const double c_113 = c[139];
-    const double c_114 = c[140];
-    dM[363] = dM[349] = (-0.5)*(c_6*z_234 + 2.0*c_5*(sin_delta*z_186 - cos_delta*z_246) + c_113*(cos_delta*z_70) +
-        c_114*(cos_delta*z_72) - c_5*z_233 - 2.0*c_6*(sin_delta*z_185 - cos_delta*z_245));
-    const double c_62 = c[88];
-    const double c_63 = c[89];
-    const double c_64 = c[90];
-    const double c_65 = c[91];
-    const double c_66 = c[92];
-    dM[364] = dM[357] = (-0.5)*(cos_delta*c_62 + 2.0*(z_20*z_258 + c_64*z_197) + 2.0*(z_16*z_257 + c_66*z_197) -
-        2.0*(z_13*z_260 + c_63*z_197) - 2.0*(z_16*z_254 + c_65*z_197));
-    dM[378] = dM[343] = -F_yy*z_212;
-    dM[379] = dM[351] = -F_yy*z_237;
-    dM[380] = dM[359] = -sin_delta*F_yy;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -3441,8 +2973,8 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double c_85 = c[111];
     const double spin_r_dot = v[6];
     const double spin_f_dot = v[7];
-    const double c_122 = c[148];
-    const double z_109 = spin_f_dot*c_122;
+    const double c_120 = c[146];
+    const double z_109 = spin_f_dot*c_120;
     const double z_110 = z_30*c_10 - z_28*c_11;
     const double z_111 = z_28*c_10 - z_30*c_9;
     const double z_112 = c_5*z_61 + c_6*z_64;
@@ -3482,7 +3014,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_134 = sin_delta*c_75;
     const double z_135 = sin_delta*c_62 + c_77*(sin_delta*z_132) + z_131*z_134 - c_76*(sin_delta*z_133) -
         z_128*z_134;
-    const double c_123 = c[149];
+    const double c_121 = c[147];
     const double R_yy = c[15];
     const double F_yy = c[17];
     e[0] = 0.25*(2.0*x_dot*(x_dot*c_99 + psi_dot*z_37 + phi_dot*z_52 + delta_dot*z_70 - theta_dot*z_60) +
@@ -3496,7 +3028,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
         cos_theta*(z_10*z_111 + sin_theta*c_16 - z_11*z_110 - cos_theta*c_15 - c_17*z_113) - c_103*z_123 -
         z_122*z_105 - z_122*z_106 - c_79*(sin_theta*z_121) - c_78*(cos_theta*z_121)) + delta_dot*z_125 -
         theta_dot*z_124 - z_112*z_109) + delta_dot*(2.0*x_dot*z_70 + 2.0*y_dot*z_75 + psi_dot*z_108 +
-        phi_dot*z_125 - theta_dot*z_135 - delta_dot*c_123) + 2.0*spin_r_dot*(R_yy*(theta_dot + spin_r_dot +
+        phi_dot*z_125 - theta_dot*z_135 - delta_dot*c_121) + 2.0*spin_r_dot*(R_yy*(theta_dot + spin_r_dot +
         psi_dot*sin_phi)) + 2.0*spin_f_dot*(F_yy*(spin_f_dot + psi_dot*z_80 + theta_dot*cos_delta -
         phi_dot*z_112)) - theta_dot*(2.0*x_dot*z_60 + 2.0*y_dot*z_74 + psi_dot*z_107 + phi_dot*z_124 +
         delta_dot*z_135 - theta_dot*(c_108*z_123 + c_109 + (m_F*z_126 + m_H*z_127)*c_42 +
@@ -3596,22 +3128,22 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     const double spin_f = x[7];
     p[21] = spin_f;
     const double z_B = c[11];
-    const double c_124 = c[150];
-    const double z_35 = sin_theta*z_B + cos_theta*c_124;
+    const double c_122 = c[148];
+    const double z_35 = sin_theta*z_B + cos_theta*c_122;
     const double c_42 = c[68];
-    const double z_36 = z_B*z_23 + sin_phi*c_42 - c_124*z_24;
+    const double z_36 = z_B*z_23 + sin_phi*c_42 - c_122*z_24;
     p[25] = p[28] = 0.5*(2.0*x_ + cos_psi*z_35 + sin_psi*z_36);
     p[26] = p[29] = 0.5*(2.0*y + sin_psi*z_35 - cos_psi*z_36);
-    p[27] = p[30] = 0.5*(z_B*z_17 + cos_phi*c_42 - c_124*z_16);
+    p[27] = p[30] = 0.5*(z_B*z_17 + cos_phi*c_42 - c_122*z_16);
+    const double c_123 = c[149];
+    const double c_124 = c[150];
     const double c_125 = c[151];
     const double c_126 = c[152];
-    const double c_127 = c[153];
-    const double c_128 = c[154];
-    const double z_37 = cos_theta*c_125 + z_6*c_127 - sin_theta*c_126 - z_8*c_128;
-    const double z_38 = sin_phi*c_126 + z_25*c_127 + z_27*c_128 - c_126*z_23 - c_125*z_24;
+    const double z_37 = cos_theta*c_123 + z_6*c_125 - sin_theta*c_124 - z_8*c_126;
+    const double z_38 = sin_phi*c_124 + z_25*c_125 + z_27*c_126 - c_124*z_23 - c_123*z_24;
     p[31] = p[34] = 0.25*(4.0*x_ + cos_psi*z_37 + sin_psi*z_38);
     p[32] = p[35] = 0.25*(4.0*y + sin_psi*z_37 - cos_psi*z_38);
-    p[33] = p[36] = 0.25*(cos_phi*c_126 + z_31*c_127 - c_126*z_17 - c_125*z_16 - z_32*c_128);
+    p[33] = p[36] = 0.25*(cos_phi*c_124 + z_31*c_125 - c_124*z_17 - c_123*z_16 - z_32*c_126);
     const double x_B = c[10];
     const double c_0 = c[26];
     const double z_39 = x_B*cos_theta - sin_theta*c_0;
@@ -3619,14 +3151,515 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[40] = cos_psi*z_39 + z_40*sin_psi + x_;
     p[41] = -(z_40*cos_psi - z_39*sin_psi - y);
     p[42] = z_33 - x_B*z_16 - c_0*z_17;
-    const double c_129 = c[155];
-    p[43] = c_129;
+    const double c_127 = c[153];
+    p[43] = c_127;
 }
 
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double x_B = c[10];
+    const double theta = x[4];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double r_R = c[4];
+    const double z_B = c[11];
+    const double z_2 = r_R - z_B;
+    const double z_3 = x_B*cos_theta - sin_theta*z_2;
+    const double m_B = c[7];
+    const double psi = x[2];
+    const double cos_psi = em_cos(psi);
+    const double z_5 = m_B*cos_psi;
+    const double phi = x[3];
+    const double sin_phi = em_sin(phi);
+    const double z_7 = r_R*sin_phi;
+    const double z_8 = sin_phi*sin_theta;
+    const double z_9 = sin_phi*cos_theta;
+    const double z_10 = z_7 - x_B*z_8 - z_2*z_9;
+    const double sin_psi = em_sin(psi);
+    const double z_12 = m_B*sin_psi;
+    const double r_F = c[5];
+    const double tilt = c[2];
+    const double cos_tilt = em_cos(tilt);
+    const double z_14 = cos_tilt*cos_tilt;
+    const double delta = x[5];
+    const double cos_delta = em_cos(delta);
+    const double sin_tilt = em_sin(tilt);
+    const double z_17 = sin_tilt*sin_tilt;
+    const double z_18 = cos_delta*z_17;
+    const double z_19 = z_14 + z_18;
+    const double z_20 = sin_theta*z_19;
+    const double z_21 = sin_tilt*cos_tilt;
+    const double z_22 = cos_delta*z_21;
+    const double z_23 = z_21 - z_22;
+    const double z_24 = cos_theta*z_23;
+    const double z_25 = z_20 - z_24;
+    const double c_ = c[1];
+    const double z_26 = cos_delta*z_14;
+    const double z_27 = z_17 + z_26;
+    const double z_28 = cos_theta*z_27;
+    const double z_29 = sin_theta*z_23;
+    const double z_30 = z_28 - z_29;
+    const double w = c[0];
+    const double z_31 = c_ + w;
+    const double z_32 = cos_theta*z_31;
+    const double z_33 = r_R*sin_theta;
+    const double z_34 = z_32 - z_33;
+    const double z_35 = r_F*z_25 + z_34 - c_*z_30;
+    const double m_F = c[9];
+    const double z_36 = m_F*cos_psi;
+    const double z_37 = z_27*z_8;
+    const double z_38 = z_23*z_9;
+    const double cos_phi = em_cos(phi);
+    const double sin_delta = em_sin(delta);
+    const double z_41 = cos_tilt*sin_delta;
+    const double z_42 = cos_phi*z_41;
+    const double z_43 = z_37 + z_38 + z_42;
+    const double z_44 = z_19*z_9;
+    const double z_45 = z_23*z_8;
+    const double z_46 = sin_tilt*sin_delta;
+    const double z_47 = cos_phi*z_46;
+    const double z_48 = z_44 + z_45 - z_47;
+    const double z_49 = z_31*z_8 - (z_7 - r_R*z_9);
+    const double z_50 = c_*z_43 + r_F*z_48 - z_49;
+    const double z_51 = m_F*sin_psi;
+    const double z_H = c[13];
+    const double x_H = c[12];
+    const double z_52 = z_31 - x_H;
+    const double z_53 = z_H*z_25 + z_34 - z_52*z_30;
+    const double m_H = c[8];
+    const double z_54 = m_H*cos_psi;
+    const double z_55 = z_48*z_H + z_43*z_52 - z_49;
+    const double z_56 = m_H*sin_psi;
+    const double m_R = c[6];
+    const double z_57 = m_R*z_7;
+    dM[144] = dM[130] = -(z_3*z_5 + z_10*z_12 + z_35*z_36 + z_50*z_51 + z_53*z_54 + z_55*z_56 + sin_psi*z_57);
+    dM[145] = dM[138] = z_10*z_5 + z_50*z_36 + z_55*z_54 + cos_psi*z_57 - z_3*z_12 - z_35*z_51 - z_53*z_56;
+    const double z_58 = sin_theta*cos_phi;
+    const double z_59 = m_B*x_B;
+    const double z_60 = m_F + m_H;
+    const double z_61 = z_59 + z_31*z_60;
+    const double z_62 = cos_psi*z_61;
+    const double z_63 = cos_theta*cos_phi;
+    const double z_64 = m_B*z_2;
+    const double z_65 = z_64 + r_R*z_60;
+    const double z_66 = cos_psi*z_65;
+    const double z_67 = cos_psi*sin_delta;
+    const double z_68 = m_F*c_;
+    const double z_69 = m_H*z_52;
+    const double z_70 = z_68 + z_69;
+    const double z_71 = m_F*r_F;
+    const double z_72 = m_H*z_H;
+    const double z_73 = z_71 + z_72;
+    const double z_74 = cos_tilt*z_70 - sin_tilt*z_73;
+    const double z_75 = sin_phi*z_74;
+    const double z_76 = m_B + m_R + z_60;
+    const double z_77 = r_R*cos_phi;
+    const double z_78 = z_76*z_77;
+    const double z_79 = z_19*z_63;
+    const double z_80 = cos_psi*z_73;
+    const double z_81 = z_27*z_58;
+    const double z_82 = cos_psi*z_70;
+    const double z_83 = z_23*z_63;
+    const double z_84 = z_23*z_58;
+    dM[152] = dM[131] = -(z_58*z_62 + z_63*z_66 + z_67*z_75 - cos_psi*z_78 - z_79*z_80 - z_81*z_82 - z_83*z_82 -
+        z_84*z_80);
+    const double z_85 = sin_psi*z_61;
+    const double z_86 = sin_psi*z_65;
+    const double z_87 = sin_delta*sin_psi;
+    const double z_88 = sin_psi*z_73;
+    const double z_89 = sin_psi*z_70;
+    dM[153] = dM[139] = sin_psi*z_78 + z_79*z_88 + z_81*z_89 + z_83*z_89 + z_84*z_88 - z_58*z_85 - z_63*z_86 -
+        z_87*z_75;
+    const double z_90 = cos_theta*z_19;
+    const double z_91 = sin_theta*z_27;
+    const double z_92 = z_19*z_8;
+    const double z_93 = z_27*z_9;
+    dM[160] = dM[132] = sin_theta*z_85 + cos_theta*z_86 + z_8*z_66 + z_93*z_82 + z_38*z_80 - z_90*z_88 - z_91*z_89
+        - z_24*z_89 - z_9*z_62 - z_29*z_88 - z_92*z_80 - z_45*z_82;
+    dM[161] = dM[140] = -(sin_theta*z_62 + cos_theta*z_66 + z_9*z_85 + z_92*z_88 + z_45*z_89 - z_90*z_80 -
+        z_91*z_82 - z_24*z_82 - z_8*z_86 - z_29*z_80 - z_93*z_89 - z_38*z_88);
+    const double z_94 = z_70*z_14 - z_21*z_73;
+    const double z_95 = z_94*z_87;
+    const double z_96 = z_73*z_17 - z_21*z_70;
+    const double z_97 = z_96*z_87;
+    const double z_98 = cos_psi*cos_delta;
+    const double z_99 = cos_phi*z_74;
+    const double z_100 = z_94*z_67;
+    const double z_101 = z_96*z_67;
+    dM[168] = dM[133] = -(cos_theta*z_95 + z_8*z_100 + z_9*z_101 - sin_theta*z_97 - z_98*z_99);
+    const double z_102 = cos_delta*sin_psi;
+    dM[169] = dM[141] = cos_theta*z_100 + z_102*z_99 - sin_theta*z_101 - z_9*z_97 - z_8*z_95;
+    const double z_103 = z_77 - x_B*z_58 - z_2*z_63;
+    const double z_104 = sin_phi*z_46;
+    const double z_105 = z_79 + z_84 + z_104;
+    const double z_106 = sin_phi*z_41;
+    const double z_107 = z_106 - z_81 - z_83;
+    const double z_108 = z_31*z_58;
+    const double z_109 = r_R*z_63;
+    const double z_110 = z_108 - (z_77 - z_109);
+    const double z_111 = r_F*z_105 - c_*z_107 - z_110;
+    const double z_112 = z_H*z_105 - z_52*z_107 - z_110;
+    const double z_113 = m_R*z_77;
+    dM[208] = dM[194] = z_103*z_5 + z_111*z_36 + z_112*z_54 + cos_psi*z_113;
+    dM[209] = dM[202] = z_103*z_12 + z_111*z_51 + z_112*z_56 + sin_psi*z_113;
+    const double z_114 = m_B*z_10;
+    const double z_115 = m_F*z_50;
+    const double z_116 = m_H*z_55;
+    const double H_xz = c[25];
+    const double H_xx = c[22];
+    const double F_xx = c[16];
+    const double z_117 = H_xx + 2.0*F_xx;
+    const double z_118 = H_xx + z_117;
+    const double z_119 = 2.0*H_xz*z_105 - z_107*z_118;
+    const double H_zz = c[24];
+    const double z_120 = 2.0*F_xx + H_zz;
+    const double z_121 = H_zz + z_120;
+    const double z_122 = 2.0*z_107*H_xz - z_105*z_121;
+    const double z_123 = sin_phi*cos_delta + z_58*z_41 - z_46*z_63;
+    const double F_yy = c[17];
+    const double H_yy = c[23];
+    const double z_124 = F_yy + H_yy;
+    const double z_125 = cos_delta*z_124;
+    const double B_yy = c[19];
+    const double R_yy = c[15];
+    const double z_126 = B_yy + R_yy;
+    const double z_127 = 2.0*z_48*H_xz + z_43*z_118;
+    const double z_128 = 2.0*z_43*H_xz + z_48*z_121;
+    const double z_129 = cos_delta*cos_phi + z_46*z_9 - z_8*z_41;
+    const double z_130 = (z_127*z_41 - z_128*z_46) + 2.0*(z_129*z_125 + cos_phi*z_126);
+    const double B_xz = c[21];
+    const double z_131 = B_xz*z_63;
+    const double z_132 = z_124*z_41;
+    const double B_xx = c[18];
+    const double R_xx = c[14];
+    const double z_133 = B_xx + (B_xx + 2.0*R_xx);
+    const double z_134 = z_27*z_119 + 2.0*z_131 + 2.0*z_123*z_132 + z_133*z_58 - z_23*z_122;
+    const double z_135 = z_27*z_127 + z_23*z_128 + 2.0*B_xz*z_9 + z_133*z_8 - 2.0*z_129*z_132;
+    const double z_136 = B_xz*z_58;
+    const double z_137 = z_124*z_46;
+    const double B_zz = c[20];
+    const double z_138 = B_zz + (2.0*R_xx + B_zz);
+    const double z_139 = z_23*z_119 + 2.0*z_136 + z_138*z_63 - z_19*z_122 - 2.0*z_123*z_137;
+    const double z_140 = z_23*z_127 + z_19*z_128 + 2.0*B_xz*z_8 + 2.0*z_129*z_137 + z_138*z_9;
+    dM[210] = 0.5*(4.0*z_103*z_114 + 4.0*z_115*z_111 + 4.0*z_116*z_112 + 4.0*m_R*sin_phi*cos_phi*(r_R*r_R) -
+        (cos_phi*(z_119*z_41 + z_122*z_46 - 2.0*z_123*z_125 - 2.0*sin_phi*z_126) - sin_phi*z_130) - (z_134*z_8 +
+        z_135*z_58) - (z_139*z_9 + z_140*z_63));
+    const double z_141 = z_76*z_7;
+    const double z_142 = z_87*z_99;
+    const double z_143 = (z_38*z_89 + z_45*z_88) - ((z_8*z_85 + z_9*z_86) - (z_44*z_88 + z_37*z_89));
+    dM[216] = dM[195] = -(sin_psi*z_141 + z_142 + z_143);
+    const double z_144 = z_67*z_99;
+    const double z_145 = (z_38*z_82 + z_45*z_80) - ((z_8*z_62 + z_9*z_66) - (z_44*z_80 + z_37*z_82));
+    dM[217] = dM[203] = -(-z_144 - cos_psi*z_141 - z_145);
+    const double z_146 = m_B*z_3;
+    const double z_147 = m_F*z_35;
+    const double z_148 = m_H*z_53;
+    const double z_149 = z_147 + z_148;
+    const double z_150 = z_146 + z_149;
+    const double z_151 = r_R*z_149;
+    const double z_152 = z_9*z_151;
+    const double z_153 = z_31*z_149;
+    const double z_154 = z_8*z_153;
+    const double z_155 = z_35*z_68 + z_53*z_69;
+    const double z_156 = z_42*z_155;
+    const double z_157 = z_35*z_71 + z_53*z_72;
+    const double z_158 = z_44*z_157;
+    const double z_159 = z_37*z_155;
+    const double z_160 = z_38*z_155;
+    const double z_161 = z_45*z_157;
+    const double z_162 = z_47*z_157;
+    const double z_163 = z_3*z_59;
+    const double z_164 = z_8*z_163;
+    const double z_165 = z_3*z_64;
+    const double z_166 = z_9*z_165;
+    dM[218] = dM[211] = (-0.5)*(sin_theta*z_140 + 2.0*z_152 + 2.0*z_154 + 2.0*z_162 + 2.0*z_164 + 2.0*z_166 -
+        cos_theta*z_135 - 2.0*z_7*z_150 - 2.0*z_156 - 2.0*z_158 - 2.0*z_159 - 2.0*z_160 - 2.0*z_161);
+    const double z_167 = z_27*z_63;
+    const double z_168 = z_19*z_58;
+    dM[224] = dM[196] = z_58*z_86 + z_167*z_89 + z_83*z_88 - z_63*z_85 - z_168*z_88 - z_84*z_89;
+    dM[225] = dM[204] = z_63*z_62 + z_168*z_80 + z_84*z_82 - z_58*z_66 - z_167*z_82 - z_83*z_80;
+    const double z_169 = z_71*z_111 + z_72*z_112;
+    const double z_170 = z_68*z_111 + z_69*z_112;
+    const double z_171 = r_R*cos_theta;
+    const double z_172 = m_F*z_111 + m_H*z_112;
+    const double z_173 = sin_theta*z_31;
+    const double z_174 = z_63*z_153;
+    const double z_175 = z_157*z_168;
+    const double z_176 = z_84*z_155;
+    const double z_177 = sin_theta*z_59;
+    const double z_178 = cos_theta*z_64;
+    const double z_179 = z_58*z_151;
+    const double z_180 = z_155*z_167;
+    const double z_181 = z_83*z_157;
+    const double z_182 = z_63*z_163;
+    const double z_183 = z_58*z_165;
+    dM[226] = dM[212] = 0.5*(z_130 + 2.0*z_90*z_169 + 2.0*z_91*z_170 + 2.0*z_24*z_170 + 2.0*z_29*z_169 + 2.0*z_174
+        + 2.0*z_175 + 2.0*z_176 + 2.0*z_182 - 2.0*z_171*z_172 - 2.0*z_173*z_172 - 2.0*z_103*z_177 -
+        2.0*z_103*z_178 - 2.0*z_179 - 2.0*z_180 - 2.0*z_181 - 2.0*z_183);
+    dM[232] = dM[197] = -(z_75*z_102 + z_63*z_97 + z_58*z_95);
+    dM[233] = dM[205] = z_75*z_98 + z_58*z_100 + z_63*z_101;
+    const double z_184 = sin_delta*z_14;
+    const double z_185 = cos_theta*z_184;
+    const double z_186 = sin_tilt*cos_delta;
+    const double z_187 = sin_phi*z_186;
+    const double z_188 = z_157*z_187;
+    const double z_189 = sin_delta*z_17;
+    const double z_190 = sin_theta*z_189;
+    const double z_191 = cos_tilt*cos_delta;
+    const double z_192 = sin_phi*z_191;
+    const double z_193 = z_155*z_192;
+    const double z_194 = z_58*z_184;
+    const double z_195 = z_155*z_194;
+    const double z_196 = z_63*z_189;
+    const double z_197 = z_157*z_196;
+    const double z_198 = cos_tilt*z_46;
+    const double z_199 = sin_theta*z_198;
+    const double z_200 = cos_theta*z_198;
+    const double z_201 = z_63*z_198;
+    const double z_202 = z_155*z_201;
+    const double z_203 = z_58*z_198;
+    const double z_204 = z_157*z_203;
+    dM[234] = dM[213] = (-0.5)*(sin_tilt*z_127 + cos_tilt*z_128 + 2.0*z_188 + 2.0*z_190*z_169 + 2.0*z_200*z_169 +
+        2.0*z_202 + 2.0*z_204 - 2.0*z_185*z_170 - 2.0*z_193 - 2.0*z_195 - 2.0*z_197 - 2.0*z_199*z_170);
+    dM[242] = dM[214] = cos_phi*R_yy;
+    dM[250] = dM[215] = F_yy*z_129;
+    const double z_205 = x_B*z_9 - z_2*z_8;
+    const double z_206 = z_45 - z_93;
+    const double z_207 = z_38 - z_92;
+    const double z_208 = z_31*z_9;
+    const double z_209 = r_R*z_8;
+    const double z_210 = z_208 - z_209;
+    const double z_211 = c_*z_206 + z_210 - r_F*z_207;
+    const double z_212 = z_52*z_206 + z_210 - z_H*z_207;
+    const double z_213 = x_B*sin_theta + z_2*cos_theta;
+    const double z_214 = z_171 + z_173;
+    const double z_215 = z_24 + z_91;
+    const double z_216 = z_29 + z_90;
+    const double z_217 = c_*z_215 + r_F*z_216;
+    const double z_218 = z_217 - z_214;
+    const double z_219 = z_H*z_216 + z_52*z_215;
+    const double z_220 = z_214 - z_219;
+    dM[272] = dM[258] = -(z_205*z_5 + z_211*z_36 + z_212*z_54 + z_218*z_51 - z_213*z_12 - z_220*z_56);
+    dM[273] = dM[266] = -(z_213*z_5 + z_205*z_12 + z_211*z_51 + z_220*z_54 + z_212*z_56 - z_218*z_36);
+    const double z_221 = z_63*z_41 + z_46*z_58;
+    const double z_222 = z_83 - z_168;
+    const double z_223 = z_84 - z_167;
+    const double z_224 = 2.0*H_xz*z_222 - z_118*z_223;
+    const double z_225 = 2.0*H_xz*z_223 - z_121*z_222;
+    const double z_226 = z_221*z_125 - 0.5*(z_224*z_41 + z_225*z_46);
+    const double z_227 = 2.0*z_136 + z_23*z_225 - z_27*z_224 - 2.0*z_221*z_132 - z_133*z_63;
+    const double z_228 = 2.0*z_131 + z_23*z_224 - z_19*z_225 - 2.0*z_221*z_137 - z_138*z_58;
+    dM[274] = (-0.5)*(4.0*z_146*z_213 + 4.0*z_205*z_114 + 4.0*z_115*z_211 + 4.0*z_148*z_220 + 4.0*z_116*z_212 +
+        sin_phi*(-2.0*z_226) + (z_139*z_58 - z_228*z_63) - 4.0*z_147*z_218 - (z_134*z_63 - z_227*z_58));
+    dM[280] = dM[259] = z_58*z_86 + z_167*z_89 + z_83*z_88 - z_63*z_85 - z_168*z_88 - z_84*z_89;
+    dM[281] = dM[267] = z_63*z_62 + z_168*z_80 + z_84*z_82 - z_58*z_66 - z_167*z_82 - z_83*z_80;
+    const double z_229 = m_F*z_218 - m_H*z_220;
+    const double z_230 = z_68*z_218 - z_69*z_220;
+    const double z_231 = z_71*z_218 - z_72*z_220;
+    const double z_232 = z_59*z_213;
+    const double z_233 = z_64*z_213;
+    dM[282] = dM[275] = 0.5*((cos_theta*z_139 + sin_theta*z_228) + (sin_theta*z_134 + cos_theta*z_227) +
+        2.0*z_77*(m_B*z_213 - z_229) + 2.0*(z_174 + z_108*z_229) + 2.0*z_106*z_230 + 2.0*(z_175 - z_79*z_231) +
+        2.0*(z_176 - z_83*z_230) + 2.0*(z_182 - z_58*z_232) - 2.0*(z_179 - z_109*z_229) - 2.0*(z_180 + z_81*z_230)
+        - 2.0*(z_181 + z_84*z_231) - 2.0*z_104*z_231 - 2.0*(z_183 + z_63*z_233));
+    const double z_234 = 2.0*z_30*H_xz - z_25*z_121;
+    const double z_235 = 2.0*z_25*H_xz - z_30*z_118;
+    const double z_236 = cos_theta*B_xz;
+    const double z_237 = cos_theta*z_41 + sin_theta*z_46;
+    const double z_238 = sin_theta*B_xz;
+    const double z_239 = 2.0*H_xz*z_215 + z_121*z_216;
+    const double z_240 = 2.0*H_xz*z_216 + z_118*z_215;
+    const double z_241 = sin_theta*z_41 - cos_theta*z_46;
+    const double z_242 = r_R - z_214;
+    const double z_243 = z_242 + z_217;
+    const double z_244 = z_242 + z_219;
+    const double z_245 = z_71*z_243 + z_72*z_244;
+    const double z_246 = z_68*z_243 + z_69*z_244;
+    const double z_247 = m_F*z_243 + m_H*z_244;
+    const double z_248 = r_R - z_213;
+    const double z_249 = cos_theta*z_59;
+    const double z_250 = sin_theta*z_64;
+    dM[283] = (-0.5)*(2.0*r_R*z_150 + (cos_theta*(z_19*z_234 + 2.0*z_236 - z_23*z_235 - 2.0*z_237*z_137 -
+        sin_theta*z_138) - sin_theta*(2.0*z_238 + cos_theta*z_138 + z_19*z_239 + z_23*z_240 - 2.0*z_241*z_137)) +
+        2.0*(z_157*z_90 + z_20*z_245) + 2.0*(z_155*z_91 - z_28*z_246) + 2.0*(z_24*z_155 + z_29*z_246) +
+        2.0*(z_29*z_157 - z_24*z_245) - (sin_theta*(z_27*z_235 + 2.0*z_238 - z_23*z_234 - 2.0*z_237*z_132 -
+        cos_theta*z_133) - cos_theta*(2.0*z_236 + sin_theta*z_133 + z_27*z_240 + z_23*z_239 + 2.0*z_241*z_132)) -
+        2.0*(z_149*z_171 + z_33*z_247) - 2.0*(z_149*z_173 - z_32*z_247) - 2.0*(z_3*z_177 - z_248*z_249) -
+        2.0*(z_3*z_178 + z_248*z_250));
+    dM[288] = dM[260] = z_24*z_80 + z_28*z_82 + sin_theta*z_66 - z_29*z_82 - z_20*z_80 - cos_theta*z_62 - z_143;
+    dM[289] = dM[268] = -(z_29*z_89 + z_20*z_88 + cos_theta*z_85 - z_24*z_88 - z_28*z_89 - sin_theta*z_86 -
+        z_145);
+    const double z_251 = z_50*z_71 + z_55*z_72;
+    const double z_252 = z_71*z_211 + z_72*z_212;
+    const double z_253 = z_50*z_68 + z_55*z_69;
+    const double z_254 = z_68*z_211 + z_69*z_212;
+    const double z_255 = z_115 + z_116;
+    const double z_256 = m_F*z_211 + m_H*z_212;
+    dM[290] = dM[276] = (-0.5)*(2.0*(z_20*z_251 + z_90*z_252) + 2.0*(z_29*z_253 + z_24*z_254) + 2.0*(z_32*z_255 -
+        z_173*z_256) + 2.0*(z_154 - z_208*z_229) + 2.0*(z_10*z_249 - z_205*z_177) + 2.0*(z_152 + z_209*z_229) +
+        2.0*(z_164 + z_9*z_232) + 2.0*(z_166 - z_8*z_233) - 2.0*(z_28*z_253 - z_91*z_254) - 2.0*(z_24*z_251 -
+        z_29*z_252) - 2.0*(z_33*z_255 + z_171*z_256) - 2.0*(z_158 + z_92*z_231) - 2.0*(z_160 + z_45*z_230) -
+        2.0*(z_10*z_250 + z_205*z_178) - 2.0*(z_159 - z_93*z_230) - 2.0*(z_161 - z_38*z_231) - 2.0*z_226);
+    const double z_257 = sin_tilt*r_F - c_*cos_tilt;
+    const double z_258 = sin_tilt*z_H - cos_tilt*z_52;
+    const double z_259 = m_F*z_257 + m_H*z_258;
+    const double z_260 = sin_delta*z_259;
+    const double z_261 = z_68*z_257 + z_69*z_258;
+    const double z_262 = sin_delta*z_261;
+    const double z_263 = z_71*z_257 + z_72*z_258;
+    const double z_264 = sin_delta*z_263;
+    dM[291] = dM[284] = 0.5*(2.0*z_241*z_125 + z_239*z_46 + 2.0*z_171*z_260 + 2.0*z_173*z_260 - z_240*z_41 -
+        2.0*z_91*z_262 - 2.0*z_29*z_264 - 2.0*z_90*z_264 - 2.0*z_24*z_262);
+    dM[296] = dM[261] = -(cos_theta*z_101 + sin_theta*z_100 + z_9*z_95 - z_8*z_97);
+    dM[297] = dM[269] = -(sin_theta*z_95 + cos_theta*z_97 + z_8*z_101 - z_9*z_100);
+    const double z_265 = sin_theta*z_184;
+    const double z_266 = z_253*z_265;
+    const double z_267 = cos_phi*z_186;
+    const double z_268 = cos_theta*z_189;
+    const double z_269 = z_251*z_268;
+    const double z_270 = cos_phi*z_191;
+    const double z_271 = z_155*z_9;
+    const double z_272 = z_184*z_271;
+    const double z_273 = z_8*z_184;
+    const double z_274 = z_157*z_8;
+    const double z_275 = z_189*z_274;
+    const double z_276 = z_9*z_189;
+    const double z_277 = z_253*z_200;
+    const double z_278 = z_251*z_199;
+    const double z_279 = z_8*z_198;
+    const double z_280 = z_155*z_279;
+    const double z_281 = z_9*z_198;
+    const double z_282 = z_157*z_281;
+    dM[298] = dM[277] = 0.5*(sin_tilt*z_224 + 2.0*z_267*z_231 + 2.0*(z_272 + z_273*z_230) + 2.0*(z_277 -
+        z_199*z_254) + 2.0*(z_278 + z_200*z_252) + 2.0*(z_280 - z_281*z_230) - cos_tilt*z_225 - 2.0*(z_266 +
+        z_185*z_254) - 2.0*(z_269 - z_190*z_252) - 2.0*z_270*z_230 - 2.0*(z_275 - z_276*z_231) - 2.0*(z_282 +
+        z_279*z_231));
+    const double z_283 = z_263*z_17;
+    const double z_284 = z_283 - z_21*z_261;
+    const double z_285 = sin_delta*sin_delta;
+    const double z_286 = sin_theta*z_285;
+    const double z_287 = z_261*z_14;
+    const double z_288 = z_287 - z_21*z_263;
+    const double z_289 = cos_theta*z_285;
+    dM[299] = dM[285] = (-0.5)*(2.0*z_155*z_191 + 2.0*z_288*z_289 - 2.0*z_157*z_186 - sin_tilt*z_240 -
+        cos_tilt*z_239 - 2.0*z_284*z_286);
+    dM[314] = dM[279] = F_yy*z_221;
+    dM[315] = dM[287] = F_yy*z_241;
+    const double z_290 = z_281 + z_270 - z_273;
+    const double z_291 = z_279 - z_276 - z_267;
+    const double z_292 = c_*z_290 + r_F*z_291;
+    const double z_293 = z_H*z_291 + z_52*z_290;
+    const double z_294 = z_200 + z_190;
+    const double z_295 = z_199 + z_185;
+    const double z_296 = r_F*z_294 - c_*z_295;
+    const double z_297 = z_H*z_294 - z_52*z_295;
+    dM[336] = dM[322] = z_292*z_36 + z_293*z_54 + z_296*z_51 + z_297*z_56;
+    dM[337] = dM[330] = -(z_296*z_36 + z_297*z_54 - z_292*z_51 - z_293*z_56);
+    const double z_298 = z_124*z_123;
+    const double z_299 = sin_phi*sin_delta + z_63*z_186 - z_58*z_191;
+    const double z_300 = z_196 - z_203 - z_187;
+    const double z_301 = z_192 + z_194 - z_201;
+    const double z_302 = 2.0*H_xz*z_300 + z_118*z_301;
+    const double z_303 = 2.0*H_xz*z_301 + z_121*z_300;
+    const double z_304 = (sin_delta*z_298 + z_299*z_125) + 0.5*((z_119*z_191 - z_302*z_41) + (z_122*z_186 +
+        z_303*z_46));
+    const double z_305 = (z_119*z_184 + z_27*z_302) + (z_122*z_198 + z_23*z_303) - 2.0*(z_191*z_298 -
+        z_299*z_132);
+    const double z_306 = (z_119*z_198 - z_23*z_302) + (z_122*z_189 - z_19*z_303) - 2.0*(z_186*z_298 -
+        z_299*z_137);
+    dM[338] = (-0.5)*(4.0*z_147*z_296 + 4.0*z_148*z_297 + sin_phi*(2.0*z_304) + z_305*z_58 - 4.0*z_115*z_292 -
+        4.0*z_116*z_293 - z_306*z_63);
+    dM[344] = dM[323] = -(z_75*z_102 + z_63*z_97 + z_58*z_95);
+    dM[345] = dM[331] = z_75*z_98 + z_58*z_100 + z_63*z_101;
+    const double z_307 = m_F*z_296 + m_H*z_297;
+    const double z_308 = z_68*z_296 + z_69*z_297;
+    const double z_309 = z_71*z_296 + z_72*z_297;
+    dM[346] = dM[339] = 0.5*(sin_theta*z_306 + cos_theta*z_305 + 2.0*z_77*z_307 + 2.0*(z_193 - z_106*z_308) +
+        2.0*(z_197 + z_79*z_309) + 2.0*(z_195 + z_81*z_308) - 2.0*z_109*z_307 - 2.0*z_108*z_307 - 2.0*(z_202 -
+        z_83*z_308) - 2.0*(z_204 - z_84*z_309) - 2.0*(z_188 - z_104*z_309));
+    const double z_310 = z_200 - z_265;
+    const double z_311 = z_199 - z_268;
+    const double z_312 = c_*z_310 + r_F*z_311;
+    const double z_313 = z_H*z_311 + z_52*z_310;
+    const double z_314 = m_F*z_312 + m_H*z_313;
+    const double z_315 = cos_delta*sin_delta;
+    const double z_316 = 2.0*H_xz*z_295 - z_121*z_294;
+    const double z_317 = 2.0*H_xz*z_294 - z_118*z_295;
+    const double z_318 = z_124*z_237;
+    const double z_319 = cos_theta*z_191 + sin_theta*z_186;
+    const double z_320 = z_71*z_312 + z_72*z_313;
+    const double z_321 = z_68*z_312 + z_69*z_313;
+    dM[347] = 0.5*(2.0*r_R*z_314 + sin_theta*((z_234*z_189 + z_19*z_316) + (z_235*z_198 - z_23*z_317) +
+        2.0*(z_186*z_318 + z_319*z_137)) + cos_theta*((z_235*z_184 + z_27*z_317) + (z_234*z_198 - z_23*z_316) +
+        2.0*(z_191*z_318 + z_319*z_132)) + 2.0*(z_246*z_200 + z_24*z_321) + 2.0*(z_245*z_199 + z_29*z_320) -
+        4.0*(cos_tilt*z_261 - sin_tilt*z_263)*z_315 - 2.0*(z_245*z_268 - z_90*z_320) - 2.0*(z_246*z_265 -
+        z_91*z_321) - 2.0*z_171*z_314 - 2.0*z_173*z_314);
+    dM[352] = dM[324] = -(cos_theta*z_101 + sin_theta*z_100 + z_9*z_95 - z_8*z_97);
+    dM[353] = dM[332] = -(sin_theta*z_95 + cos_theta*z_97 + z_8*z_101 - z_9*z_100);
+    const double z_322 = z_71*z_292 + z_72*z_293;
+    const double z_323 = z_68*z_292 + z_69*z_293;
+    const double z_324 = m_F*z_292 + m_H*z_293;
+    dM[354] = dM[340] = (-0.5)*(2.0*(z_269 - z_90*z_322) + 2.0*(z_266 - z_91*z_323) + 2.0*z_171*z_324 +
+        2.0*z_173*z_324 + 2.0*z_208*z_307 + 2.0*(z_275 + z_92*z_309) + 2.0*(z_282 - z_38*z_309) + 2.0*z_304 -
+        2.0*(z_277 + z_24*z_323) - 2.0*(z_278 + z_29*z_322) - 2.0*(z_280 - z_45*z_308) - 2.0*z_209*z_307 -
+        2.0*(z_272 + z_93*z_308));
+    const double z_325 = sin_theta*cos_delta;
+    const double z_326 = cos_theta*cos_delta;
+    const double z_327 = z_21*z_285;
+    dM[355] = dM[348] = 0.5*(2.0*(sin_delta*z_318 - z_319*z_125) + 2.0*r_R*z_259*z_325 +
+        2.0*(cos_theta*z_263*z_327 + cos_delta*z_24*z_263) - (z_235*z_191 - z_317*z_41) - (z_234*z_186 -
+        z_316*z_46) - 2.0*(z_287*z_289 - z_27*z_261*z_326) - 2.0*z_31*z_259*z_326 - 2.0*(z_19*z_263*z_325 -
+        z_283*z_286) - 2.0*(sin_theta*z_261*z_327 + cos_delta*z_29*z_261));
+    const double z_328 = r_R - c_*z_23 - r_F*z_19;
+    const double z_329 = r_R - z_19*z_H - z_23*z_52;
+    const double z_330 = z_71*z_328 + z_72*z_329;
+    const double z_331 = r_F*z_17 - c_*z_21;
+    const double z_332 = z_H*z_17 - z_21*z_52;
+    const double z_333 = z_71*z_331 + z_72*z_332;
+    const double z_334 = z_31 - c_*z_27 - z_23*r_F;
+    const double z_335 = z_31 - z_23*z_H - z_27*z_52;
+    const double z_336 = z_68*z_334 + z_69*z_335;
+    const double z_337 = c_*z_14 - z_21*r_F;
+    const double z_338 = z_21*z_H - z_52*z_14;
+    const double z_339 = z_68*z_337 - z_69*z_338;
+    const double z_340 = z_68*z_328 + z_69*z_329;
+    const double z_341 = z_68*z_331 + z_69*z_332;
+    const double z_342 = z_23*sin_delta;
+    const double z_343 = z_71*z_334 + z_72*z_335;
+    const double z_344 = z_71*z_337 - z_72*z_338;
+    const double z_345 = cos_tilt*H_xx + cos_tilt*z_117 - 2.0*sin_tilt*H_xz;
+    const double z_346 = sin_tilt*H_zz + sin_tilt*z_120 - 2.0*cos_tilt*H_xz;
+    dM[356] = (z_330*z_189 - sin_delta*z_19*z_333) + (z_336*z_184 - z_27*sin_delta*z_339) +
+        sin_delta*(r_R*(m_F*z_331 + m_H*z_332) + z_31*(m_F*z_337 - m_H*z_338)) - (z_340*z_198 + z_341*z_342) -
+        (z_343*z_198 + z_344*z_342) - (2.0*z_124 - (cos_tilt*z_345 + sin_tilt*z_346))*z_315;
+    const double z_347 = z_94*z_326;
+    const double z_348 = z_96*z_325;
+    const double z_349 = z_96*z_9;
+    const double z_350 = z_94*z_8;
+    dM[360] = dM[325] = -(z_142 + cos_psi*z_348 + z_102*z_349 + z_102*z_350 - cos_psi*z_347);
+    dM[361] = dM[333] = z_144 + sin_psi*z_347 + z_98*z_350 + z_98*z_349 - sin_psi*z_348;
+    dM[362] = dM[341] = (-0.5)*(sin_tilt*z_302 + cos_tilt*z_303 + 2.0*(z_162 + z_267*z_309) +
+        2.0*(z_251*z_17*z_325 + z_190*z_322) + 2.0*(z_21*z_251*z_326 + z_200*z_322) + 2.0*(z_22*z_271 -
+        z_281*z_308) + 2.0*(z_22*z_274 - z_279*z_309) - 2.0*(z_253*z_14*z_326 + z_185*z_323) - 2.0*(z_156 +
+        z_270*z_308) - 2.0*(z_26*z_155*z_8 - z_273*z_308) - 2.0*(z_18*z_157*z_9 - z_276*z_309) -
+        2.0*(z_21*z_253*z_325 + z_199*z_323));
+    dM[363] = dM[349] = (-0.5)*(sin_tilt*z_317 + 4.0*sin_delta*z_284*z_326 + 2.0*(z_246*z_41 - z_321*z_191) +
+        4.0*sin_delta*z_288*z_325 - cos_tilt*z_316 - 2.0*(z_245*z_46 - z_320*z_186));
+    dM[364] = dM[357] = (-0.5)*(cos_delta*(sin_tilt*z_345 - cos_tilt*z_346) + 2.0*(z_26*z_340 + z_341*z_14*z_285)
+        + 2.0*(z_22*z_336 + z_339*z_327) - 2.0*(z_18*z_343 + z_344*z_17*z_285) - 2.0*(z_22*z_330 + z_333*z_327));
+    dM[378] = dM[343] = -F_yy*z_299;
+    dM[379] = dM[351] = -F_yy*z_319;
+    dM[380] = dM[359] = -sin_delta*F_yy;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
@@ -9426,27 +9459,25 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_70 = 2.0*z_39 - sin_tilt*(2.0*z_61 + sin_tilt*H_xx + sin_tilt*z_11) - cos_tilt*(2.0*z_59 +
         cos_tilt*H_zz + cos_tilt*z_12);
     prepared[138] = (-0.5)*z_70; /* c_112 */
-    prepared[139] = 4.0*z_64; /* c_113 */
-    prepared[140] = 4.0*z_65; /* c_114 */
-    prepared[141] = 2.0*fabs(r_R); /* c_115 */
+    prepared[139] = 2.0*fabs(r_R); /* c_113 */
     const double z_71 = fabs(cos_tilt);
     const double z_72 = z_71 + fabs(tilt*sin_tilt);
-    prepared[142] = 2.0*(z_71*z_72); /* c_116 */
+    prepared[140] = 2.0*(z_71*z_72); /* c_114 */
     const double z_73 = fabs(sin_tilt);
     const double z_74 = z_73 + fabs(tilt*cos_tilt);
-    prepared[143] = z_74*z_71 + z_73*z_72; /* c_117 */
-    prepared[144] = fabs(z_8); /* c_118 */
-    prepared[145] = 2.0*fabs(r_F); /* c_119 */
-    prepared[146] = 2.0*(z_73*z_74); /* c_120 */
-    prepared[147] = 2.0*fabs(c_); /* c_121 */
-    prepared[148] = 2.0*F_yy; /* c_122 */
-    prepared[149] = z_70; /* c_123 */
-    prepared[150] = 2.0*x_B; /* c_124 */
-    prepared[151] = 4.0*z_1; /* c_125 */
-    prepared[152] = 4.0*r_R; /* c_126 */
-    prepared[153] = 5.0*z_H; /* c_127 */
-    prepared[154] = 4.0*z_9; /* c_128 */
-    prepared[155] = (1.0/3.0)*r_R; /* c_129 */
+    prepared[141] = z_74*z_71 + z_73*z_72; /* c_115 */
+    prepared[142] = fabs(z_8); /* c_116 */
+    prepared[143] = 2.0*fabs(r_F); /* c_117 */
+    prepared[144] = 2.0*(z_73*z_74); /* c_118 */
+    prepared[145] = 2.0*fabs(c_); /* c_119 */
+    prepared[146] = 2.0*F_yy; /* c_120 */
+    prepared[147] = z_70; /* c_121 */
+    prepared[148] = 2.0*x_B; /* c_122 */
+    prepared[149] = 4.0*z_1; /* c_123 */
+    prepared[150] = 4.0*r_R; /* c_124 */
+    prepared[151] = 5.0*z_H; /* c_125 */
+    prepared[152] = 4.0*z_9; /* c_126 */
+    prepared[153] = (1.0/3.0)*r_R; /* c_127 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -9889,25 +9920,25 @@ EM_ACROSS void position(double t, const double *restrict x, const double *restri
     const double z_21 = fabs(cos_delta);
     const double z_22 = z_21 + fabs(delta*sin_delta);
     const double z_23 = fabs(sin_delta) + fabs(delta*cos_delta);
-    const double c_115 = c[141];
-    const double c_116 = c[142];
+    const double c_113 = c[139];
+    const double c_114 = c[140];
     const double z_24 = fabs(z_3);
     const double z_25 = fabs(z_8*cos_phi_);
+    const double c_115 = c[141];
+    const double c_116 = c[142];
+    const double z_26 = c_115 + z_22*c_116;
+    const double z_27 = fabs(z_5);
     const double c_117 = c[143];
     const double c_118 = c[144];
-    const double z_26 = c_117 + z_22*c_118;
-    const double z_27 = fabs(z_5);
     const double c_119 = c[145];
-    const double c_120 = c[146];
-    const double c_121 = c[147];
     terms[0] = 0.5*(2.0*(z_16*fabs(z_1) + z_17*fabs(r_R*cos_theta)) + 2.0*(z_18*fabs(cos_phi_*c_1) +
         z_17*fabs(sin_theta*c_1)) + (1.0 + 2.0*((z_20*z_21 + z_19*z_22) + (z_18*fabs(cos_phi_*z_12) +
         z_17*fabs(sin_theta*z_12) + z_23*fabs(c_5*z_5)) + (z_16*fabs(cos_phi_*z_11) + z_17*fabs(cos_theta*z_11) +
-        z_23*fabs(c_6*z_3)))*fabs(z_14))*fabs(r_F/z_15) + z_17*c_115 + ((z_16*fabs(cos_phi_*z_7) +
-        z_17*fabs(cos_theta*z_7) + (c_116 + c_2*z_22)*z_24) + (z_18*z_25 + z_26*z_27 + z_17*fabs(sin_theta*z_8)) +
-        (z_20*fabs(z_11) + z_23*fabs(sin_phi_*c_6)))*c_119 + ((z_20*fabs(z_12) + z_23*fabs(sin_phi_*c_5)) +
-        (z_18*fabs(z_13*cos_phi_) + (c_120 + c_3*z_22)*z_27 + z_17*fabs(sin_theta*z_13)) + (z_16*z_25 + z_26*z_24
-        + z_17*fabs(cos_theta*z_8)))*c_121);
+        z_23*fabs(c_6*z_3)))*fabs(z_14))*fabs(r_F/z_15) + z_17*c_113 + ((z_16*fabs(cos_phi_*z_7) +
+        z_17*fabs(cos_theta*z_7) + (c_114 + c_2*z_22)*z_24) + (z_18*z_25 + z_26*z_27 + z_17*fabs(sin_theta*z_8)) +
+        (z_20*fabs(z_11) + z_23*fabs(sin_phi_*c_6)))*c_117 + ((z_20*fabs(z_12) + z_23*fabs(sin_phi_*c_5)) +
+        (z_18*fabs(z_13*cos_phi_) + (c_118 + c_3*z_22)*z_27 + z_17*fabs(sin_theta*z_13)) + (z_16*z_25 + z_26*z_24
+        + z_17*fabs(cos_theta*z_8)))*c_119);
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */

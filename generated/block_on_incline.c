@@ -1,6 +1,6 @@
 /* eigenmotion generate block_on_incline.py */
 /* input sha256:c26f72922a994b4dc497d7af21797b6854d219ac767e75b231b2ab6b2c43140a */
-/* body sha256:5a5872d5bdd7ab50a7459d1700d97c0e83dbb15a07264bbf19641532c2b53882 */
+/* body sha256:32bc2eded546c93cb7b3f39b5af5df1a70847e3aba6de8541ec85e85bfb9992e */
 /* block_on_incline: equations of motion, eigenfactor formulation.
  *
  * State, 2 numbers:
@@ -175,14 +175,6 @@ em_lanes block_on_incline_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, N
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -267,6 +259,14 @@ EM_ACROSS void levels(double t, const double *restrict x, const double *restrict
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

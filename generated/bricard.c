@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:44d7d8ecde209d265cc2f3995836fe269e21f2d00d0b23021dcdbf48a3692cf1 */
+/* body sha256:86ff3e53c1b529d87c7521db4da106e26f569b3926dc19e0fccaf97d1e6501c2 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -1299,244 +1299,6 @@ em_lanes bricard_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_r
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double l = c[1];
-    const double q2 = x[1];
-    const double cos_q2 = em_cos(q2);
-    const double c_0 = c[3];
-    const double q3 = x[2];
-    const double sin_q3 = em_sin(q3);
-    const double z_2 = cos_q2*sin_q3;
-    const double z_3 = cos_q2 - z_2;
-    const double z_4 = l*z_3;
-    const double c_1 = c[4];
-    const double q5 = x[4];
-    const double sin_q5 = em_sin(q5);
-    const double q4 = x[3];
-    const double cos_q4 = em_cos(q4);
-    const double sin_q2 = em_sin(q2);
-    const double z_8 = cos_q4*sin_q2;
-    const double sin_q4 = em_sin(q4);
-    const double z_10 = z_8 + sin_q4*z_2;
-    const double cos_q3 = em_cos(q3);
-    const double cos_q5 = em_cos(q5);
-    const double z_13 = cos_q3*cos_q5;
-    const double z_14 = cos_q2*z_13;
-    const double z_15 = z_10 - z_3;
-    const double z_16 = l*((sin_q5*z_10 - z_14) - z_15);
-    const double c_2 = c[5];
-    const double z_17 = l*(-z_15);
-    const double z_18 = z_16*c_2 + z_17*c_1;
-    const double z_19 = cos_q2*c_0 + z_4*c_1 + z_18;
-    const double c_3 = c[6];
-    const double z_20 = cos_q2*cos_q4;
-    const double z_21 = sin_q2*sin_q3;
-    const double z_22 = z_20 - sin_q4*z_21;
-    const double z_23 = sin_q2*z_13;
-    const double z_24 = l - l*sin_q2;
-    const double z_25 = l*z_21 + z_24;
-    const double z_26 = l*z_22 - z_25;
-    const double z_27 = l*(z_22*sin_q5 + z_23) - z_26;
-    const double c_4 = c[7];
-    const double z_28 = -z_26;
-    const double m = c[0];
-    const double z_29 = m*(2.0*z_27 + z_28);
-    const double z_30 = l*(m*(3.0*z_27 + z_25 + 5.0*z_28) - sin_q5*z_29);
-    const double z_31 = m*(2.0*z_16 + z_17);
-    const double z_32 = l*(m*(3.0*z_16 + z_4 + 5.0*z_17) - sin_q5*z_31);
-    const double c_5 = c[8];
-    const double z_33 = l*(m*(3.0*z_27 + z_24 + 5.0*z_25 + 6.0*z_28)) + sin_q4*z_30;
-    const double z_34 = l*(c_3*cos_q2 + z_4*c_4 + z_18) + sin_q4*z_32;
-    dM[25] = ((-1.0/6.0))*(l*z_19 + l*(cos_q2*(c_3 + z_27*c_2 + z_24*c_4 + z_25*c_1 + z_28*c_1) - sin_q2*z_19) +
-        cos_q2*c_5 - (z_30*z_8 + z_20*z_32) - (z_33*z_2 - z_34*z_21) - l*(z_29*z_14 - z_23*z_31));
-    const double z_35 = sin_q3*cos_q5;
-    const double z_36 = sin_q4*cos_q3;
-    const double z_37 = cos_q3 + z_36;
-    const double z_38 = l*(z_37 - (z_35 + sin_q5*z_36));
-    const double z_39 = z_38*c_2;
-    const double z_40 = l*z_37;
-    const double z_41 = m*(2.0*z_38 + z_40);
-    const double z_42 = sin_q5*z_41;
-    const double z_43 = l*((c_3*cos_q3 + z_39 + z_40*c_4) - z_42);
-    const double z_44 = z_20*z_43;
-    const double z_45 = sin_q4*z_43;
-    const double z_46 = l*(z_39 + z_40*c_1 + cos_q3*c_0) + z_45;
-    const double z_47 = z_46*z_21;
-    const double z_48 = l*z_13;
-    const double z_49 = sin_q2*z_48;
-    const double z_50 = z_41*z_49;
-    const double c_6 = c[9];
-    const double c_7 = c[10];
-    const double z_51 = m*z_38 + z_40*c_6 + cos_q3*c_7;
-    const double c_8 = c[11];
-    const double z_52 = sin_q2*c_8;
-    dM[30] = dM[26] = (1.0/6.0)*(z_44 + z_51*z_52 - z_47 - z_50);
-    const double z_53 = cos_q2*cos_q3*z_46;
-    const double z_54 = l*z_35;
-    const double z_55 = cos_q2*z_41;
-    dM[35] = dM[27] = ((-1.0/6.0))*(sin_q3*z_34 + z_31*z_48 + z_54*z_55 - z_53);
-    const double z_56 = cos_q4*cos_q3;
-    const double z_57 = sin_q2*z_45;
-    const double z_58 = cos_q4*sin_q3;
-    dM[40] = dM[28] = (1.0/6.0)*(z_56*z_32 + cos_q2*z_43*z_58 - z_57);
-    const double z_59 = cos_q5*z_41;
-    const double z_60 = sin_q3*sin_q5;
-    const double z_61 = sin_q5*cos_q3;
-    const double z_62 = sin_q4*z_13;
-    dM[45] = dM[29] = ((-1.0/6.0))*(l*(z_10*z_59 + z_61*z_55 + z_62*z_31 - z_60*z_31));
-    const double z_63 = sin_q3*z_46;
-    const double z_64 = z_13 - sin_q4*z_60;
-    const double z_65 = sin_q3*sin_q4;
-    const double z_66 = sin_q3 + z_65;
-    const double z_67 = l*(z_64 + z_66);
-    const double z_68 = z_67*c_2;
-    const double z_69 = l*z_66;
-    const double z_70 = m*(2.0*z_67 + z_69);
-    const double z_71 = l*((c_3*sin_q3 + z_68 + z_69*c_4) - sin_q5*z_70);
-    const double z_72 = l*(z_68 + z_69*c_1 + sin_q3*c_0) + sin_q4*z_71;
-    const double z_73 = sin_q2*cos_q3;
-    const double z_74 = sin_q2*z_35;
-    const double z_75 = sin_q4*z_73;
-    const double z_76 = z_73 + z_75;
-    const double z_77 = l*(z_76 - (z_74 + sin_q5*z_75));
-    const double z_78 = z_77*c_2;
-    const double z_79 = l*z_76;
-    const double z_80 = m*(2.0*z_77 + z_79);
-    const double z_81 = l*((c_3*z_73 + z_78 + z_79*c_4) - sin_q5*z_80);
-    const double z_82 = l*(z_78 + c_0*z_73 + z_79*c_1) + sin_q4*z_81;
-    const double z_83 = z_41*z_13;
-    const double z_84 = m*z_77 + z_73*c_7 + z_79*c_6;
-    dM[50] = (1.0/6.0)*((z_33*z_73 + z_82*z_21) + z_84*c_8 - (z_63 + cos_q3*z_72) - z_20*z_81 - l*(z_83 -
-        z_35*z_70) - l*(z_29*z_74 - z_23*z_80) - z_84*z_52);
-    const double z_85 = cos_q2*c_8;
-    dM[55] = dM[51] = (1.0/6.0)*((z_53 - z_2*z_72) + (m*z_67 + z_69*c_6 + sin_q3*c_7)*z_85 - z_8*z_71 -
-        l*(z_35*z_55 + z_14*z_70));
-    const double z_86 = l*sin_q3;
-    const double z_87 = l - z_86;
-    const double z_88 = sin_q4*z_86 - z_87;
-    const double z_89 = -l*z_64 - z_88;
-    const double z_90 = -z_88;
-    const double z_91 = m*(2.0*z_89 + z_90);
-    const double z_92 = l*(m*(3.0*z_89 + z_87 + 5.0*z_90) - sin_q5*z_91);
-    dM[56] = ((-1.0/6.0))*(z_51*c_8 - (z_63 - cos_q3*(l*(c_3 + z_89*c_2 + z_87*c_4 + z_90*c_1) + sin_q4*z_92)) -
-        l*(z_83 + z_35*z_91));
-    dM[60] = dM[52] = (1.0/6.0)*((cos_q3*z_33 + sin_q3*z_82) - (z_47 + z_73*z_72) - l*(z_35*z_29 - z_13*z_80) -
-        l*(z_23*z_41 - z_74*z_70));
-    const double z_93 = l*(cos_q4 - cos_q4*sin_q5);
-    const double z_94 = c_3*cos_q4 + z_93*c_6;
-    const double z_95 = l*((z_93*c_2 + cos_q4*c_0) - sin_q5*z_94);
-    const double z_96 = z_65*z_95;
-    const double z_97 = z_94*z_48;
-    const double z_98 = (m*z_93 + cos_q4*c_7)*c_8;
-    dM[61] = dM[57] = ((-1.0/6.0))*(z_96 + z_97 + sin_q3*z_98);
-    const double z_99 = cos_q2*sin_q4;
-    const double z_100 = cos_q4*z_43;
-    const double z_101 = sin_q2*z_58;
-    dM[65] = dM[53] = (1.0/6.0)*((z_30*z_58 - z_56*z_81) + (z_73*z_100 - z_101*z_71) - z_99*z_71);
-    const double z_102 = z_95*z_56;
-    dM[66] = dM[58] = (1.0/6.0)*(z_45 + z_102);
-    const double z_103 = z_22*cos_q5;
-    const double z_104 = sin_q5*z_73;
-    const double z_105 = sin_q4*z_35;
-    dM[70] = dM[54] = ((-1.0/6.0))*(l*(sin_q2*z_41*z_62 + z_70*z_103) + l*(z_29*z_61 + z_60*z_80) + l*(z_29*z_105
-        - z_62*z_80) - l*(z_42*z_21 + z_104*z_70));
-    const double z_106 = cos_q4*cos_q5;
-    dM[71] = dM[59] = (1.0/6.0)*(l*(z_41*z_106 + z_94*z_60 - z_94*z_62));
-    const double z_107 = l*(-(z_56 - sin_q5*z_56));
-    const double z_108 = z_107*c_6 - c_3*z_56;
-    const double z_109 = l*((z_107*c_2 - c_0*z_56) - sin_q5*z_108);
-    const double z_110 = m*z_107 - z_56*c_7;
-    const double z_111 = z_110*c_8 - (z_100 - sin_q4*z_109);
-    const double z_112 = z_99 + z_101;
-    const double z_113 = l*(-(z_112 - sin_q5*z_112));
-    const double z_114 = z_113*c_6 - c_3*z_112;
-    const double z_115 = l*((z_113*c_2 - c_0*z_112) - sin_q5*z_114);
-    const double z_116 = m*z_113 - z_112*c_7;
-    const double z_117 = z_116*c_8;
-    const double z_118 = z_117 - (cos_q4*z_30 - sin_q4*z_115);
-    dM[75] = ((-1.0/6.0))*(cos_q3*z_111 + z_118*z_21 + z_114*z_49 + z_117 - (z_30*z_99 + z_20*z_115) - z_108*z_54
-        - z_116*z_52);
-    dM[80] = dM[76] = (1.0/6.0)*(z_110*z_85 - (z_57 + z_8*z_109) - z_2*z_111 - z_108*(cos_q2*z_48));
-    const double z_119 = l*(-(z_58 - sin_q5*z_58));
-    const double z_120 = z_119*c_6 - c_3*z_58;
-    const double z_121 = cos_q4*z_92 + sin_q4*(l*((z_119*c_2 - c_0*z_58) - sin_q5*z_120));
-    const double z_122 = (m*z_119 - z_58*c_7)*c_8;
-    const double z_123 = sin_q4*z_95;
-    const double z_124 = l*(sin_q4 - sin_q4*sin_q5);
-    const double z_125 = c_3*sin_q4 + z_124*c_6;
-    const double z_126 = l*((z_124*c_2 + sin_q4*c_0) - sin_q5*z_125);
-    dM[81] = (1.0/6.0)*(z_122 - sin_q3*(z_121 + z_122) - (z_123 + cos_q4*z_126) - z_120*z_48);
-    dM[85] = dM[77] = ((-1.0/6.0))*(sin_q3*z_118 + z_73*z_111 + z_114*z_48 - z_108*(sin_q2*z_54));
-    dM[86] = dM[82] = ((-1.0/6.0))*(cos_q3*(m*z_124 + sin_q4*c_7)*c_8 - (z_102 - z_36*z_126) - z_125*z_54);
-    const double z_127 = l*sin_q5;
-    const double z_128 = l + l*sin_q4;
-    const double z_129 = z_128 - sin_q4*z_127;
-    const double z_130 = m*(2.0*z_129 + z_128);
-    dM[87] = (1.0/6.0)*((z_123 + cos_q4*(l*((c_3 + z_129*c_2 + z_128*c_4) - sin_q5*z_130))) + z_98);
-    dM[90] = dM[78] = (1.0/6.0)*((z_36*z_30 + z_56*z_115) + (z_44 - z_99*z_109) - (z_45*z_21 + z_101*z_109));
-    dM[91] = dM[83] = ((-1.0/6.0))*(z_121 + (z_96 + z_58*z_126));
-    const double z_131 = sin_q5*cos_q5;
-    dM[92] = dM[88] = (1.0/6.0)*(sin_q4*(c_5*(3.0*cos_q5 - 2.0*z_131)));
-    const double z_132 = sin_q3*z_127;
-    const double z_133 = cos_q4*z_13;
-    dM[95] = dM[79] = ((-1.0/6.0))*(l*(z_112*z_59 + z_108*z_103) - z_114*z_132 - z_108*(z_127*z_73) -
-        l*(z_29*z_133 - z_62*z_114));
-    const double z_134 = sin_q4*cos_q5;
-    const double z_135 = cos_q3*z_127;
-    dM[96] = dM[84] = (1.0/6.0)*(l*(z_91*z_134 - z_120*z_106) + z_125*z_135 - l*(z_35*(cos_q4*z_94) -
-        z_105*z_125));
-    const double c_11 = c[14];
-    const double z_136 = cos_q5*cos_q5;
-    const double z_137 = c_11*z_136;
-    dM[97] = dM[89] = ((-1.0/6.0))*(z_94*z_127 - cos_q4*z_137);
-    const double z_138 = l*cos_q5;
-    const double z_139 = z_60 - z_62;
-    const double z_140 = sin_q5*c_11;
-    const double c_10 = c[13];
-    const double z_141 = z_139*c_10;
-    const double z_142 = z_141 - (z_41*z_138 + z_139*z_140);
-    const double z_143 = sin_q4*z_142 + z_141;
-    const double z_144 = z_104 - z_103;
-    const double z_145 = z_144*c_10;
-    const double z_146 = (z_29*z_138 - z_144*z_140) + z_145;
-    const double z_147 = sin_q4*z_146 + z_145;
-    const double z_148 = z_139*c_11;
-    const double z_149 = z_29*z_127;
-    const double z_150 = z_144*c_11;
-    dM[100] = ((-1.0/6.0))*(z_147*z_21 + (z_149*z_73 + z_23*z_150) + z_145 - cos_q3*z_143 - z_20*z_146 -
-        (z_41*z_132 - z_35*z_148) - sin_q2*z_145);
-    dM[105] = dM[101] = ((-1.0/6.0))*((z_55*z_135 - z_14*z_148) + cos_q2*z_141 - z_8*z_142 - z_2*z_143);
-    const double z_151 = z_61 + z_105;
-    const double z_152 = z_151*c_10;
-    const double z_153 = sin_q4*(z_152 - (z_91*z_138 + z_151*z_140));
-    const double z_154 = (z_94*z_138 - z_140*z_106) + c_10*z_106;
-    const double z_155 = z_151*c_11;
-    dM[106] = (1.0/6.0)*((z_91*z_135 - z_13*z_155) + z_152 - sin_q3*(z_153 + z_152) - cos_q4*z_154);
-    const double z_156 = z_41*z_127;
-    dM[110] = dM[102] = ((-1.0/6.0))*(sin_q3*z_147 + (z_29*z_135 + z_13*z_150) - z_73*z_143 - (z_156*z_21 -
-        z_74*z_148));
-    const double z_157 = z_94*z_132;
-    dM[111] = dM[107] = ((-1.0/6.0))*(z_36*z_154 + c_10*z_133 - (z_157 + z_58*z_137));
-    const double z_158 = z_130*z_138 - z_140*z_134;
-    const double z_159 = c_10*z_134;
-    const double c_9 = c[12];
-    dM[112] = ((-1.0/6.0))*(sin_q4*(z_158 + z_159) + z_159 + z_131*c_9);
-    dM[115] = dM[103] = (1.0/6.0)*(z_56*z_146 + z_99*z_142 + z_101*z_142);
-    dM[116] = dM[108] = ((-1.0/6.0))*(z_153 + z_58*z_154);
-    dM[117] = dM[113] = (1.0/6.0)*(cos_q4*(2.0*c_5*(z_136 - sin_q5*sin_q5) + sin_q5*c_10));
-    dM[118] = ((-1.0/6.0))*(cos_q5*c_10 - (cos_q5*z_140 - (c_3 + (l - z_127)*c_6)*z_138));
-    dM[120] = dM[104] = ((-1.0/6.0))*((z_22*z_156 - z_103*z_148) + (z_29*z_54 - z_140*(sin_q3*z_144)) + (z_50 +
-        z_140*(z_139*z_73)) + (z_36*z_149 + z_62*z_150));
-    dM[121] = dM[109] = (1.0/6.0)*((z_91*(cos_q4*z_127) - z_106*z_155) + (sin_q4*z_157 + z_137*(sin_q4*z_58)) -
-        (z_97 - z_140*z_133));
-    dM[122] = dM[114] = ((-1.0/6.0))*(z_158 + sin_q5*c_9*z_134);
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -2110,6 +1872,256 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double l = c[1];
+    const double m = c[0];
+    const double z_0 = l*m;
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double z_2 = z_0*cos_q2;
+    const double z_3 = l*cos_q2;
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    const double z_5 = cos_q2*sin_q3;
+    const double z_6 = z_3 - l*z_5;
+    const double z_7 = m*z_6;
+    const double q5 = x[4];
+    const double sin_q5 = em_sin(q5);
+    const double q4 = x[3];
+    const double cos_q4 = em_cos(q4);
+    const double sin_q2 = em_sin(q2);
+    const double z_11 = cos_q4*sin_q2;
+    const double sin_q4 = em_sin(q4);
+    const double z_13 = sin_q3*sin_q4;
+    const double z_14 = z_11 + cos_q2*z_13;
+    const double cos_q5 = em_cos(q5);
+    const double cos_q3 = em_cos(q3);
+    const double z_17 = cos_q2*cos_q3;
+    const double z_18 = l*z_14 - z_6;
+    const double z_19 = m*(l*(sin_q5*z_14 - cos_q5*z_17) - z_18);
+    const double z_20 = m*(-z_18);
+    const double z_21 = z_19 + 2.0*z_20;
+    const double z_22 = 5.0*z_2 + 6.0*z_7 + 3.0*z_21;
+    const double z_23 = l*sin_q2;
+    const double z_24 = l - z_23;
+    const double z_25 = m*z_24;
+    const double z_26 = sin_q2*sin_q3;
+    const double z_27 = l*z_26 + z_24;
+    const double z_28 = m*z_27;
+    const double z_29 = cos_q2*cos_q4;
+    const double z_30 = z_29 - sin_q4*z_26;
+    const double z_31 = sin_q2*cos_q3;
+    const double z_32 = l*z_30 - z_27;
+    const double z_33 = m*(l*(z_30*sin_q5 + cos_q5*z_31) - z_32);
+    const double z_34 = m*(-z_32);
+    const double z_35 = z_33 + 2.0*z_34;
+    const double z_36 = 2.0*z_33 + z_34;
+    const double z_37 = l*sin_q5;
+    const double z_38 = z_36*z_37;
+    const double z_39 = l*(3.0*z_33 + z_28 + 5.0*z_34) - z_38;
+    const double z_40 = 2.0*z_19 + z_20;
+    const double z_41 = l*(3.0*z_19 + z_7 + 5.0*z_20) - z_37*z_40;
+    const double z_42 = m*(l*l);
+    const double z_43 = cos_q2*z_42;
+    const double z_44 = l*(z_25 + 5.0*z_28 + 3.0*z_35) + sin_q4*z_39;
+    const double z_45 = l*(z_2 + 5.0*z_7 + 3.0*z_21) + sin_q4*z_41;
+    const double z_46 = l*cos_q5;
+    const double z_47 = cos_q3*z_46;
+    const double z_48 = cos_q2*z_47;
+    const double z_49 = z_46*z_31;
+    dM[25] = ((-1.0/6.0))*(l*z_22 + ((z_0 + 5.0*z_25 + 6.0*z_28 + 3.0*z_35)*z_3 - z_23*z_22) + z_43 - (z_39*z_11 +
+        z_29*z_41) - (z_44*z_5 - z_45*z_26) - (z_36*z_48 - z_40*z_49));
+    const double z_50 = z_0*cos_q3;
+    const double z_51 = sin_q4*cos_q3;
+    const double z_52 = l*cos_q3;
+    const double z_53 = z_52 + l*z_51;
+    const double z_54 = m*(z_53 - l*(sin_q3*cos_q5 + sin_q5*z_51));
+    const double z_55 = m*z_53;
+    const double z_56 = z_54 + 2.0*z_55;
+    const double z_57 = 2.0*z_50 + z_56;
+    const double z_58 = 2.0*z_54 + z_55;
+    const double z_59 = z_58*z_37;
+    const double z_60 = l*(3.0*z_54 + 5.0*z_55 + z_50) - z_59;
+    const double z_61 = z_29*z_60;
+    const double z_62 = sin_q4*z_60;
+    const double z_63 = l*(5.0*z_50 + 3.0*z_56) + z_62;
+    const double z_64 = z_63*z_26;
+    const double z_65 = z_58*z_46;
+    const double z_66 = z_65*z_31;
+    dM[30] = dM[26] = (1.0/6.0)*(3.0*z_23*z_57 + z_61 - z_64 - z_66);
+    const double z_67 = z_63*z_17;
+    const double z_68 = z_65*z_5;
+    dM[35] = dM[27] = ((-1.0/6.0))*(sin_q3*z_45 + z_40*z_47 + z_68 - z_67);
+    const double z_69 = cos_q4*cos_q3;
+    const double z_70 = sin_q2*z_62;
+    const double z_71 = cos_q4*sin_q3;
+    dM[40] = dM[28] = (1.0/6.0)*(z_41*z_69 + cos_q2*z_60*z_71 - z_70);
+    const double z_72 = sin_q3*z_37;
+    const double z_73 = z_59*z_17;
+    const double z_74 = sin_q4*z_47;
+    dM[45] = dM[29] = ((-1.0/6.0))*(z_14*z_65 + z_73 + z_40*z_74 - z_40*z_72);
+    const double z_75 = z_0*z_31;
+    const double z_76 = sin_q4*z_31;
+    const double z_77 = l*z_31 + l*z_76;
+    const double z_78 = m*(z_77 - l*(cos_q5*z_26 + sin_q5*z_76));
+    const double z_79 = m*z_77;
+    const double z_80 = z_78 + 2.0*z_79;
+    const double z_81 = 2.0*z_75 + z_80;
+    const double z_82 = sin_q3*z_63;
+    const double z_83 = z_0*sin_q3;
+    const double z_84 = l*(cos_q3*cos_q5 - sin_q5*z_13);
+    const double z_85 = l*sin_q3;
+    const double z_86 = z_85 + l*z_13;
+    const double z_87 = m*(z_84 + z_86);
+    const double z_88 = m*z_86;
+    const double z_89 = z_87 + 2.0*z_88;
+    const double z_90 = 2.0*z_87 + z_88;
+    const double z_91 = z_37*z_90;
+    const double z_92 = l*(3.0*z_87 + 5.0*z_88 + z_83) - z_91;
+    const double z_93 = l*(5.0*z_83 + 3.0*z_89) + sin_q4*z_92;
+    const double z_94 = 2.0*z_78 + z_79;
+    const double z_95 = l*(3.0*z_78 + z_75 + 5.0*z_79) - z_37*z_94;
+    const double z_96 = l*(5.0*z_75 + 3.0*z_80) + sin_q4*z_95;
+    const double z_97 = z_58*z_47;
+    const double z_98 = sin_q3*z_46;
+    const double z_99 = z_36*z_46;
+    dM[50] = (1.0/6.0)*(3.0*l*z_81 + (z_44*z_31 + z_96*z_26) - (z_82 + cos_q3*z_93) - 3.0*z_23*z_81 - z_29*z_95 -
+        (z_97 - z_90*z_98) - (z_99*z_26 - z_94*z_49));
+    dM[55] = dM[51] = (1.0/6.0)*(3.0*z_3*(2.0*z_83 + z_89) + (z_67 - z_93*z_5) - z_11*z_92 - (z_68 + z_90*z_48));
+    const double z_100 = l - z_86;
+    const double z_101 = m*(z_100 - z_84);
+    const double z_102 = m*(l - z_85);
+    const double z_103 = m*z_100;
+    const double z_104 = 2.0*z_101 + z_103;
+    const double z_105 = z_104*z_37;
+    const double z_106 = l*(3.0*z_101 + z_102 + 5.0*z_103) - z_105;
+    dM[56] = ((-1.0/6.0))*(3.0*l*z_57 - (z_82 - cos_q3*(l*(z_0 + 3.0*z_101 + 5.0*z_102 + 6.0*z_103) +
+        sin_q4*z_106)) - (z_97 + z_104*z_98));
+    const double z_107 = z_36*z_98;
+    const double z_108 = z_46*z_26;
+    dM[60] = dM[52] = (1.0/6.0)*((cos_q3*z_44 + sin_q3*z_96) - (z_64 + z_93*z_31) - (z_107 - z_94*z_47) - (z_66 -
+        z_90*z_108));
+    const double z_109 = m*(l*cos_q4 - cos_q4*z_37);
+    const double z_110 = z_0*cos_q4;
+    const double z_111 = z_109 + 2.0*z_110;
+    const double z_112 = 2.0*z_109 + z_110;
+    const double z_113 = z_112*z_37;
+    const double z_114 = l*(3.0*z_109 + 5.0*z_110) - z_113;
+    const double z_115 = z_114*z_13;
+    const double z_116 = z_112*z_47;
+    dM[61] = dM[57] = ((-1.0/6.0))*(3.0*z_85*z_111 + z_115 + z_116);
+    const double z_117 = cos_q2*sin_q4;
+    const double z_118 = cos_q4*z_60;
+    const double z_119 = cos_q4*z_26;
+    dM[65] = dM[53] = (1.0/6.0)*((z_39*z_71 - z_95*z_69) + (z_118*z_31 - z_119*z_92) - z_117*z_92);
+    const double z_120 = z_114*z_69;
+    dM[66] = dM[58] = (1.0/6.0)*(z_62 + z_120);
+    const double z_121 = z_30*z_46;
+    const double z_122 = cos_q3*z_38;
+    const double z_123 = z_59*z_26;
+    dM[70] = dM[54] = ((-1.0/6.0))*((z_65*z_76 + z_90*z_121) + (z_122 + z_94*z_72) + (z_99*z_13 - z_94*z_74) -
+        (z_123 + z_91*z_31));
+    const double z_124 = z_112*z_72;
+    dM[71] = dM[59] = (1.0/6.0)*(cos_q4*z_65 + z_124 - z_112*z_74);
+    const double z_125 = z_117 + z_119;
+    const double z_126 = m*(z_37*z_125 - l*z_125);
+    const double z_127 = z_0*z_125;
+    const double z_128 = z_126 - 2.0*z_127;
+    const double z_129 = l*z_128;
+    const double z_130 = m*(z_37*z_69 - l*z_69);
+    const double z_131 = z_0*z_69;
+    const double z_132 = z_130 - 2.0*z_131;
+    const double z_133 = 2.0*z_130 - z_131;
+    const double z_134 = z_37*z_133;
+    const double z_135 = l*(3.0*z_130 - 5.0*z_131) - z_134;
+    const double z_136 = 3.0*l*z_132 - (z_118 - sin_q4*z_135);
+    const double z_137 = 2.0*z_126 - z_127;
+    const double z_138 = l*(3.0*z_126 - 5.0*z_127) - z_37*z_137;
+    const double z_139 = 3.0*z_129 - (cos_q4*z_39 - sin_q4*z_138);
+    dM[75] = ((-1.0/6.0))*(3.0*z_129 + cos_q3*z_136 + z_139*z_26 + z_137*z_49 - 3.0*z_23*z_128 - (z_39*z_117 +
+        z_29*z_138) - z_133*z_98);
+    dM[80] = dM[76] = (1.0/6.0)*(3.0*z_3*z_132 - (z_70 + z_11*z_135) - z_136*z_5 - z_133*z_48);
+    const double z_140 = m*(z_37*z_71 - l*z_71);
+    const double z_141 = z_0*z_71;
+    const double z_142 = l*(z_140 - 2.0*z_141);
+    const double z_143 = 2.0*z_140 - z_141;
+    const double z_144 = cos_q4*z_106 + sin_q4*(l*(3.0*z_140 - 5.0*z_141) - z_37*z_143);
+    const double z_145 = sin_q4*z_114;
+    const double z_146 = l*sin_q4;
+    const double z_147 = sin_q4*z_37;
+    const double z_148 = m*(z_146 - z_147);
+    const double z_149 = z_0*sin_q4;
+    const double z_150 = 2.0*z_148 + z_149;
+    const double z_151 = z_37*z_150;
+    const double z_152 = l*(3.0*z_148 + 5.0*z_149) - z_151;
+    dM[81] = (1.0/6.0)*(3.0*z_142 - sin_q3*(3.0*z_142 + z_144) - (z_145 + cos_q4*z_152) - z_143*z_47);
+    dM[85] = dM[77] = ((-1.0/6.0))*(sin_q3*z_139 + z_136*z_31 + z_137*z_47 - z_133*z_108);
+    dM[86] = dM[82] = ((-1.0/6.0))*(3.0*z_52*(z_148 + 2.0*z_149) - (z_120 - z_152*z_51) - z_150*z_98);
+    const double z_153 = l + z_146;
+    const double z_154 = m*(z_153 - z_147);
+    const double z_155 = m*z_153;
+    const double z_156 = 2.0*z_154 + z_155;
+    dM[87] = (1.0/6.0)*(3.0*l*z_111 + (z_145 + cos_q4*(l*(z_0 + 3.0*z_154 + 5.0*z_155) - z_156*z_37)));
+    dM[90] = dM[78] = (1.0/6.0)*((z_39*z_51 + z_138*z_69) + (z_61 - z_117*z_135) - (z_62*z_26 + z_119*z_135));
+    dM[91] = dM[83] = ((-1.0/6.0))*(z_144 + (z_115 + z_152*z_71));
+    const double z_157 = cos_q5*z_42;
+    const double z_158 = sin_q5*z_157;
+    dM[92] = dM[88] = (1.0/6.0)*(sin_q4*(3.0*z_157 - 2.0*z_158));
+    dM[95] = dM[79] = ((-1.0/6.0))*((z_65*z_125 + z_133*z_121) - z_137*z_72 - z_134*z_31 - (cos_q4*z_36*z_47 -
+        z_137*z_74));
+    const double z_159 = z_104*z_46;
+    const double z_160 = z_112*z_46;
+    dM[96] = dM[84] = (1.0/6.0)*((sin_q4*z_159 - cos_q4*z_143*z_46) + cos_q3*z_151 - (z_160*z_71 -
+        z_150*z_46*z_13));
+    const double z_161 = cos_q5*cos_q5*z_42;
+    dM[97] = dM[89] = ((-1.0/6.0))*(z_113 - 2.0*cos_q4*z_161);
+    const double z_162 = sin_q5*z_31 - z_30*cos_q5;
+    const double z_163 = z_162*z_42;
+    const double z_164 = sin_q3*sin_q5 - cos_q5*z_51;
+    const double z_165 = z_164*z_42;
+    const double z_166 = sin_q5*z_42;
+    const double z_167 = z_164*z_166;
+    const double z_168 = 3.0*z_165 - (z_65 + 2.0*z_167);
+    const double z_169 = 3.0*z_165 + sin_q4*z_168;
+    const double z_170 = z_166*z_162;
+    const double z_171 = 3.0*z_163 + (z_99 - 2.0*z_170);
+    const double z_172 = 3.0*z_163 + sin_q4*z_171;
+    const double z_173 = z_157*z_164;
+    const double z_174 = z_157*z_162;
+    dM[100] = ((-1.0/6.0))*(3.0*z_163 + z_172*z_26 + (z_38*z_31 + 2.0*z_31*z_174) - cos_q3*z_169 -
+        3.0*sin_q2*z_163 - z_29*z_171 - (z_58*z_72 - 2.0*sin_q3*z_173));
+    dM[105] = dM[101] = ((-1.0/6.0))*(3.0*z_164*z_43 + (z_73 - 2.0*z_17*z_173) - z_11*z_168 - z_169*z_5);
+    const double z_175 = sin_q5*cos_q3 + cos_q5*z_13;
+    const double z_176 = z_175*z_42;
+    const double z_177 = sin_q4*(3.0*z_176 - (z_159 + 2.0*z_166*z_175));
+    const double z_178 = cos_q4*z_157;
+    const double z_179 = 3.0*z_178 + (z_160 - 2.0*cos_q4*z_158);
+    dM[106] = (1.0/6.0)*(3.0*z_176 + (cos_q3*z_105 - 2.0*cos_q3*z_157*z_175) - sin_q3*(3.0*z_176 + z_177) -
+        cos_q4*z_179);
+    dM[110] = dM[102] = ((-1.0/6.0))*(sin_q3*z_172 + (z_122 + 2.0*cos_q3*z_174) - z_169*z_31 - (z_123 -
+        2.0*z_26*z_173));
+    const double z_180 = z_161*z_71;
+    dM[111] = dM[107] = ((-1.0/6.0))*(3.0*z_157*z_69 + z_179*z_51 - (z_124 + 2.0*z_180));
+    const double z_181 = sin_q4*z_157;
+    const double z_182 = sin_q4*z_158;
+    const double z_183 = z_156*z_46 - 2.0*z_182;
+    dM[112] = ((-1.0/6.0))*(4.0*z_158 + 3.0*z_181 + sin_q4*(3.0*z_181 + z_183));
+    dM[115] = dM[103] = (1.0/6.0)*(z_171*z_69 + z_117*z_168 + z_119*z_168);
+    dM[116] = dM[108] = ((-1.0/6.0))*(z_177 + z_179*z_71);
+    dM[117] = dM[113] = (1.0/6.0)*(cos_q4*(3.0*z_166 + 2.0*(z_161 - sin_q5*sin_q5*z_42)));
+    dM[118] = ((-1.0/6.0))*(3.0*z_157 - (2.0*z_158 - (z_0 + 2.0*m*(l - z_37))*z_46));
+    dM[120] = dM[104] = ((-1.0/6.0))*((z_30*z_59 - 2.0*z_30*z_173) + (z_107 - 2.0*sin_q3*z_170) + (z_66 +
+        2.0*z_167*z_31) + (z_38*z_51 + 2.0*z_51*z_174));
+    dM[121] = dM[109] = (1.0/6.0)*((cos_q4*z_105 - 2.0*z_175*z_178) + (z_113*z_13 + 2.0*sin_q4*z_180) - (z_116 -
+        2.0*z_158*z_69));
+    dM[122] = dM[114] = ((-1.0/6.0))*(4.0*z_182 + z_183);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:5755b4006f17fc48ffdb849c4e274a7f1deeee8d3958a98883476fa863ae46f7 */
+/* body sha256:49f57159086377a7861d1d643d72d5fe9dffc50bdf0c7fcab1cc6b575a7131b1 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -494,41 +494,6 @@ em_lanes cart_pendulums_3_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, e
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q1 = x[1];
-    const double sin_q1 = em_sin(q1);
-    const double c_0 = c[8];
-    dM[20] = dM[17] = sin_q1*c_0;
-    const double c_2 = c[10];
-    const double q2 = x[2];
-    const double cos_q2 = em_cos(q2);
-    const double cos_q1 = em_cos(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_4 = c_2*(cos_q2*sin_q1 - cos_q1*sin_q2);
-    dM[25] = dM[22] = -z_4;
-    const double c_4 = c[12];
-    const double q3 = x[3];
-    const double cos_q3 = em_cos(q3);
-    const double sin_q3 = em_sin(q3);
-    const double z_7 = c_4*(cos_q3*sin_q1 - cos_q1*sin_q3);
-    dM[29] = dM[23] = -z_7;
-    const double c_1 = c[9];
-    dM[40] = dM[34] = sin_q2*c_1;
-    dM[41] = dM[38] = z_4;
-    const double c_5 = c[13];
-    const double z_8 = c_5*(cos_q3*sin_q2 - cos_q2*sin_q3);
-    dM[46] = dM[43] = -z_8;
-    const double c_3 = c[11];
-    dM[60] = dM[51] = sin_q3*c_3;
-    dM[61] = dM[55] = z_7;
-    dM[62] = dM[59] = z_8;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -690,6 +655,44 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double l1 = c[4];
+    const double m1 = c[1];
+    const double m2 = c[2];
+    const double m3 = c[3];
+    const double z_0 = m2 + m3;
+    const double q1 = x[1];
+    const double sin_q1 = em_sin(q1);
+    dM[20] = dM[17] = l1*(m1 + z_0)*sin_q1;
+    const double q2 = x[2];
+    const double cos_q2 = em_cos(q2);
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double l2 = c[5];
+    const double z_5 = l2*z_0;
+    const double z_6 = l1*(cos_q2*sin_q1 - cos_q1*sin_q2)*z_5;
+    dM[25] = dM[22] = -z_6;
+    const double q3 = x[3];
+    const double cos_q3 = em_cos(q3);
+    const double sin_q3 = em_sin(q3);
+    const double l3 = c[6];
+    const double z_9 = m3*l3;
+    const double z_10 = l1*(cos_q3*sin_q1 - cos_q1*sin_q3)*z_9;
+    dM[29] = dM[23] = -z_10;
+    dM[40] = dM[34] = sin_q2*z_5;
+    dM[41] = dM[38] = z_6;
+    const double z_11 = l2*(cos_q3*sin_q2 - cos_q2*sin_q3)*z_9;
+    dM[46] = dM[43] = -z_11;
+    dM[60] = dM[51] = sin_q3*z_9;
+    dM[61] = dM[55] = z_10;
+    dM[62] = dM[59] = z_11;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

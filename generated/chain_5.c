@@ -1,6 +1,6 @@
 /* eigenmotion generate chain.py */
 /* input sha256:df0847e51f4413d27b68619e7734269a4684d1216d5de34d4e18f77a585723d0 */
-/* body sha256:33ba99f7d0b8f6f93538e772e32d0b570dc2401d011b52485e11a402a0d3bc46 */
+/* body sha256:7593dd8a40563226b6b1924dbef9751e9f7cebc3b9b512431175a0ce01267158 */
 /* chain_5: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -640,69 +640,6 @@ em_lanes chain_5_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_r
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[11];
-    const double theta_2 = x[1];
-    const double cos_theta_2 = em_cos(theta_2);
-    const double theta_1 = x[0];
-    const double sin_theta_1 = em_sin(theta_1);
-    const double cos_theta_1 = em_cos(theta_1);
-    const double sin_theta_2 = em_sin(theta_2);
-    const double z_4 = c_0*(cos_theta_2*sin_theta_1 - cos_theta_1*sin_theta_2);
-    dM[5] = dM[1] = -z_4;
-    const double c_1 = c[12];
-    const double theta_3 = x[2];
-    const double cos_theta_3 = em_cos(theta_3);
-    const double sin_theta_3 = em_sin(theta_3);
-    const double z_7 = c_1*(sin_theta_1*cos_theta_3 - cos_theta_1*sin_theta_3);
-    dM[10] = dM[2] = -z_7;
-    const double c_3 = c[14];
-    const double theta_4 = x[3];
-    const double cos_theta_4 = em_cos(theta_4);
-    const double sin_theta_4 = em_sin(theta_4);
-    const double z_10 = c_3*(sin_theta_1*cos_theta_4 - cos_theta_1*sin_theta_4);
-    dM[15] = dM[3] = -z_10;
-    const double c_6 = c[17];
-    const double theta_5 = x[4];
-    const double cos_theta_5 = em_cos(theta_5);
-    const double sin_theta_5 = em_sin(theta_5);
-    const double z_13 = c_6*(sin_theta_1*cos_theta_5 - cos_theta_1*sin_theta_5);
-    dM[20] = dM[4] = -z_13;
-    dM[30] = dM[26] = z_4;
-    const double c_2 = c[13];
-    const double z_14 = c_2*(sin_theta_2*cos_theta_3 - cos_theta_2*sin_theta_3);
-    dM[36] = dM[32] = -z_14;
-    const double c_4 = c[15];
-    const double z_15 = c_4*(sin_theta_2*cos_theta_4 - cos_theta_2*sin_theta_4);
-    dM[41] = dM[33] = -z_15;
-    const double c_7 = c[18];
-    const double z_16 = c_7*(sin_theta_2*cos_theta_5 - cos_theta_2*sin_theta_5);
-    dM[46] = dM[34] = -z_16;
-    dM[60] = dM[52] = z_7;
-    dM[61] = dM[57] = z_14;
-    const double c_5 = c[16];
-    const double z_17 = c_5*(sin_theta_3*cos_theta_4 - cos_theta_3*sin_theta_4);
-    dM[67] = dM[63] = -z_17;
-    const double c_8 = c[19];
-    const double z_18 = c_8*(sin_theta_3*cos_theta_5 - cos_theta_3*sin_theta_5);
-    dM[72] = dM[64] = -z_18;
-    dM[90] = dM[78] = z_10;
-    dM[91] = dM[83] = z_15;
-    dM[92] = dM[88] = z_17;
-    const double c_9 = c[20];
-    const double z_19 = c_9*(sin_theta_4*cos_theta_5 - cos_theta_4*sin_theta_5);
-    dM[98] = dM[94] = -z_19;
-    dM[120] = dM[104] = z_13;
-    dM[121] = dM[109] = z_16;
-    dM[122] = dM[114] = z_18;
-    dM[123] = dM[119] = z_19;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -937,6 +874,81 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta_2 = x[1];
+    const double cos_theta_2 = em_cos(theta_2);
+    const double theta_1 = x[0];
+    const double sin_theta_1 = em_sin(theta_1);
+    const double l_1 = c[5];
+    const double m_2 = c[1];
+    const double m_3 = c[2];
+    const double m_4 = c[3];
+    const double m_5 = c[4];
+    const double z_2 = l_1*m_4 + l_1*m_5;
+    const double z_3 = l_1*m_3 + z_2;
+    const double l_2 = c[6];
+    const double z_4 = (l_1*m_2 + z_3)*l_2;
+    const double cos_theta_1 = em_cos(theta_1);
+    const double sin_theta_2 = em_sin(theta_2);
+    const double z_7 = cos_theta_2*sin_theta_1*z_4 - cos_theta_1*sin_theta_2*z_4;
+    dM[5] = dM[1] = -z_7;
+    const double l_3 = c[7];
+    const double theta_3 = x[2];
+    const double cos_theta_3 = em_cos(theta_3);
+    const double z_9 = l_3*cos_theta_3;
+    const double sin_theta_3 = em_sin(theta_3);
+    const double z_11 = l_3*sin_theta_3;
+    const double z_12 = sin_theta_1*z_3*z_9 - cos_theta_1*z_3*z_11;
+    dM[10] = dM[2] = -z_12;
+    const double l_4 = c[8];
+    const double theta_4 = x[3];
+    const double cos_theta_4 = em_cos(theta_4);
+    const double z_14 = l_4*cos_theta_4;
+    const double sin_theta_4 = em_sin(theta_4);
+    const double z_16 = l_4*sin_theta_4;
+    const double z_17 = sin_theta_1*z_2*z_14 - cos_theta_1*z_2*z_16;
+    dM[15] = dM[3] = -z_17;
+    const double theta_5 = x[4];
+    const double cos_theta_5 = em_cos(theta_5);
+    const double l_5 = c[9];
+    const double z_19 = m_5*l_5;
+    const double z_20 = cos_theta_5*z_19;
+    const double sin_theta_5 = em_sin(theta_5);
+    const double z_22 = sin_theta_5*z_19;
+    const double z_23 = l_1*sin_theta_1*z_20 - l_1*cos_theta_1*z_22;
+    dM[20] = dM[4] = -z_23;
+    dM[30] = dM[26] = z_7;
+    const double z_24 = m_4*l_2 + m_5*l_2;
+    const double z_25 = m_3*l_2 + z_24;
+    const double z_26 = sin_theta_2*z_25*z_9 - cos_theta_2*z_25*z_11;
+    dM[36] = dM[32] = -z_26;
+    const double z_27 = sin_theta_2*z_24*z_14 - cos_theta_2*z_24*z_16;
+    dM[41] = dM[33] = -z_27;
+    const double z_28 = l_2*sin_theta_2*z_20 - l_2*cos_theta_2*z_22;
+    dM[46] = dM[34] = -z_28;
+    dM[60] = dM[52] = z_12;
+    dM[61] = dM[57] = z_26;
+    const double z_29 = m_4*l_3 + m_5*l_3;
+    const double z_30 = sin_theta_3*z_29*z_14 - cos_theta_3*z_29*z_16;
+    dM[67] = dM[63] = -z_30;
+    const double z_31 = z_20*z_11 - z_22*z_9;
+    dM[72] = dM[64] = -z_31;
+    dM[90] = dM[78] = z_17;
+    dM[91] = dM[83] = z_27;
+    dM[92] = dM[88] = z_30;
+    const double z_32 = z_16*z_20 - z_14*z_22;
+    dM[98] = dM[94] = -z_32;
+    dM[120] = dM[104] = z_23;
+    dM[121] = dM[109] = z_28;
+    dM[122] = dM[114] = z_31;
+    dM[123] = dM[119] = z_32;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

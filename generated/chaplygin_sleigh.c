@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:5c13811ddd52c191d165d7aeff6d2494b956e82ad025a536c833433e28f5655f */
+/* body sha256:2c00ca88c59d26a8e50fa844126357a360653a1d2825d1ad4f8258fededa2ade */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -433,20 +433,6 @@ em_lanes chaplygin_sleigh_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, e
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double theta = x[2];
-    const double cos_theta = em_cos(theta);
-    const double c_0 = c[3];
-    dM[24] = dM[20] = -cos_theta*c_0;
-    const double sin_theta = em_sin(theta);
-    dM[25] = dM[23] = -sin_theta*c_0;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -523,6 +509,22 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[2];
+    const double cos_theta = em_cos(theta);
+    const double m = c[0];
+    const double a_ = c[2];
+    const double z_1 = m*a_;
+    dM[24] = dM[20] = -cos_theta*z_1;
+    const double sin_theta = em_sin(theta);
+    dM[25] = dM[23] = -sin_theta*z_1;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

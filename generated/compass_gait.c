@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:698a4439024d3018eedd329898682470c7530a14adcc052e7524974ba442193b */
+/* body sha256:6cdf202f8b2e924b6a1431dbf56918afe332e82c2703f5e192ac9875d6355083 */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -284,25 +284,6 @@ em_lanes compass_gait_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, NULL,
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double c_0 = c[5];
-    const double cos_phi = em_cos(phi);
-    const double z_2 = cos_phi*sin_phi;
-    const double l = c[2];
-    const double c_1 = c[6];
-    const double c_2 = c[7];
-    const double z_3 = (c_0*z_2 - (l - l*cos_phi)*sin_phi*c_1) - c_2*z_2;
-    dM[4] = sin_phi*c_0 - z_3;
-    dM[6] = dM[5] = -(-z_3);
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -447,6 +428,25 @@ EM_ACROSS void levels(double t, const double *restrict x, const double *restrict
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double l = c[2];
+    const double m = c[1];
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double z_1 = m*sin_phi;
+    const double z_2 = l*l*z_1;
+    const double cos_phi = em_cos(phi);
+    const double z_4 = cos_phi*z_2;
+    const double z_5 = z_4 - 0.5*(z_4 - l*(l - l*cos_phi)*z_1);
+    dM[4] = z_2 + 2.0*z_5;
+    dM[6] = dM[5] = -(2.0*z_5);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:91d01bed8b7d96b79fd605d1eecda3b386f770db376aa2c42b333d9be3f1a350 */
+/* body sha256:7006b65ad28ca36a27d5b078d6a5b26efad9362a0282511c9215e0570d07b797 */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -364,24 +364,6 @@ em_lanes double_pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[5];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double theta1 = x[0];
-    const double sin_theta1 = em_sin(theta1);
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_4 = c_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    dM[2] = dM[1] = -z_4;
-    dM[6] = dM[5] = z_4;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -468,6 +450,27 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double l2 = c[3];
+    const double l1 = c[2];
+    const double m2 = c[1];
+    const double z_2 = l2*(l1*m2);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double z_5 = cos_theta2*sin_theta1*z_2 - cos_theta1*sin_theta2*z_2;
+    dM[2] = dM[1] = -z_5;
+    dM[6] = dM[5] = z_5;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

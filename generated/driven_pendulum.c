@@ -1,6 +1,6 @@
 /* eigenmotion generate driven_pendulum.py */
 /* input sha256:201c7f5c3d9a1a54d72aeebe06a22a39924cfd41aa5031420e238417b4f880f0 */
-/* body sha256:6f2313f76bd8486919da966de1d3df2696b276c39dd27c32aeba6e7b9e2fc087 */
+/* body sha256:9f6944fca430763073741972c3db29455c2b90cac767afb9656868a975536fa6 */
 /* driven_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -240,14 +240,6 @@ em_lanes driven_pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -320,6 +312,14 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

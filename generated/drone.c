@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:2a0333f8f8abb94e7d979303b7111f414941deb994ff48bfccf55c682c40fc12 */
+/* body sha256:3855cb7391343d110b2a09db190f3e73c6a84df3107b321c5d43df991f1204fc */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -737,56 +737,6 @@ em_lanes drone_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double pitch = x[4];
-    const double sin_pitch = em_sin(pitch);
-    const double J = c[2];
-    const double cos_pitch = em_cos(pitch);
-    const double z_2 = J*cos_pitch;
-    const double z_3 = sin_pitch*z_2;
-    const double roll = x[5];
-    const double sin_roll = em_sin(roll);
-    const double z_5 = sin_roll*sin_roll;
-    const double J_up = c[3];
-    const double cos_roll = em_cos(roll);
-    const double z_7 = cos_pitch*(cos_roll*cos_roll);
-    dM[283] = 2.0*(z_3 - z_3*z_5 - sin_pitch*J_up*z_7);
-    const double c_2 = c[10];
-    const double z_8 = sin_roll*cos_roll;
-    dM[291] = dM[284] = -sin_pitch*(c_2*z_8);
-    dM[299] = dM[285] = -z_2;
-    const double c_3 = c[11];
-    const double z_9 = c_3*z_8;
-    dM[347] = cos_pitch*cos_pitch*z_9;
-    dM[355] = dM[348] = c_2*(z_7 - cos_pitch*z_5);
-    dM[356] = -z_9;
-    const double sway = x[6];
-    const double sin_sway = em_sin(sway);
-    const double heave = x[7];
-    const double cos_heave = em_cos(heave);
-    const double c_0 = c[8];
-    const double z_12 = cos_heave*c_0;
-    dM[432] = dM[390] = -sin_sway*z_12;
-    const double cos_sway = em_cos(sway);
-    dM[434] = dM[406] = cos_sway*z_12;
-    const double sin_heave = em_sin(heave);
-    const double z_15 = sin_heave*c_0;
-    dM[440] = dM[391] = -cos_sway*z_15;
-    dM[442] = dM[407] = -sin_sway*z_15;
-    dM[496] = dM[454] = -cos_sway*z_15;
-    dM[498] = dM[470] = -sin_sway*z_15;
-    const double c_1 = c[9];
-    dM[502] = -c_1*(cos_heave*sin_heave);
-    dM[504] = dM[455] = -sin_sway*z_12;
-    dM[505] = dM[463] = -z_15;
-    dM[506] = dM[471] = cos_sway*z_12;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -1040,6 +990,56 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double pitch = x[4];
+    const double sin_pitch = em_sin(pitch);
+    const double J = c[2];
+    const double cos_pitch = em_cos(pitch);
+    const double z_2 = J*cos_pitch;
+    const double z_3 = sin_pitch*z_2;
+    const double roll = x[5];
+    const double sin_roll = em_sin(roll);
+    const double z_5 = sin_roll*sin_roll;
+    const double J_up = c[3];
+    const double cos_roll = em_cos(roll);
+    const double z_7 = cos_roll*cos_roll;
+    dM[283] = 2.0*(z_3 - z_3*z_5 - sin_pitch*cos_pitch*J_up*z_7);
+    const double z_8 = J - J_up;
+    const double z_9 = z_8*(sin_roll*cos_roll);
+    dM[291] = dM[284] = -sin_pitch*z_9;
+    dM[299] = dM[285] = -z_2;
+    dM[347] = 2.0*(z_9*(cos_pitch*cos_pitch));
+    const double z_10 = cos_pitch*z_8;
+    dM[355] = dM[348] = z_7*z_10 - z_5*z_10;
+    dM[356] = (-2.0)*z_9;
+    const double sway = x[6];
+    const double sin_sway = em_sin(sway);
+    const double heave = x[7];
+    const double cos_heave = em_cos(heave);
+    const double load = c[1];
+    const double L = c[6];
+    const double z_13 = load*L;
+    const double z_14 = cos_heave*z_13;
+    dM[432] = dM[390] = -sin_sway*z_14;
+    const double cos_sway = em_cos(sway);
+    dM[434] = dM[406] = cos_sway*z_14;
+    const double sin_heave = em_sin(heave);
+    const double z_17 = sin_heave*z_13;
+    dM[440] = dM[391] = -cos_sway*z_17;
+    dM[442] = dM[407] = -sin_sway*z_17;
+    dM[496] = dM[454] = -cos_sway*z_17;
+    dM[498] = dM[470] = -sin_sway*z_17;
+    dM[502] = (-2.0)*(load*cos_heave*sin_heave*(L*L));
+    dM[504] = dM[455] = -sin_sway*z_14;
+    dM[505] = dM[463] = -z_17;
+    dM[506] = dM[471] = cos_sway*z_14;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

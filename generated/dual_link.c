@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:834d58103dd8c3996cc066575c8154e4a0067bf39e5be84dab34d2d50e4317d7 */
+/* body sha256:93b05fe129b687b0b5592d3ea30086eb5c755672a4f0c5683b141a37d085ffff */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -560,33 +560,6 @@ em_lanes dual_link_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double theta3 = x[2];
-    const double l1 = c[3];
-    const double z_0 = theta3 + l1;
-    const double c_1 = c[14];
-    const double theta2 = x[1];
-    const double cos_theta2 = em_cos(theta2);
-    const double theta1 = x[0];
-    const double sin_theta1 = em_sin(theta1);
-    const double cos_theta1 = em_cos(theta1);
-    const double sin_theta2 = em_sin(theta2);
-    const double z_5 = z_0*c_1*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2);
-    dM[4] = dM[1] = -z_5;
-    const double z_6 = c_1*(cos_theta1*cos_theta2 + sin_theta1*sin_theta2);
-    dM[9] = dM[6] = z_6;
-    dM[20] = dM[17] = z_5;
-    dM[25] = dM[22] = -z_6;
-    const double c_0 = c[13];
-    dM[32] = z_0*c_0;
-    dM[36] = dM[33] = z_6;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -721,6 +694,35 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta3 = x[2];
+    const double l1 = c[3];
+    const double z_0 = theta3 + l1;
+    const double theta2 = x[1];
+    const double cos_theta2 = em_cos(theta2);
+    const double theta1 = x[0];
+    const double sin_theta1 = em_sin(theta1);
+    const double cos_theta1 = em_cos(theta1);
+    const double sin_theta2 = em_sin(theta2);
+    const double m2 = c[1];
+    const double l2 = c[4];
+    const double z_5 = m2*l2;
+    const double z_6 = z_0*(cos_theta2*sin_theta1 - cos_theta1*sin_theta2)*z_5;
+    dM[4] = dM[1] = -z_6;
+    const double z_7 = (cos_theta1*cos_theta2 + sin_theta1*sin_theta2)*z_5;
+    dM[9] = dM[6] = z_7;
+    dM[20] = dM[17] = z_6;
+    dM[25] = dM[22] = -z_7;
+    const double m1 = c[0];
+    dM[32] = 2.0*(z_0*(m1 + m2));
+    dM[36] = dM[33] = z_7;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:ab4fe3c091c70f8cb4725bd13aaa4bc6b5bbc7db68e9a0de9b4c8455931b8c2f */
+/* body sha256:05963ccf784b659032be80007c65ed698e069496e36d3c3efc91e977609a63cc */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -420,24 +420,6 @@ em_lanes four_bar_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[10];
-    const double q2 = x[1];
-    const double cos_q2 = em_cos(q2);
-    const double q1 = x[0];
-    const double sin_q1 = em_sin(q1);
-    const double cos_q1 = em_cos(q1);
-    const double sin_q2 = em_sin(q2);
-    const double z_4 = c_0*(cos_q2*sin_q1 - cos_q1*sin_q2);
-    dM[3] = dM[1] = (-0.5)*z_4;
-    dM[12] = dM[10] = 0.5*z_4;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -554,6 +536,27 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q2 = x[1];
+    const double cos_q2 = em_cos(q2);
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    const double b = c[1];
+    const double density = c[4];
+    const double a_ = c[0];
+    const double z_2 = b*b*(density*a_);
+    const double cos_q1 = em_cos(q1);
+    const double sin_q2 = em_sin(q2);
+    const double z_5 = cos_q2*sin_q1*z_2 - cos_q1*sin_q2*z_2;
+    dM[3] = dM[1] = (-0.5)*z_5;
+    dM[12] = dM[10] = 0.5*z_5;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:6d297f326bd2b984940135b3b1793684c64a4ad6005d67264c8ab112d1f5092f */
+/* body sha256:6b429757f63c147c0ee3381700889b230b4ee752f5235dd5dac9dc6b0e69eefe */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -563,33 +563,6 @@ em_lanes four_bars_2_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flo
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[7];
-    const double p1 = x[3];
-    const double cos_p1 = em_cos(p1);
-    const double q1 = x[0];
-    const double sin_q1 = em_sin(q1);
-    const double cos_q1 = em_cos(q1);
-    const double sin_p1 = em_sin(p1);
-    const double z_4 = c_0*(cos_p1*sin_q1 - cos_q1*sin_p1);
-    dM[15] = dM[3] = (-0.5)*z_4;
-    const double p2 = x[4];
-    const double cos_p2 = em_cos(p2);
-    const double q2 = x[1];
-    const double sin_q2 = em_sin(q2);
-    const double cos_q2 = em_cos(q2);
-    const double sin_p2 = em_sin(p2);
-    const double z_9 = c_0*(cos_p2*sin_q2 - cos_q2*sin_p2);
-    dM[46] = dM[34] = (-0.5)*z_9;
-    dM[90] = dM[78] = 0.5*z_4;
-    dM[121] = dM[109] = 0.5*z_9;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -732,6 +705,35 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double p1 = x[3];
+    const double cos_p1 = em_cos(p1);
+    const double q1 = x[0];
+    const double sin_q1 = em_sin(q1);
+    const double m = c[0];
+    const double l = c[1];
+    const double z_2 = m*(l*l);
+    const double cos_q1 = em_cos(q1);
+    const double sin_p1 = em_sin(p1);
+    const double z_5 = cos_p1*sin_q1*z_2 - cos_q1*sin_p1*z_2;
+    dM[15] = dM[3] = (-0.5)*z_5;
+    const double p2 = x[4];
+    const double cos_p2 = em_cos(p2);
+    const double q2 = x[1];
+    const double sin_q2 = em_sin(q2);
+    const double cos_q2 = em_cos(q2);
+    const double sin_p2 = em_sin(p2);
+    const double z_10 = cos_p2*sin_q2*z_2 - cos_q2*sin_p2*z_2;
+    dM[46] = dM[34] = (-0.5)*z_10;
+    dM[90] = dM[78] = 0.5*z_5;
+    dM[121] = dM[109] = 0.5*z_10;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:c3116706c85459242be5ec892e30a86ae89be6683b6c1ed86a1c3ab7dc47ff4a */
+/* body sha256:a485fde37e9d01c78b2eca7e5ea088bdd329c3efa34bfadc64ceb6430effe3d7 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -350,21 +350,6 @@ em_lanes furuta_pendulum_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[8];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double cos_phi = em_cos(phi);
-    dM[4] = c_0*(sin_phi*cos_phi);
-    const double c_1 = c[9];
-    dM[6] = dM[5] = -sin_phi*c_1;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -450,6 +435,23 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double J = c[1];
+    const double m = c[2];
+    const double l = c[4];
+    const double cos_phi = em_cos(phi);
+    dM[4] = 2.0*(sin_phi*(J + m*(l*l))*cos_phi);
+    const double r = c[3];
+    dM[6] = dM[5] = -m*r*sin_phi*l;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate governor.py */
 /* input sha256:52f684c3c047fbd43e38baf9d086c847e589ee8e98deafbb0551c708cffa2b34 */
-/* body sha256:45e9dd17f3c7eeff21f46ff40a4e5cda43a7ea98606ba67d0bbda3937b6d26b1 */
+/* body sha256:95b0272885375fcec70cb6ed2f756bab6031379cd1d13ac40b53502ebfcde7eb */
 /* governor: equations of motion, eigenfactor formulation.
  *
  * State, 8 numbers:
@@ -59,7 +59,7 @@ enum {
 
 enum {
     N_PARAMETERS = 9,
-    N_PREPARED = 36,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PREPARED = 35,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
     N_GIVEN = 10,         /* inputs, parameters and the time */
     N_ARGUMENTS = 18,     /* x, v and these: what motion depends on */
@@ -369,25 +369,6 @@ em_lanes governor_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_8 = c[29];
-    const double b = c[4];
-    const double a1 = x[1];
-    const double sin_a1 = em_sin(a1);
-    const double c_0 = c[21];
-    const double cos_a1 = em_cos(a1);
-    dM[16] = c_8*((b + sin_a1*c_0)*cos_a1);
-    const double a2 = x[2];
-    const double sin_a2 = em_sin(a2);
-    const double cos_a2 = em_cos(a2);
-    dM[32] = c_8*((b + sin_a2*c_0)*cos_a2);
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -478,9 +459,9 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double cos_a1 = em_cos(a1);
     const double z_8 = s - l*cos_a1;
     const double z_9 = L - sqrt(z_8*z_8 + c_2*(sin_a1*sin_a1));
+    const double c_8 = c[29];
     const double c_9 = c[30];
-    const double c_10 = c[31];
-    e[3] = 0.5*(k*(z_6*z_6 + z_9*z_9) - (m*s + l*(cos_a1 + cos_a2)*c_9)*c_10);
+    e[3] = 0.5*(k*(z_6*z_6 + z_9*z_9) - (m*s + l*(cos_a1 + cos_a2)*c_8)*c_9);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -494,10 +475,10 @@ EM_ACROSS void observe(double t, const double *restrict x, const double *restric
 EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[3] = p[4] = p[8] = p[11] = p[14] = p[20] = p[44] = p[45] = 0.0;
+    const double c_10 = c[31];
+    p[2] = c_10;
     const double c_11 = c[32];
-    p[2] = c_11;
-    const double c_12 = c[33];
-    p[5] = c_12;
+    p[5] = c_11;
     const double b = c[4];
     const double phi = x[0];
     const double cos_phi = em_cos(phi);
@@ -534,16 +515,36 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[30] = -cos_phi*z_11;
     p[31] = -sin_phi*z_11;
     p[32] = -l*cos_a2;
+    const double c_12 = c[33];
+    p[39] = p[43] = c_12;
     const double c_13 = c[34];
-    p[39] = p[43] = c_13;
-    const double c_14 = c[35];
-    p[47] = c_14;
+    p[47] = c_13;
 }
 
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double b = c[4];
+    const double l = c[3];
+    const double a1 = x[1];
+    const double sin_a1 = em_sin(a1);
+    const double cos_a1 = em_cos(a1);
+    const double M = c[0];
+    const double z_2 = M*l;
+    dM[16] = 4.0*((b + 2.0*l*sin_a1)*cos_a1*z_2);
+    const double a2 = x[2];
+    const double sin_a2 = em_sin(a2);
+    const double cos_a2 = em_cos(a2);
+    dM[32] = 4.0*((b + 2.0*l*sin_a2)*cos_a2*z_2);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
@@ -866,14 +867,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     prepared[26] = 2.0*z_1; /* c_5 */
     prepared[27] = m*g; /* c_6 */
     prepared[28] = 4.0*(M*z_0); /* c_7 */
-    prepared[29] = 4.0*z_1; /* c_8 */
-    prepared[30] = 2.0*M; /* c_9 */
-    prepared[31] = 2.0*g; /* c_10 */
-    prepared[32] = 0.5*l; /* c_11 */
-    prepared[33] = (-3.0)*l; /* c_12 */
-    prepared[34] = 0.125*l; /* c_13 */
+    prepared[29] = 2.0*M; /* c_8 */
+    prepared[30] = 2.0*g; /* c_9 */
+    prepared[31] = 0.5*l; /* c_10 */
+    prepared[32] = (-3.0)*l; /* c_11 */
+    prepared[33] = 0.125*l; /* c_12 */
     const double b = parameters[4];
-    prepared[35] = 2.0*b; /* c_14 */
+    prepared[34] = 2.0*b; /* c_13 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */

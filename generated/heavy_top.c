@@ -1,6 +1,6 @@
 /* eigenmotion generate heavy_top.py */
 /* input sha256:e9f4f2af0643a8c63945119eebe764f39e032a7055c33453fcb301da0a3521f3 */
-/* body sha256:bdef303b105e569b8b69cac0124a3097751d37f7dd9d49f8aa22b09ff61c9e45 */
+/* body sha256:7e0429c46f0fd4fd4042c99d45fbe6e1c52c6a47e245a6bcb32a00915115c6a1 */
 /* heavy_top: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -385,21 +385,6 @@ em_lanes heavy_top_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[9];
-    const double theta = x[1];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    dM[9] = c_0*(sin_theta*cos_theta);
-    const double J3 = c[4];
-    dM[15] = dM[11] = -sin_theta*J3;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -483,6 +468,21 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[1];
+    const double sin_theta = em_sin(theta);
+    const double cos_theta = em_cos(theta);
+    const double J = c[3];
+    const double J3 = c[4];
+    dM[9] = 2.0*(sin_theta*cos_theta*(J - J3));
+    dM[15] = dM[11] = -sin_theta*J3;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:8fd9dca7605dcaabfc0f3cdde24b8cf25609588b8e6e267729326355d7398a38 */
+/* body sha256:c63664b509a0edda7dd3b939bae5fac453cbf17fa540de27bc17cc552f2fa6c4 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -55,7 +55,7 @@ enum {
 
 enum {
     N_PARAMETERS = 17,
-    N_PREPARED = 138,     /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PREPARED = 137,     /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
     N_GIVEN = 18,         /* inputs, parameters and the time */
     N_ARGUMENTS = 32,     /* x, v and these: what motion depends on */
@@ -909,173 +909,6 @@ em_lanes jansen_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_ru
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_36 = c[53];
-    const double ab = x[2];
-    const double cos_ab = em_cos(ab);
-    const double theta = x[0];
-    const double sin_theta = em_sin(theta);
-    const double cos_theta = em_cos(theta);
-    const double sin_ab = em_sin(ab);
-    const double z_4 = c_36*(cos_ab*sin_theta - cos_theta*sin_ab);
-    dM[14] = dM[2] = ((-1.0/6.0))*z_4;
-    const double c_37 = c[54];
-    const double ac = x[4];
-    const double cos_ac = em_cos(ac);
-    const double sin_ac = em_sin(ac);
-    const double z_7 = c_37*(sin_theta*cos_ac - cos_theta*sin_ac);
-    dM[28] = dM[4] = ((-1.0/6.0))*z_7;
-    dM[112] = dM[100] = (1.0/6.0)*z_4;
-    const double c_46 = c[63];
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    const double z_8 = sin_ab*c_8 + cos_ab*c_9;
-    const double z_9 = cos_ab*c_8 - sin_ab*c_9;
-    const double z_10 = c_46*(cos_ac*z_8 - sin_ac*z_9);
-    dM[128] = dM[116] = ((-1.0/12.0))*z_10;
-    const double c_47 = c[64];
-    const double ag = x[6];
-    const double cos_ag = em_cos(ag);
-    const double sin_ag = em_sin(ag);
-    const double z_13 = c_47*(z_8*cos_ag - z_9*sin_ag);
-    dM[142] = dM[118] = ((-1.0/12.0))*z_13;
-    dM[224] = dM[200] = (1.0/6.0)*z_7;
-    dM[226] = dM[214] = (1.0/12.0)*z_10;
-    const double c_57 = c[74];
-    const double c_58 = c[75];
-    const double z_14 = sin_ac*cos_ag*c_57 - cos_ac*sin_ag*c_57 - c_58*(sin_ac*sin_ag) - c_58*(cos_ac*cos_ag);
-    dM[242] = dM[230] = ((-1.0/12.0))*z_14;
-    dM[338] = dM[314] = (1.0/12.0)*z_13;
-    dM[340] = dM[328] = (1.0/12.0)*z_14;
-}
-
-/* dM (n, n, n), of what is factored */
-EM_RARE /* no step calls it */
-EM_ACROSS void factored_gradient(double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[17];
-    const double theta = x[0];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    dM[0] = -c_0*(cos_theta*sin_theta);
-    const double c_1 = c[18];
-    const double aj = x[1];
-    const double cos_aj = em_cos(aj);
-    const double z_3 = sin_theta*cos_aj;
-    const double c_2 = c[19];
-    const double sin_aj = em_sin(aj);
-    const double z_5 = cos_theta*sin_aj;
-    dM[7] = dM[1] = ((-1.0/3.0))*(c_1*z_3 - c_2*z_5);
-    const double c_4 = c[21];
-    const double ab = x[2];
-    const double cos_ab = em_cos(ab);
-    const double z_7 = cos_ab*sin_theta;
-    const double c_5 = c[22];
-    const double sin_ab = em_sin(ab);
-    const double z_9 = cos_theta*sin_ab;
-    dM[14] = dM[2] = ((-1.0/6.0))*(c_4*z_7 - c_5*z_9);
-    const double c_13 = c[30];
-    const double ak = x[3];
-    const double cos_ak = em_cos(ak);
-    const double z_11 = sin_theta*cos_ak;
-    const double c_14 = c[31];
-    const double sin_ak = em_sin(ak);
-    const double z_13 = cos_theta*sin_ak;
-    dM[21] = dM[3] = ((-1.0/3.0))*(c_13*z_11 - c_14*z_13);
-    const double c_16 = c[33];
-    const double ac = x[4];
-    const double cos_ac = em_cos(ac);
-    const double z_15 = sin_theta*cos_ac;
-    const double c_17 = c[34];
-    const double sin_ac = em_sin(ac);
-    const double z_17 = cos_theta*sin_ac;
-    dM[28] = dM[4] = ((-1.0/6.0))*(c_16*z_15 - c_17*z_17);
-    dM[56] = dM[50] = ((-1.0/3.0))*(c_1*z_5 - c_2*z_3);
-    const double c_3 = c[20];
-    dM[57] = -c_3*(cos_aj*sin_aj);
-    const double c_6 = c[23];
-    const double z_18 = cos_ab*sin_aj;
-    const double c_7 = c[24];
-    const double z_19 = sin_ab*cos_aj;
-    dM[64] = dM[58] = (1.0/3.0)*(c_6*z_18 - c_7*z_19);
-    dM[112] = dM[100] = ((-1.0/6.0))*(c_4*z_9 - c_5*z_7);
-    dM[113] = dM[107] = (1.0/3.0)*(c_6*z_19 - c_7*z_18);
-    const double c_8 = c[25];
-    const double c_9 = c[26];
-    const double z_20 = cos_ab*c_8 - sin_ab*c_9;
-    const double z_21 = sin_ab*c_8 + cos_ab*c_9;
-    const double c_116 = c[133];
-    const double c_12 = c[29];
-    dM[114] = (1.0/6.0)*(z_20*z_21*c_116 - c_12*(cos_ab*sin_ab));
-    const double c_18 = c[35];
-    const double z_22 = cos_ac*z_21;
-    const double c_19 = c[36];
-    const double z_23 = sin_ac*z_20;
-    dM[128] = dM[116] = ((-1.0/12.0))*(c_18*z_22 - c_19*z_23);
-    const double c_23 = c[40];
-    const double af = x[5];
-    const double sin_af = em_sin(af);
-    const double z_25 = z_20*sin_af;
-    const double c_24 = c[41];
-    const double cos_af = em_cos(af);
-    const double z_27 = z_21*cos_af;
-    dM[135] = dM[117] = (1.0/6.0)*(c_23*z_25 - c_24*z_27);
-    const double c_28 = c[45];
-    const double ag = x[6];
-    const double cos_ag = em_cos(ag);
-    const double z_29 = z_21*cos_ag;
-    const double c_29 = c[46];
-    const double sin_ag = em_sin(ag);
-    const double z_31 = z_20*sin_ag;
-    dM[142] = dM[118] = ((-1.0/12.0))*(c_28*z_29 - c_29*z_31);
-    dM[168] = dM[150] = ((-1.0/3.0))*(c_13*z_13 - c_14*z_11);
-    const double c_15 = c[32];
-    dM[171] = -c_15*(cos_ak*sin_ak);
-    const double c_20 = c[37];
-    const double z_32 = cos_ac*sin_ak;
-    const double c_21 = c[38];
-    const double z_33 = sin_ac*cos_ak;
-    dM[178] = dM[172] = (1.0/3.0)*(c_20*z_32 - c_21*z_33);
-    dM[224] = dM[200] = ((-1.0/6.0))*(c_16*z_17 - c_17*z_15);
-    dM[226] = dM[214] = ((-1.0/12.0))*(c_18*z_23 - c_19*z_22);
-    dM[227] = dM[221] = (1.0/3.0)*(c_20*z_33 - c_21*z_32);
-    const double c_22 = c[39];
-    dM[228] = -c_22*(cos_ac*sin_ac);
-    const double c_25 = c[42];
-    const double z_34 = sin_ac*cos_af;
-    const double c_26 = c[43];
-    const double z_35 = cos_ac*sin_af;
-    dM[235] = dM[229] = (1.0/3.0)*(c_25*z_34 - c_26*z_35);
-    const double c_31 = c[48];
-    const double z_36 = sin_ac*cos_ag;
-    const double c_32 = c[49];
-    const double z_37 = cos_ac*sin_ag;
-    const double c_58 = c[75];
-    const double z_38 = c_58*(sin_ac*sin_ag) + c_58*(cos_ac*cos_ag);
-    dM[242] = dM[230] = (1.0/12.0)*(c_32*z_37 + z_38 - c_31*z_36);
-    dM[282] = dM[264] = (1.0/6.0)*(c_23*z_27 - c_24*z_25);
-    dM[284] = dM[278] = (1.0/3.0)*(c_25*z_35 - c_26*z_34);
-    const double c_27 = c[44];
-    dM[285] = -c_27*(sin_af*cos_af);
-    const double c_33 = c[50];
-    const double z_39 = cos_ag*sin_af;
-    const double c_34 = c[51];
-    const double z_40 = sin_ag*cos_af;
-    dM[292] = dM[286] = (1.0/3.0)*(c_33*z_39 - c_34*z_40);
-    dM[338] = dM[314] = ((-1.0/12.0))*(c_28*z_31 - c_29*z_29);
-    dM[340] = dM[328] = ((-1.0/12.0))*(c_31*z_37 + z_38 - c_32*z_36);
-    dM[341] = dM[335] = (1.0/3.0)*(c_33*z_40 - c_34*z_39);
-    const double c_35 = c[52];
-    dM[342] = -c_35*(cos_ag*sin_ag);
-}
-
 /* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -1307,20 +1140,20 @@ EM_ACROSS void observe(double t, const double *restrict x, const double *restric
 EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     p[0] = p[1] = p[6] = p[7] = 0.0;
+    const double c_116 = c[133];
+    p[2] = p[18] = p[22] = p[30] = c_116;
     const double c_117 = c[134];
-    p[2] = p[18] = p[22] = p[30] = c_117;
-    const double c_118 = c[135];
-    p[3] = p[19] = p[23] = p[31] = c_118;
+    p[3] = p[19] = p[23] = p[31] = c_117;
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
     const double c_93 = c[110];
-    const double c_119 = c[136];
+    const double c_118 = c[135];
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
     const double c_50 = c[67];
     const double sin_ag = em_sin(ag);
     const double c_91 = c[108];
-    p[4] = p[44] = p[48] = p[53] = 0.5*(cos_ag*c_93 + c_119 + cos_ac*c_50 - sin_ag*c_91);
+    p[4] = p[44] = p[48] = p[53] = 0.5*(cos_ag*c_93 + c_118 + cos_ac*c_50 - sin_ag*c_91);
     const double c_95 = c[112];
     const double sin_ac = em_sin(ac);
     p[5] = p[45] = p[49] = p[54] = 0.5*(sin_ag*c_93 + c_95 + sin_ac*c_50 + cos_ag*c_91);
@@ -1345,19 +1178,275 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[17] = p[33] = p[39] = p[43] = z_9;
     const double c_8 = c[25];
     const double c_9 = c[26];
-    p[24] = p[28] = p[34] = 0.5*(cos_ab*c_8 + c_119 - sin_ab*c_9);
+    p[24] = p[28] = p[34] = 0.5*(cos_ab*c_8 + c_118 - sin_ab*c_9);
     p[25] = p[29] = p[35] = 0.5*(sin_ab*c_8 + c_95 + cos_ab*c_9);
     const double g = c[6];
     p[36] = p[40] = p[46] = g*cos_ag + z_8;
     p[37] = p[41] = p[47] = g*sin_ag + z_9;
-    const double c_120 = c[137];
-    p[52] = p[55] = c_120;
+    const double c_119 = c[136];
+    p[52] = p[55] = c_119;
 }
 
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double ab = x[2];
+    const double cos_ab = em_cos(ab);
+    const double theta = x[0];
+    const double sin_theta = em_sin(theta);
+    const double m = c[12];
+    const double density = c[13];
+    const double j = c[9];
+    const double b = c[1];
+    const double z_2 = m*density*(j*b);
+    const double cos_theta = em_cos(theta);
+    const double sin_ab = em_sin(ab);
+    const double z_5 = cos_ab*sin_theta*z_2 - cos_theta*sin_ab*z_2;
+    dM[14] = dM[2] = ((-1.0/6.0))*z_5;
+    const double k = c[10];
+    const double z_6 = m*k;
+    const double ac = x[4];
+    const double cos_ac = em_cos(ac);
+    const double c_ = c[2];
+    const double z_8 = density*c_;
+    const double z_9 = cos_ac*z_8;
+    const double sin_ac = em_sin(ac);
+    const double z_11 = sin_ac*z_8;
+    const double z_12 = sin_theta*z_6*z_9 - cos_theta*z_6*z_11;
+    dM[28] = dM[4] = ((-1.0/6.0))*z_12;
+    dM[112] = dM[100] = (1.0/6.0)*z_5;
+    const double f = c[5];
+    const double z_13 = b*b;
+    const double d = c[3];
+    const double z_14 = d*d;
+    const double e = c[4];
+    const double z_15 = z_13 + z_14 - e*e;
+    const double z_16 = z_15/b;
+    const double z_17 = d*sqrt(0.25*(4.0 - z_15*z_15/(z_13*z_14)));
+    const double z_18 = sin_ab*z_16 + 2.0*cos_ab*z_17;
+    const double z_19 = cos_ab*z_16 - 2.0*sin_ab*z_17;
+    const double z_20 = f*z_18*z_9 - f*z_19*z_11;
+    dM[128] = dM[116] = ((-1.0/12.0))*z_20;
+    const double ag = x[6];
+    const double cos_ag = em_cos(ag);
+    const double z_22 = density*f;
+    const double g = c[6];
+    const double z_23 = z_22*g;
+    const double sin_ag = em_sin(ag);
+    const double z_25 = z_18*cos_ag*z_23 - z_19*sin_ag*z_23;
+    dM[142] = dM[118] = ((-1.0/12.0))*z_25;
+    dM[224] = dM[200] = (1.0/6.0)*z_12;
+    dM[226] = dM[214] = (1.0/12.0)*z_20;
+    const double h = c[7];
+    const double z_26 = density*h;
+    const double z_27 = h*z_8;
+    const double z_28 = g*g;
+    const double i = c[8];
+    const double z_29 = i*i;
+    const double z_30 = z_28 + z_29 - h*h;
+    const double z_31 = 2.0*c_*(density*i + z_26) + i*z_8 + z_27;
+    const double z_32 = 2.0*g*(2.0*c_*(z_22 + density*g + z_26) + g*z_8 + z_27) + z_30*z_31/g;
+    const double z_33 = sqrt(0.25*(4.0 - z_30*z_30/(z_28*z_29)))*(i*z_31);
+    const double z_34 = sin_ac*cos_ag*z_32 - cos_ac*sin_ag*z_32 - 2.0*sin_ac*sin_ag*z_33 - 2.0*cos_ac*cos_ag*z_33;
+    dM[242] = dM[230] = ((-1.0/12.0))*z_34;
+    dM[338] = dM[314] = (1.0/12.0)*z_25;
+    dM[340] = dM[328] = (1.0/12.0)*z_34;
+}
+
+/* dM (n, n, n), of what is factored */
+EM_RARE /* no step calls it */
+EM_ACROSS void factored_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double m = c[12];
+    const double z_2 = m*m;
+    const double b = c[1];
+    const double z_3 = b*b;
+    const double density = c[13];
+    const double z_4 = density*b;
+    const double j = c[9];
+    const double z_5 = density*j;
+    const double e = c[4];
+    const double z_6 = density*e;
+    const double d = c[3];
+    const double z_7 = d*d;
+    const double z_8 = z_3 + z_7 - e*e;
+    const double f = c[5];
+    const double z_9 = density*f;
+    const double z_10 = z_6 + density*d + z_9;
+    const double z_11 = z_8/b;
+    const double z_12 = 4.0 - z_8*z_8/(z_3*z_7);
+    const double z_13 = 1.0/(4.0*z_3*z_4 + 4.0*(z_5 + z_6)*z_3 + z_6*z_8 + (e*z_4 + z_10*z_11)*z_11 +
+        z_10*z_12*z_7);
+    const double z_14 = z_3*z_13;
+    const double J = c[14];
+    const double k = c[10];
+    const double z_15 = density*k;
+    const double z_16 = z_2/(3.0*J + (z_5 + z_15)*z_2);
+    const double z_17 = 1.0/(1.7189244238450625*z_14 + 0.9560643415727004*z_16);
+    const double c_ = c[2];
+    const double z_18 = c_*c_;
+    const double z_19 = density*c_;
+    const double g = c[6];
+    const double z_20 = density*g;
+    const double i = c[8];
+    const double z_21 = density*i;
+    const double h = c[7];
+    const double z_22 = h*z_19;
+    const double z_23 = density*h;
+    const double z_24 = z_21 + z_23;
+    const double z_25 = c_*z_24 + 0.5*i*z_19;
+    const double z_26 = z_9 + z_20 + z_23;
+    const double z_27 = c_*z_26 + 0.5*g*z_19;
+    const double z_28 = z_18/(2.0*z_18*z_19 + 2.0*(z_15 + z_20 + z_21)*z_18 + c_*(2.0*z_22 + 2.0*z_25 + 2.0*z_27)
+        + z_20*z_18 + z_21*z_18);
+    const double z_29 = 1.0/(0.9560643415727004*z_16 + 2.0220877533087998*z_28);
+    const double z_30 = 1.0/(6.281075576154938*z_14 + 1.0439356584272999*z_16);
+    const double z_31 = 1.0/(1.0439356584272999*z_16 + 1.9779122466912002*z_28);
+    dM[0] = ((-2.0/3.0))*(cos_theta*sin_theta*((z_2*z_17 + z_2*z_29) - (z_2*z_30 + z_2*z_31)));
+    const double aj = x[1];
+    const double cos_aj = em_cos(aj);
+    const double z_33 = sin_theta*cos_aj;
+    const double z_34 = m*j;
+    const double z_35 = z_17*z_34;
+    const double sin_aj = em_sin(aj);
+    const double z_37 = cos_theta*sin_aj;
+    const double z_38 = z_30*z_34;
+    dM[7] = dM[1] = ((-1.0/3.0))*(z_33*z_35 - z_37*z_38);
+    const double z_39 = z_34*z_4;
+    const double z_40 = m*b;
+    const double z_41 = z_39 - 2.0*z_17*z_40;
+    const double ab = x[2];
+    const double cos_ab = em_cos(ab);
+    const double z_43 = cos_ab*sin_theta;
+    const double z_44 = z_39 - 2.0*z_30*z_40;
+    const double sin_ab = em_sin(ab);
+    const double z_46 = cos_theta*sin_ab;
+    dM[14] = dM[2] = ((-1.0/6.0))*(z_41*z_43 - z_44*z_46);
+    const double ak = x[3];
+    const double cos_ak = em_cos(ak);
+    const double z_48 = sin_theta*cos_ak;
+    const double z_49 = m*k;
+    const double z_50 = z_29*z_49;
+    const double sin_ak = em_sin(ak);
+    const double z_52 = cos_theta*sin_ak;
+    const double z_53 = z_31*z_49;
+    dM[21] = dM[3] = ((-1.0/3.0))*(z_48*z_50 - z_52*z_53);
+    const double z_54 = z_19*z_49;
+    const double z_55 = m*c_;
+    const double z_56 = z_54 - 2.0*z_29*z_55;
+    const double ac = x[4];
+    const double cos_ac = em_cos(ac);
+    const double z_58 = sin_theta*cos_ac;
+    const double z_59 = z_54 - 2.0*z_31*z_55;
+    const double sin_ac = em_sin(ac);
+    const double z_61 = cos_theta*sin_ac;
+    dM[28] = dM[4] = ((-1.0/6.0))*(z_56*z_58 - z_59*z_61);
+    dM[56] = dM[50] = ((-1.0/3.0))*(z_37*z_35 - z_33*z_38);
+    const double z_62 = j*j;
+    dM[57] = ((-2.0/3.0))*(cos_aj*sin_aj*(z_17*z_62 - z_30*z_62));
+    const double z_63 = cos_ab*sin_aj;
+    const double z_64 = j*b;
+    const double z_65 = z_17*z_64;
+    const double z_66 = sin_ab*cos_aj;
+    const double z_67 = z_30*z_64;
+    dM[64] = dM[58] = (1.0/3.0)*(z_63*z_65 - z_66*z_67);
+    dM[112] = dM[100] = ((-1.0/6.0))*(z_41*z_46 - z_44*z_43);
+    dM[113] = dM[107] = (1.0/3.0)*(z_66*z_65 - z_63*z_67);
+    const double z_68 = d*sqrt(0.25*z_12);
+    const double z_69 = cos_ab*z_11 - 2.0*sin_ab*z_68;
+    const double z_70 = sin_ab*z_11 + 2.0*cos_ab*z_68;
+    const double z_71 = 0.9799867889375745*z_11 + 0.39812507335168834*z_68;
+    const double z_72 = 0.7809576093147158*z_11 - 1.2491680630778932*z_68;
+    const double z_73 = g*g;
+    const double z_74 = i*i;
+    const double z_75 = z_73 + z_74 - h*h;
+    const double z_76 = z_75/g;
+    const double z_77 = 4.0 - z_75*z_75/(z_73*z_74);
+    const double z_78 = z_73/(g*(4.0*g*z_26 + z_23*z_76) + (z_20*h + z_24*z_76)*z_76 + z_24*z_77*z_74);
+    const double z_79 = 1.0/(1.9779122466912002*z_28 + z_13*(z_71*z_71) + z_13*(z_72*z_72) +
+        0.7654631453230909*z_78);
+    const double z_80 = 0.6245840315389466*z_11 + 1.5619152186294316*z_68;
+    const double z_81 = 0.19906253667584417*z_11 - 1.959973577875149*z_68;
+    const double z_82 = 1.0/(2.0220877533087998*z_28 + 7.234536854676909*z_78 + z_13*(z_80*z_80) +
+        z_13*(z_81*z_81));
+    dM[114] = (1.0/6.0)*(z_69*z_70*(z_79 - z_82) - 4.0*cos_ab*sin_ab*(z_3*z_17 - z_3*z_30));
+    const double z_83 = f*z_19;
+    const double z_84 = c_*z_82;
+    const double z_85 = z_83 - 2.0*z_84;
+    const double z_86 = cos_ac*z_70;
+    const double z_87 = c_*z_79;
+    const double z_88 = z_83 - 2.0*z_87;
+    const double z_89 = sin_ac*z_69;
+    dM[128] = dM[116] = ((-1.0/12.0))*(z_85*z_86 - z_88*z_89);
+    const double af = x[5];
+    const double sin_af = em_sin(af);
+    const double z_91 = f*sin_af;
+    const double z_92 = z_69*z_91;
+    const double cos_af = em_cos(af);
+    const double z_94 = f*cos_af;
+    const double z_95 = z_70*z_94;
+    dM[135] = dM[117] = (1.0/6.0)*(z_79*z_92 - z_82*z_95);
+    const double z_96 = f*z_20;
+    const double z_97 = g*z_82;
+    const double z_98 = z_96 - 2.0*z_97;
+    const double ag = x[6];
+    const double cos_ag = em_cos(ag);
+    const double z_100 = z_70*cos_ag;
+    const double z_101 = g*z_79;
+    const double z_102 = z_96 - 2.0*z_101;
+    const double sin_ag = em_sin(ag);
+    const double z_104 = z_69*sin_ag;
+    dM[142] = dM[118] = ((-1.0/12.0))*(z_98*z_100 - z_102*z_104);
+    dM[168] = dM[150] = ((-1.0/3.0))*(z_52*z_50 - z_48*z_53);
+    const double z_105 = k*k;
+    dM[171] = ((-2.0/3.0))*(cos_ak*sin_ak*(z_29*z_105 - z_31*z_105));
+    const double z_106 = cos_ac*sin_ak;
+    const double z_107 = k*c_;
+    const double z_108 = z_29*z_107;
+    const double z_109 = sin_ac*cos_ak;
+    const double z_110 = z_31*z_107;
+    dM[178] = dM[172] = (1.0/3.0)*(z_106*z_108 - z_109*z_110);
+    dM[224] = dM[200] = ((-1.0/6.0))*(z_56*z_61 - z_59*z_58);
+    dM[226] = dM[214] = ((-1.0/12.0))*(z_85*z_89 - z_88*z_86);
+    dM[227] = dM[221] = (1.0/3.0)*(z_109*z_108 - z_106*z_110);
+    dM[228] = ((-2.0/3.0))*(cos_ac*sin_ac*((z_18*z_29 + z_18*z_82) - (z_18*z_31 + z_18*z_79)));
+    const double z_111 = sin_ac*z_94;
+    const double z_112 = cos_ac*z_91;
+    dM[235] = dM[229] = (1.0/3.0)*(z_84*z_111 - z_87*z_112);
+    const double z_113 = z_22 + 2.0*z_25;
+    const double z_114 = 2.0*g*(z_22 + 2.0*z_27) + z_113*z_76;
+    const double z_115 = z_114 + 4.0*g*z_84;
+    const double z_116 = sin_ac*cos_ag;
+    const double z_117 = z_114 + 4.0*g*z_87;
+    const double z_118 = cos_ac*sin_ag;
+    const double z_119 = sqrt(0.25*z_77)*(i*z_113);
+    const double z_120 = sin_ac*sin_ag*z_119 + cos_ac*cos_ag*z_119;
+    dM[242] = dM[230] = (1.0/12.0)*(z_117*z_118 + 2.0*z_120 - z_115*z_116);
+    dM[282] = dM[264] = (1.0/6.0)*(z_79*z_95 - z_82*z_92);
+    dM[284] = dM[278] = (1.0/3.0)*(z_84*z_112 - z_87*z_111);
+    const double z_121 = f*f;
+    dM[285] = ((-2.0/3.0))*(sin_af*cos_af*(z_82*z_121 - z_79*z_121));
+    const double z_122 = cos_ag*z_91;
+    const double z_123 = sin_ag*z_94;
+    dM[292] = dM[286] = (1.0/3.0)*(z_97*z_122 - z_101*z_123);
+    dM[338] = dM[314] = ((-1.0/12.0))*(z_98*z_104 - z_102*z_100);
+    dM[340] = dM[328] = ((-1.0/12.0))*(z_115*z_118 + 2.0*z_120 - z_117*z_116);
+    dM[341] = dM[335] = (1.0/3.0)*(z_97*z_123 - z_101*z_122);
+    dM[342] = ((-2.0/3.0))*(cos_ag*sin_ag*(z_73*z_82 - z_73*z_79));
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
@@ -3126,72 +3215,70 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_51 = 0.19906253667584417*z_9 - 1.959973577875149*z_42;
     const double z_52 = 1.0/(2.0220877533087998*z_29 + 7.234536854676909*z_49 + z_12*(z_50*z_50) +
         z_12*(z_51*z_51));
-    const double z_53 = z_52;
-    prepared[27] = z_53; /* c_10 */
-    const double z_54 = 0.9799867889375745*z_9 + 0.39812507335168834*z_42;
-    const double z_55 = 0.7809576093147158*z_9 - 1.2491680630778932*z_42;
-    const double z_56 = 1.0/(1.9779122466912002*z_29 + z_12*(z_54*z_54) + z_12*(z_55*z_55) +
+    prepared[27] = z_52; /* c_10 */
+    const double z_53 = 0.9799867889375745*z_9 + 0.39812507335168834*z_42;
+    const double z_54 = 0.7809576093147158*z_9 - 1.2491680630778932*z_42;
+    const double z_55 = 1.0/(1.9779122466912002*z_29 + z_12*(z_53*z_53) + z_12*(z_54*z_54) +
         0.7654631453230909*z_49);
-    const double z_57 = z_56;
-    prepared[28] = z_57; /* c_11 */
-    const double z_58 = z_1*z_17;
-    const double z_59 = z_1*z_32;
-    prepared[29] = 4.0*(z_58 - z_59); /* c_12 */
-    const double z_60 = m*k;
-    prepared[30] = z_30*z_60; /* c_13 */
-    prepared[31] = z_33*z_60; /* c_14 */
-    const double z_61 = k*k;
-    const double z_62 = z_30*z_61;
-    const double z_63 = z_33*z_61;
-    prepared[32] = (2.0/3.0)*(z_62 - z_63); /* c_15 */
-    const double z_64 = z_19*z_60;
-    const double z_65 = c_*z_30;
-    prepared[33] = z_64 - 2.0*m*z_65; /* c_16 */
-    const double z_66 = c_*z_33;
-    prepared[34] = z_64 - 2.0*m*z_66; /* c_17 */
-    const double z_67 = f*z_19;
-    const double z_68 = c_*z_52;
-    prepared[35] = z_67 - 2.0*z_68; /* c_18 */
-    const double z_69 = c_*z_56;
-    prepared[36] = z_67 - 2.0*z_69; /* c_19 */
-    prepared[37] = k*z_65; /* c_20 */
-    prepared[38] = k*z_66; /* c_21 */
-    const double z_70 = z_18*z_30 + z_18*z_52;
-    const double z_71 = z_18*z_33 + z_18*z_56;
-    prepared[39] = (2.0/3.0)*(z_70 - z_71); /* c_22 */
-    prepared[40] = f*z_56; /* c_23 */
+    prepared[28] = z_55; /* c_11 */
+    const double z_56 = z_1*z_17;
+    const double z_57 = z_1*z_32;
+    prepared[29] = 4.0*(z_56 - z_57); /* c_12 */
+    const double z_58 = m*k;
+    prepared[30] = z_30*z_58; /* c_13 */
+    prepared[31] = z_33*z_58; /* c_14 */
+    const double z_59 = k*k;
+    const double z_60 = z_30*z_59;
+    const double z_61 = z_33*z_59;
+    prepared[32] = (2.0/3.0)*(z_60 - z_61); /* c_15 */
+    const double z_62 = z_19*z_58;
+    const double z_63 = c_*z_30;
+    prepared[33] = z_62 - 2.0*m*z_63; /* c_16 */
+    const double z_64 = c_*z_33;
+    prepared[34] = z_62 - 2.0*m*z_64; /* c_17 */
+    const double z_65 = f*z_19;
+    const double z_66 = c_*z_52;
+    prepared[35] = z_65 - 2.0*z_66; /* c_18 */
+    const double z_67 = c_*z_55;
+    prepared[36] = z_65 - 2.0*z_67; /* c_19 */
+    prepared[37] = k*z_63; /* c_20 */
+    prepared[38] = k*z_64; /* c_21 */
+    const double z_68 = z_18*z_30 + z_18*z_52;
+    const double z_69 = z_18*z_33 + z_18*z_55;
+    prepared[39] = (2.0/3.0)*(z_68 - z_69); /* c_22 */
+    prepared[40] = f*z_55; /* c_23 */
     prepared[41] = f*z_52; /* c_24 */
-    prepared[42] = f*z_68; /* c_25 */
-    prepared[43] = f*z_69; /* c_26 */
-    const double z_72 = f*f;
-    const double z_73 = z_52*z_72;
-    const double z_74 = z_56*z_72;
-    prepared[44] = (2.0/3.0)*(z_73 - z_74); /* c_27 */
-    const double z_75 = f*z_20;
-    const double z_76 = g*z_52;
-    prepared[45] = z_75 - 2.0*z_76; /* c_28 */
-    const double z_77 = g*z_56;
-    prepared[46] = z_75 - 2.0*z_77; /* c_29 */
-    const double z_78 = z_22 + 2.0*z_25;
-    const double z_79 = i*sqrt(0.25*z_47);
-    const double z_80 = z_78*z_79;
-    prepared[47] = z_80; /* c_30 */
-    const double z_81 = 2.0*g*(z_22 + 2.0*z_27) + z_78*z_46;
-    prepared[48] = z_81 + 4.0*g*z_68; /* c_31 */
-    prepared[49] = z_81 + 4.0*g*z_69; /* c_32 */
-    const double z_82 = f*g;
-    prepared[50] = z_52*z_82; /* c_33 */
-    prepared[51] = z_56*z_82; /* c_34 */
-    const double z_83 = z_43*z_52;
-    const double z_84 = z_43*z_56;
-    prepared[52] = (2.0/3.0)*(z_83 - z_84); /* c_35 */
+    prepared[42] = f*z_66; /* c_25 */
+    prepared[43] = f*z_67; /* c_26 */
+    const double z_70 = f*f;
+    const double z_71 = z_52*z_70;
+    const double z_72 = z_55*z_70;
+    prepared[44] = (2.0/3.0)*(z_71 - z_72); /* c_27 */
+    const double z_73 = f*z_20;
+    const double z_74 = g*z_52;
+    prepared[45] = z_73 - 2.0*z_74; /* c_28 */
+    const double z_75 = g*z_55;
+    prepared[46] = z_73 - 2.0*z_75; /* c_29 */
+    const double z_76 = z_22 + 2.0*z_25;
+    const double z_77 = i*sqrt(0.25*z_47);
+    const double z_78 = z_76*z_77;
+    prepared[47] = z_78; /* c_30 */
+    const double z_79 = 2.0*g*(z_22 + 2.0*z_27) + z_76*z_46;
+    prepared[48] = z_79 + 4.0*g*z_66; /* c_31 */
+    prepared[49] = z_79 + 4.0*g*z_67; /* c_32 */
+    const double z_80 = f*g;
+    prepared[50] = z_52*z_80; /* c_33 */
+    prepared[51] = z_55*z_80; /* c_34 */
+    const double z_81 = z_43*z_52;
+    const double z_82 = z_43*z_55;
+    prepared[52] = (2.0/3.0)*(z_81 - z_82); /* c_35 */
     prepared[53] = z_39; /* c_36 */
-    prepared[54] = z_64; /* c_37 */
+    prepared[54] = z_62; /* c_37 */
     const double gravity = parameters[16];
-    const double z_85 = density*gravity;
-    const double z_86 = k*z_85;
-    const double z_87 = j*z_85;
-    prepared[55] = m*(z_86 + z_87); /* c_38 */
+    const double z_83 = density*gravity;
+    const double z_84 = k*z_83;
+    const double z_85 = j*z_83;
+    prepared[55] = m*(z_84 + z_85); /* c_38 */
     const double torque = parameters[15];
     prepared[56] = 2.0*torque; /* c_39 */
     prepared[57] = m*z_32; /* c_40 */
@@ -3200,14 +3287,14 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[60] = m*z_30; /* c_43 */
     prepared[61] = j*z_32; /* c_44 */
     prepared[62] = j*z_17; /* c_45 */
-    prepared[63] = z_67; /* c_46 */
-    prepared[64] = z_75; /* c_47 */
-    const double z_88 = 2.0*b + z_9;
-    const double z_89 = e*z_85;
-    const double z_90 = f*z_85;
-    const double z_91 = z_90 + d*z_85;
-    prepared[65] = z_88*z_89 + 2.0*b*(z_87 + b*z_85) + z_9*z_91; /* c_48 */
-    prepared[66] = 2.0*(z_42*(z_89 + z_91)); /* c_49 */
+    prepared[63] = z_65; /* c_46 */
+    prepared[64] = z_73; /* c_47 */
+    const double z_86 = 2.0*b + z_9;
+    const double z_87 = e*z_83;
+    const double z_88 = f*z_83;
+    const double z_89 = z_88 + d*z_83;
+    prepared[65] = z_86*z_87 + 2.0*b*(z_85 + b*z_83) + z_9*z_89; /* c_48 */
+    prepared[66] = 2.0*(z_42*(z_87 + z_89)); /* c_49 */
     prepared[67] = 2.0*c_; /* c_50 */
     prepared[68] = 2.0*g; /* c_51 */
     prepared[69] = 2.0*f; /* c_52 */
@@ -3215,22 +3302,22 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[71] = 4.0*z_40; /* c_54 */
     prepared[72] = k*z_33; /* c_55 */
     prepared[73] = k*z_30; /* c_56 */
-    prepared[74] = z_81; /* c_57 */
-    prepared[75] = 2.0*z_80; /* c_58 */
-    const double z_92 = g*z_85;
-    const double z_93 = i*z_85;
-    const double z_94 = h*z_85;
-    const double z_95 = z_93 + z_94;
-    prepared[76] = 6.0*(c_*(z_86 + 2.0*z_92 + c_*z_85 + 2.0*z_95 + z_90)); /* c_59 */
-    prepared[77] = z_69; /* c_60 */
-    prepared[78] = z_68; /* c_61 */
-    prepared[79] = 2.0*z_66; /* c_62 */
-    prepared[80] = 2.0*z_65; /* c_63 */
-    const double z_96 = 2.0*g + z_46;
-    prepared[81] = z_46*z_93 + z_96*z_94 + 2.0*g*(z_92 + z_90); /* c_64 */
-    prepared[82] = 2.0*(z_79*z_95); /* c_65 */
-    prepared[83] = z_77; /* c_66 */
-    prepared[84] = z_76; /* c_67 */
+    prepared[74] = z_79; /* c_57 */
+    prepared[75] = 2.0*z_78; /* c_58 */
+    const double z_90 = g*z_83;
+    const double z_91 = i*z_83;
+    const double z_92 = h*z_83;
+    const double z_93 = z_91 + z_92;
+    prepared[76] = 6.0*(c_*(z_84 + 2.0*z_90 + c_*z_83 + 2.0*z_93 + z_88)); /* c_59 */
+    prepared[77] = z_67; /* c_60 */
+    prepared[78] = z_66; /* c_61 */
+    prepared[79] = 2.0*z_64; /* c_62 */
+    prepared[80] = 2.0*z_63; /* c_63 */
+    const double z_94 = 2.0*g + z_46;
+    prepared[81] = z_46*z_91 + z_94*z_92 + 2.0*g*(z_90 + z_88); /* c_64 */
+    prepared[82] = 2.0*(z_77*z_93); /* c_65 */
+    prepared[83] = z_75; /* c_66 */
+    prepared[84] = z_74; /* c_67 */
     prepared[85] = (1.0/3.0)*z_15; /* c_68 */
     prepared[86] = (1.0/12.0)*z_11; /* c_69 */
     prepared[87] = (1.0/6.0)*z_28; /* c_70 */
@@ -3243,10 +3330,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double l = parameters[11];
     prepared[93] = fabs(l); /* c_76 */
     prepared[94] = fabs(k); /* c_77 */
-    const double z_97 = fabs(c_);
-    prepared[95] = z_97; /* c_78 */
+    const double z_95 = fabs(c_);
+    prepared[95] = z_95; /* c_78 */
     prepared[96] = fabs(z_9); /* c_79 */
-    prepared[97] = 2.0*z_97; /* c_80 */
+    prepared[97] = 2.0*z_95; /* c_80 */
     prepared[98] = 2.0*fabs(z_42); /* c_81 */
     prepared[99] = 2.0*fabs(f); /* c_82 */
     prepared[100] = 2.0*fabs(g); /* c_83 */
@@ -3255,38 +3342,37 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[103] = 2.0*z_28; /* c_86 */
     prepared[104] = z_48; /* c_87 */
     prepared[105] = (-4.0)*l; /* c_88 */
-    prepared[106] = z_88; /* c_89 */
-    prepared[107] = z_96; /* c_90 */
-    prepared[108] = 2.0*z_79; /* c_91 */
+    prepared[106] = z_86; /* c_89 */
+    prepared[107] = z_94; /* c_90 */
+    prepared[108] = 2.0*z_77; /* c_91 */
     prepared[109] = 4.0*c_; /* c_92 */
     prepared[110] = z_46; /* c_93 */
     prepared[111] = 2.0*b; /* c_94 */
     prepared[112] = (-2.0)*l; /* c_95 */
     prepared[113] = 2.0*j; /* c_96 */
     prepared[114] = 2.0*k; /* c_97 */
-    prepared[115] = z_85; /* c_98 */
+    prepared[115] = z_83; /* c_98 */
     prepared[116] = 4.0*torque; /* c_99 */
     prepared[117] = z_15; /* c_100 */
     prepared[118] = z_31; /* c_101 */
     prepared[119] = z_34; /* c_102 */
     prepared[120] = z_37; /* c_103 */
     prepared[121] = z_38; /* c_104 */
-    prepared[122] = 4.0*z_58; /* c_105 */
-    prepared[123] = 4.0*z_59; /* c_106 */
-    prepared[124] = z_62; /* c_107 */
-    prepared[125] = z_63; /* c_108 */
+    prepared[122] = 4.0*z_56; /* c_105 */
+    prepared[123] = 4.0*z_57; /* c_106 */
+    prepared[124] = z_60; /* c_107 */
+    prepared[125] = z_61; /* c_108 */
     prepared[126] = z_28; /* c_109 */
-    prepared[127] = 2.0*z_70; /* c_110 */
-    prepared[128] = 2.0*z_71; /* c_111 */
-    prepared[129] = z_73; /* c_112 */
-    prepared[130] = z_74; /* c_113 */
-    prepared[131] = 4.0*z_83; /* c_114 */
-    prepared[132] = 4.0*z_84; /* c_115 */
-    prepared[133] = z_57 - z_53; /* c_116 */
-    prepared[134] = -a_; /* c_117 */
-    prepared[135] = -l; /* c_118 */
-    prepared[136] = (-2.0)*a_; /* c_119 */
-    prepared[137] = (1.0/10.0)*m; /* c_120 */
+    prepared[127] = 2.0*z_68; /* c_110 */
+    prepared[128] = 2.0*z_69; /* c_111 */
+    prepared[129] = z_71; /* c_112 */
+    prepared[130] = z_72; /* c_113 */
+    prepared[131] = 4.0*z_81; /* c_114 */
+    prepared[132] = 4.0*z_82; /* c_115 */
+    prepared[133] = -a_; /* c_116 */
+    prepared[134] = -l; /* c_117 */
+    prepared[135] = (-2.0)*a_; /* c_118 */
+    prepared[136] = (1.0/10.0)*m; /* c_119 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */

@@ -1,6 +1,6 @@
 /* eigenmotion generate polar_particle.py */
 /* input sha256:2c90f61d0b0a2899f72175dd5cf52972b07929e53c32bfff9ebb2090b92cb91d */
-/* body sha256:4c5d9cdca2b12ea600cca80b458a06843d2f2dbe2ec1b1ab877503624700c1fe */
+/* body sha256:0d3bb59c4cfd9554775eccc8a00802248d98de30233a8803c85ed7fdcd1b4b62 */
 /* polar_particle: equations of motion, eigenfactor formulation.
  *
  * State, 4 numbers:
@@ -263,17 +263,6 @@ em_lanes polar_particle_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double r = x[0];
-    const double c_0 = c[6];
-    dM[3] = r*c_0;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -329,6 +318,17 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double m = c[0];
+    const double r = x[0];
+    dM[3] = 2.0*(m*r);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

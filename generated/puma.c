@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:0f6c9bc5124dd65d33490a302ba09789c9800603a2ad251393b838ef602c191b */
+/* body sha256:82146040fde18d407c153d4e31f816705f055b57c13a1ba219749320f21d816a */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -54,7 +54,7 @@ enum {
 
 enum {
     N_PARAMETERS = 2,
-    N_PREPARED = 42,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PREPARED = 31,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
     N_GIVEN = 9,          /* inputs, parameters and the time */
     N_ARGUMENTS = 21,     /* x, v and these: what motion depends on */
@@ -1428,347 +1428,6 @@ em_lanes puma_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_run,
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q2 = x[1];
-    const double sin_q2 = em_sin(q2);
-    const double cos_q2 = em_cos(q2);
-    const double q3 = x[2];
-    const double sin_q3 = em_sin(q3);
-    const double z_3 = cos_q2*sin_q3;
-    const double cos_q3 = em_cos(q3);
-    const double z_5 = sin_q2*cos_q3;
-    const double z_6 = z_3 + z_5;
-    const double q4 = x[3];
-    const double sin_q4 = em_sin(q4);
-    const double z_8 = z_6*sin_q4;
-    const double q5 = x[4];
-    const double cos_q5 = em_cos(q5);
-    const double sin_q5 = em_sin(q5);
-    const double z_11 = z_6*sin_q5;
-    const double z_12 = sin_q2*sin_q3;
-    const double z_13 = cos_q2*cos_q3;
-    const double z_14 = z_12 - z_13;
-    const double z_15 = 4318.0*cos_q2 - 203.0*z_14;
-    const double cos_q4 = em_cos(q4);
-    const double z_17 = z_14*cos_q4;
-    const double z_18 = sin_q4*z_15 - 1500.5*z_17;
-    const double z_19 = z_8 - (1.0/4318.0)*z_18;
-    const double z_20 = 8636.0*z_19;
-    const double z_21 = z_11 + (1.0/3001.0)*z_20*cos_q5;
-    const double z_22 = 4000.0*z_8 + 3001.0*z_21;
-    const double c_0 = c[2];
-    const double z_23 = 5760.0*z_8 + z_22*c_0 + 129043.0*z_21;
-    const double z_24 = cos_q5*z_23;
-    const double z_25 = z_6*cos_q5;
-    const double z_26 = sin_q5*z_20 - 3001.0*z_25;
-    const double c_1 = c[3];
-    const double z_27 = sin_q5*c_1;
-    const double z_28 = 739312.0*z_8 + z_24 + z_26*z_27 - 164.0*z_18;
-    const double z_29 = sin_q4*z_28;
-    const double z_30 = z_6*cos_q4;
-    const double z_31 = sin_q5*z_14;
-    const double z_32 = cos_q4*cos_q5;
-    const double z_33 = z_31 - z_6*z_32;
-    const double z_34 = sin_q4*z_14;
-    const double z_35 = z_34 + (2.0/3001.0)*z_15*cos_q4;
-    const double z_36 = z_30 - (3001.0/8636.0)*z_35;
-    const double z_37 = 8636.0*z_36 - 4000.0*z_33;
-    const double c_2 = c[4];
-    const double z_38 = 222132.0*z_30 + z_37*c_2 - 1152.0*z_33 - 75025.0*z_35;
-    const double z_39 = cos_q4*z_38;
-    const double z_40 = z_29 + 5.0*z_39;
-    const double z_41 = 4318.0*sin_q2 + 203.0*z_6;
-    const double z_42 = z_30 + (2.0/3001.0)*sin_q4*z_41;
-    const double z_43 = 3001.0*z_42 - 8636.0*z_34;
-    const double z_44 = z_31 - (1.0/3001.0)*cos_q5*z_43;
-    const double z_45 = 4000.0*z_34 + 3001.0*z_44;
-    const double z_46 = 5760.0*z_34 + c_0*z_45 + 129043.0*z_44;
-    const double z_47 = cos_q5*z_46;
-    const double z_48 = z_14*cos_q5;
-    const double z_49 = 3001.0*z_48 + sin_q5*z_43;
-    const double z_50 = z_49*z_27 + 246082.0*z_42 - 739312.0*z_34 - z_47;
-    const double z_51 = cos_q4*z_41;
-    const double z_52 = z_11 + z_14*z_32;
-    const double z_53 = z_8 + (8636.0/3001.0)*z_17;
-    const double z_54 = z_51 - 1500.5*z_53;
-    const double z_55 = 4000.0*z_52 - 2.0*z_54;
-    const double z_56 = z_52 + (75025.0/1152.0)*(z_8 + (222132.0/75025.0)*z_17);
-    const double z_57 = z_55*c_2 + 1152.0*z_56 - 50.0*z_51;
-    const double z_58 = sin_q4*z_50 - 5.0*cos_q4*z_57;
-    const double c_3 = c[5];
-    const double z_59 = z_37*c_3 + 77724.0*z_36 - 33885.0*z_33;
-    const double z_60 = sin_q5*z_59;
-    const double z_61 = sin_q5*cos_q4;
-    const double z_62 = z_48 + z_6*z_61;
-    const double z_63 = cos_q5*z_62;
-    const double z_64 = sin_q4*z_38;
-    const double z_65 = cos_q4*z_28;
-    const double z_66 = z_64 - (1.0/5.0)*z_65;
-    const double z_67 = 5725482720.0*z_14 + 13600000.0*z_63 + 406.0*z_40 - 640.0*z_60 - 15005.0*z_66;
-    const double z_68 = z_3*z_67;
-    const double z_69 = z_55*c_3 + 33885.0*z_52 - 18.0*z_54;
-    const double z_70 = sin_q5*z_69;
-    const double z_71 = z_25 - z_14*z_61;
-    const double z_72 = cos_q5*z_71;
-    const double z_73 = z_6 + (85000.0/35784267.0)*z_72;
-    const double z_74 = sin_q4*z_57 + (1.0/5.0)*cos_q4*z_50;
-    const double z_75 = 640.0*z_70 + 5725482720.0*z_73 + 406.0*z_58 + 15005.0*z_74;
-    const double z_76 = sin_q5*z_23;
-    const double z_77 = cos_q5*z_59;
-    const double z_78 = sin_q5*z_62;
-    const double c_4 = c[6];
-    const double z_79 = 497229916.0*z_30 + 32.0*z_77 + 680000.0*z_78 + z_37*c_4 - 2487168.0*z_33 -
-        166654533.0*z_35;
-    const double z_80 = cos_q4*z_79;
-    const double c_5 = c[7];
-    const double c_6 = c[8];
-    const double z_81 = sin_q5*c_6;
-    const double z_82 = 1690830848.0*z_8 + 2159.0*z_24 + z_22*c_5 + z_26*z_81 + 4321440.0*z_21 - 369656.0*z_18;
-    const double z_83 = sin_q4*z_82;
-    const double c_7 = c[9];
-    const double z_84 = cos_q5*c_7;
-    const double z_85 = 5803392000.0*cos_q2 + z_26*z_84 - 9492774802.0*z_6 - 3001.0*z_76 - 20.0*z_80 - 4.0*z_83;
-    const double z_86 = z_12*z_85;
-    const double z_87 = sin_q5*z_46;
-    const double z_88 = (z_8 + (497229916.0/166654533.0)*z_17) - (680000.0/166654533.0)*(sin_q5*z_71 -
-        (2286.0/625.0)*z_52);
-    const double z_89 = 32.0*cos_q5*z_69 + z_55*c_4 + 166654533.0*z_88 - 111066.0*z_51;
-    const double z_90 = z_49*z_81 + 554668828.0*z_42 - 1690830848.0*z_34 - 2159.0*z_47 - z_45*c_5 -
-        4321440.0*z_44;
-    const double z_91 = 5803392000.0*sin_q2 + 4.0*sin_q4*z_90 - 9492774802.0*z_14 - 3001.0*z_87 - 20.0*cos_q4*z_89
-        - z_49*z_84;
-    const double z_92 = z_13*z_85;
-    const double z_93 = z_5*z_67;
-    dM[36] = ((-1.0/40000000000.0))*(31520000000.0*sin_q2*cos_q2 + (z_92 - z_5*z_91) -
-        4.0*(sin_q2*(70992000.0*sin_q2 + 1450848000.0*z_6 + 2159.0*z_40 - 18759823020.0*cos_q2) -
-        cos_q2*(18759823020.0*sin_q2 + 70992000.0*cos_q2 + 2159.0*z_58 - 1450848000.0*z_14)) -
-        174000.0*(cos_q2*(207169.0*sin_q2 - 1632.0*cos_q2) + sin_q2*(1632.0*sin_q2 + 207169.0*cos_q2)) - (z_68 +
-        z_12*z_75) - (z_86 + z_3*z_91) - (z_93 - z_13*z_75));
-    const double z_94 = cos_q5*c_1;
-    const double c_18 = c[20];
-    const double z_95 = cos_q5*c_18;
-    const double z_96 = z_6 + (3568189.0/78792000.0)*z_14;
-    const double z_97 = (cos_q4*z_90 + 0.5*z_49*z_95) + 551544000.0*(z_96 + (29.0/157584000.0)*(z_87 +
-        (10.0/203.0)*sin_q4*z_89));
-    dM[42] = dM[37] = (1.0/20000000000.0)*(475020000.0*sin_q2 + 4318.0*cos_q3*(1821922.0*z_14 + z_87 + z_49*z_94)
-        + 2.0*z_97 - 5383560000.0*cos_q2 - 4318.0*sin_q3*(1575840.0*z_6 + 5.0*z_74));
-    dM[48] = dM[38] = (1.0/20000000000.0)*(2.0*z_97);
-    const double z_98 = z_6 + (17.0/65.0)*z_72;
-    dM[54] = dM[39] = ((-1.0/62500000.0))*(z_70 + 81250.0*z_98);
-    dM[60] = dM[40] = ((-1.0/62500000.0))*(40135.0*z_34 + z_45*c_3 + 27009.0*z_44);
-    dM[66] = dM[41] = ((-1.0/25000.0))*z_71;
-    const double z_99 = z_8 + (3001.0/406.0)*z_30;
-    const double z_100 = 406.0*z_99 - 8636.0*z_34;
-    const double z_101 = z_31 - (1.0/3001.0)*cos_q5*z_100;
-    const double z_102 = 4000.0*z_34 + 3001.0*z_101;
-    const double z_103 = 5760.0*z_34 + c_0*z_102 + 129043.0*z_101;
-    const double z_104 = cos_q5*z_103;
-    const double z_105 = 3001.0*z_48 + sin_q5*z_100;
-    const double z_106 = z_105*z_27 + 33292.0*z_99 - 739312.0*z_34 - z_104;
-    const double z_107 = z_30 - (3001.0/406.0)*z_53;
-    const double z_108 = 4000.0*z_52 - 406.0*z_107;
-    const double z_109 = z_108*c_2 + 1152.0*z_56 - 10150.0*z_30;
-    const double z_110 = sin_q4*z_106 - 5.0*cos_q4*z_109;
-    const double z_111 = z_108*c_3 + 33885.0*z_52 - 3654.0*z_107;
-    const double z_112 = sin_q5*z_111;
-    const double z_113 = sin_q4*z_109 + (1.0/5.0)*cos_q4*z_106;
-    const double z_114 = 640.0*z_112 + 5725482720.0*z_73 + 406.0*z_110 + 15005.0*z_113;
-    const double z_115 = sin_q5*z_103;
-    const double z_116 = 32.0*cos_q5*z_111 + z_108*c_4 + 166654533.0*z_88 - 22546398.0*z_30;
-    const double z_117 = z_105*z_81 + 75040168.0*z_99 - 1690830848.0*z_34 - 2159.0*z_104 - z_102*c_5 -
-        4321440.0*z_101;
-    const double z_118 = 9492774802.0*z_14 + 3001.0*z_115 + 20.0*cos_q4*z_116 + z_105*z_84 - 4.0*sin_q4*z_117;
-    dM[72] = (1.0/40000000000.0)*(8636.0*cos_q2*(672000.0*z_14 - z_110) + (z_93 + z_12*z_114) + (z_86 - z_5*z_118)
-        + (z_68 - z_13*z_114) - (z_92 + z_3*z_118));
-    const double z_119 = (cos_q4*z_117 + 0.5*z_105*z_95) + 551544000.0*(z_96 + (29.0/157584000.0)*(z_115 +
-        (10.0/203.0)*sin_q4*z_116));
-    dM[78] = dM[73] = (1.0/20000000000.0)*(4318.0*(sin_q3*(1821922.0*z_6 + z_76 - z_26*z_94) +
-        cos_q3*(1821922.0*z_14 + z_115 + z_105*z_94)) + 2.0*z_119 - 4318.0*(cos_q3*(1575840.0*z_14 - 5.0*z_66) +
-        sin_q3*(1575840.0*z_6 + 5.0*z_113)));
-    const double z_120 = sin_q3*cos_q4;
-    const double z_121 = 4318.0*cos_q3 + 203.0;
-    const double z_122 = cos_q4 - z_120;
-    const double z_123 = sin_q5*z_121 - 4318.0*cos_q5*z_122;
-    const double z_124 = 2000.0*cos_q4 - z_123;
-    const double z_125 = 2880.0*cos_q4 + c_0*z_124 - 43.0*z_123;
-    const double z_126 = cos_q5*z_125;
-    const double z_127 = cos_q5*z_121 + 4318.0*sin_q5*z_122;
-    const double z_128 = 369656.0*cos_q4 + z_126 + z_127*z_27 - 354076.0*z_120;
-    const double z_129 = sin_q3*sin_q4;
-    const double z_130 = sin_q4*cos_q5;
-    const double z_131 = sin_q4 - z_129;
-    const double z_132 = 1000.0*z_130 + 2159.0*z_131;
-    const double z_133 = 55533.0*sin_q4 + 288.0*z_130 + z_132*c_2 - 53975.0*z_129;
-    const double z_134 = cos_q3*cos_q4;
-    const double z_135 = sin_q3*sin_q5 - cos_q3*z_32;
-    const double z_136 = 43.0*z_135 + c_0*z_135;
-    const double z_137 = cos_q5*z_136;
-    const double z_138 = sin_q3*cos_q5 + cos_q3*z_61;
-    const double c_22 = c[24];
-    const double z_139 = sin_q4*sin_q4;
-    const double z_140 = sin_q5*z_125;
-    const double z_141 = sin_q5*z_136;
-    const double c_23 = c[25];
-    const double z_142 = cos_q3*sin_q4;
-    const double c_24 = c[26];
-    const double z_143 = (cos_q4*(1440.0*z_135 + 2159.0*z_137 + z_135*c_5 - 184828.0*z_134 - z_138*z_81) -
-        0.5*z_138*z_95) - 8323.0*((sin_q3 + (24000.0/1189.0)*cos_q3) + (1.0/82.0)*(z_141 +
-        (10.0/203.0)*sin_q4*(c_23*z_142 + c_24*(cos_q5*z_142))));
-    dM[79] = ((-2159.0/5000000000.0))*((cos_q3*(336000.0 + cos_q4*z_128 + 10.0*sin_q4*z_133 - 2072640.0*sin_q3) -
-        4318.0*sin_q3*(480.0*cos_q3 + cos_q4*(82.0*z_134 + z_138*z_27 - z_137) + c_22*(cos_q3*z_139))) +
-        (sin_q3*(2426716.0*cos_q3 + 16646.0 + z_127*z_94 - z_140) + 4318.0*cos_q3*(562.0*sin_q3 + z_141 +
-        z_138*z_94)) - 2.0*z_143);
-    dM[84] = dM[74] = (1.0/20000000000.0)*(2.0*z_119);
-    dM[85] = dM[80] = ((-2159.0/5000000000.0))*(-2.0*z_143);
-    dM[90] = dM[75] = ((-1.0/62500000.0))*(z_112 + 81250.0*z_98);
-    const double c_25 = c[27];
-    dM[91] = dM[81] = sin_q5*c_25*z_142;
-    dM[96] = dM[76] = ((-1.0/62500000.0))*(40135.0*z_34 + z_102*c_3 + 27009.0*z_101);
-    dM[97] = dM[82] = (2159.0/15625000.0)*(9.0*z_135 + z_135*c_3);
-    dM[102] = dM[77] = ((-1.0/25000.0))*z_71;
-    const double z_144 = 8636.0*z_36;
-    const double z_145 = cos_q5*z_144;
-    const double z_146 = 4000.0*z_30 + z_145;
-    const double z_147 = 5760.0*z_30 + 43.0*z_145 + c_0*z_146;
-    const double z_148 = cos_q5*z_147;
-    const double z_149 = sin_q5*sin_q5;
-    const double z_150 = z_144*z_149;
-    const double z_151 = 739312.0*z_30 + z_148 + c_1*z_150 - 246082.0*z_35;
-    const double z_152 = z_8*cos_q5;
-    const double z_153 = 4000.0*z_152 + 8636.0*z_19;
-    const double z_154 = 222132.0*z_8 + 1152.0*z_152 + z_153*c_2 - 50.0*z_18;
-    const double z_155 = (z_65 + sin_q4*z_151) - 5.0*(z_64 + cos_q4*z_154);
-    const double z_156 = 33885.0*z_152 + z_153*c_3 + 77724.0*z_19;
-    const double z_157 = sin_q5*cos_q5;
-    const double z_158 = sin_q4*z_157;
-    const double z_159 = sin_q5*z_156 - 21250.0*z_6*z_158;
-    const double z_160 = (z_39 - sin_q4*z_154) + (1.0/5.0)*(z_29 - cos_q4*z_151);
-    const double z_161 = 406.0*z_155 + 640.0*z_159 - 15005.0*z_160;
-    const double z_162 = sin_q5*z_147;
-    const double z_163 = sin_q4*z_149;
-    const double z_164 = 497229916.0*z_8 + 2487168.0*z_152 + 32.0*cos_q5*z_156 + 680000.0*z_6*z_163 + z_153*c_4 -
-        111066.0*z_18;
-    const double z_165 = 1690830848.0*z_30 + 1440.0*z_145 + 2159.0*z_148 + z_146*c_5 + c_6*z_150 -
-        554668828.0*z_35;
-    const double z_166 = z_144*z_157;
-    const double z_167 = 3001.0*z_162 + 4.0*(cos_q4*z_82 + sin_q4*z_165) - 20.0*(sin_q4*z_79 + cos_q4*z_164) -
-        c_7*z_166;
-    dM[108] = ((-1.0/40000000000.0))*(8636.0*cos_q2*z_155 + z_13*z_161 - z_12*z_161 - z_3*z_167 - z_5*z_167);
-    const double z_168 = (z_162 + (10.0/203.0)*(z_80 - sin_q4*z_164)) + (2.0/203.0)*((z_83 - cos_q4*z_165) -
-        0.5*c_18*z_166);
-    dM[114] = dM[109] = ((-1.0/20000000000.0))*(4318.0*cos_q3*(z_162 - c_1*z_166) + 203.0*z_168 -
-        4318.0*sin_q3*(5.0*z_160));
-    const double z_169 = cos_q5*z_131;
-    const double z_170 = 1000.0*sin_q4 + 2159.0*z_169;
-    const double z_171 = 1440.0*sin_q4 + 92837.0*z_169 + c_0*z_170;
-    const double z_172 = cos_q5*z_171;
-    const double z_173 = z_131*z_149;
-    const double z_174 = 2159.0*z_122 + 1000.0*z_32;
-    const double z_175 = sin_q5*z_171;
-    const double z_176 = z_131*z_157;
-    const double c_8 = c[10];
-    const double z_177 = 33885.0*z_130 + 77724.0*z_131 + z_132*c_8;
-    const double z_178 = cos_q5*z_177;
-    const double z_179 = z_163 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_130);
-    const double z_180 = 77724.0*z_122 + 33885.0*z_32 + z_174*c_8;
-    const double z_181 = cos_q4*z_149 + (124307479.0/170000.0)*(cos_q4 + (621792.0/124307479.0)*z_32);
-    const double c_26 = c[28];
-    const double c_27 = c[29];
-    const double z_182 = (z_175 + (10.0/203.0)*(cos_q4*(8.0*z_178 + z_132*c_4 + 170000.0*z_179 -
-        119895747.0*z_129) + sin_q4*(8.0*cos_q5*z_180 + z_174*c_4 + 170000.0*z_181 - 119895747.0*z_120))) -
-        (1.0/203.0)*((sin_q4*(845415424.0*cos_q4 + 2159.0*z_126 + z_124*c_5 + z_127*z_81 - 798087304.0*z_120 -
-        1440.0*z_123) + 2.0*cos_q4*(422707712.0*sin_q4 + 3108960.0*z_169 + 2159.0*z_172 + z_170*c_5 + c_26*z_173 -
-        399043652.0*z_129)) + c_27*z_176);
-    dM[115] = (1.0/5000000000.0)*(2159.0*sin_q3*((sin_q4*z_128 + 2.0*cos_q4*(184828.0*sin_q4 + z_172 + c_6*z_173 -
-        177038.0*z_129)) - 10.0*(cos_q4*z_133 + sin_q4*(55533.0*cos_q4 + 288.0*z_32 + z_174*c_2 - 53975.0*z_120)))
-        + 4318.0*cos_q3*(z_175 - c_6*z_176) + 203.0*z_182);
-    dM[120] = dM[110] = ((-1.0/20000000000.0))*(203.0*z_168);
-    dM[121] = dM[116] = (1.0/5000000000.0)*(203.0*z_182);
-    const double z_183 = 2159.0*sin_q4 + 1000.0*z_130;
-    const double z_184 = 77724.0*sin_q4 + 33885.0*z_130 + z_183*c_8;
-    const double z_185 = cos_q5*z_184;
-    const double z_186 = 2159.0*cos_q4 + 1000.0*z_32;
-    const double z_187 = 77724.0*cos_q4 + 33885.0*z_32 + z_186*c_8;
-    const double z_188 = sin_q5 - (4318.0/203.0)*z_32;
-    const double z_189 = 203.0*z_188 - 2000.0*cos_q4;
-    const double z_190 = c_0*z_189 + 8729.0*z_188 - 2880.0*cos_q4;
-    const double z_191 = cos_q5*z_190;
-    const double z_192 = cos_q5 + (4318.0/203.0)*z_61;
-    const double z_193 = 203.0*z_192;
-    const double z_194 = 1000.0*sin_q4 + 2159.0*z_130;
-    const double z_195 = 1440.0*sin_q4 + 92837.0*z_130 + c_0*z_194;
-    dM[122] = (1.0/5000000000.0)*(10.0*(cos_q4*(8.0*z_185 + z_183*c_4 + 170000.0*z_179) + sin_q4*(8.0*cos_q5*z_187
-        + z_186*c_4 + 170000.0*z_181)) + (sin_q4*(2159.0*z_191 + z_189*c_5 + 292320.0*z_188 - 845415424.0*cos_q4 -
-        z_193*z_81) - 2.0*cos_q4*(422707712.0*sin_q4 + 3108960.0*z_130 + 2159.0*cos_q5*z_195 + z_194*c_5 +
-        z_163*c_26)) + 203.0*sin_q5*z_195 - z_158*c_27);
-    dM[126] = dM[111] = ((-1.0/62500000.0))*z_159;
-    const double z_196 = cos_q4*z_157;
-    dM[127] = dM[117] = ((-1.0/62500000.0))*(sin_q5*z_180 - 21250.0*z_196);
-    dM[128] = dM[123] = (1.0/62500000.0)*(21250.0*z_196 - sin_q5*z_187);
-    dM[132] = dM[112] = (1.0/62500000.0)*(40135.0*z_30 + 9.0*z_145 + z_146*c_3);
-    dM[133] = dM[118] = ((-1.0/62500000.0))*(40135.0*sin_q4 + 77724.0*z_169 + z_170*c_8);
-    dM[134] = dM[124] = ((-1.0/62500000.0))*(40135.0*sin_q4 + 77724.0*z_130 + z_194*c_8);
-    dM[138] = dM[113] = (1.0/25000.0)*(sin_q5*z_8);
-    dM[139] = dM[119] = (1.0/25000.0)*z_61;
-    dM[140] = dM[125] = (1.0/25000.0)*z_61;
-    const double z_197 = 43.0*z_26 + c_0*z_26;
-    const double z_198 = 3001.0*z_21;
-    const double z_199 = (z_76 + cos_q5*z_197) - c_1*(cos_q5*z_26 + sin_q5*z_198);
-    const double z_200 = 9.0*z_62 + z_62*c_3;
-    const double z_201 = sin_q4*z_199 + 640.0*cos_q4*z_200;
-    const double c_28 = c[30];
-    const double z_202 = 6777.0*z_62 + z_62*c_28;
-    const double z_203 = (z_77 - 5.0*sin_q5*z_202) + 21250.0*(z_78 + cos_q5*z_33);
-    const double z_204 = sin_q4*z_200 - (1.0/640.0)*cos_q4*z_199;
-    const double z_205 = 406.0*z_201 + 640.0*z_203 - 1920640.0*z_204;
-    const double c_29 = c[31];
-    const double z_206 = 77724.0*z_62 + (z_60 + 5.0*cos_q5*z_202) + z_62*c_29 - 21250.0*(z_63 - sin_q5*z_33);
-    const double z_207 = 1440.0*z_26 + 2159.0*z_199 + z_26*c_5;
-    const double z_208 = (z_24 - sin_q5*z_197) + c_1*(sin_q5*z_26 - cos_q5*z_198);
-    const double z_209 = 3001.0*z_208 - 640.0*cos_q4*z_206 - 4.0*sin_q4*z_207;
-    dM[144] = (1.0/40000000000.0)*(8636.0*cos_q2*z_201 + z_3*z_209 + z_5*z_209 + z_13*z_205 - z_12*z_205);
-    const double z_210 = cos_q4*z_207 + 101.5*(z_208 - (320.0/203.0)*sin_q4*z_206);
-    dM[150] = dM[145] = ((-1.0/20000000000.0))*(4318.0*cos_q3*z_208 + 4318.0*sin_q3*(640.0*z_204) + 2.0*z_210);
-    const double z_211 = 43.0*z_127 + c_0*z_127;
-    const double z_212 = (z_140 + cos_q5*z_211) - c_1*(cos_q5*z_127 - sin_q5*z_123);
-    const double c_30 = c[32];
-    const double z_213 = (z_126 - sin_q5*z_211) + c_1*(sin_q5*z_127 + cos_q5*z_123);
-    const double c_31 = c[33];
-    const double z_214 = z_158*c_31;
-    const double c_32 = c[34];
-    const double z_215 = z_158 - (1.0/42500.0)*sin_q5*sin_q4*c_32;
-    const double z_216 = z_213 - (160.0/203.0)*(sin_q4*(42500.0*z_215 - (sin_q5*z_177 + z_214)) -
-        (1.0/80.0)*cos_q4*(1440.0*z_127 + 2159.0*z_212 + z_127*c_5));
-    dM[151] = (1.0/10000000000.0)*(4318.0*sin_q3*(cos_q4*z_212 + sin_q5*c_30*z_139) - 4318.0*cos_q3*z_213 -
-        203.0*z_216);
-    dM[156] = dM[146] = ((-1.0/20000000000.0))*(2.0*z_210);
-    dM[157] = dM[152] = ((-1.0/10000000000.0))*(203.0*z_216);
-    const double z_217 = c_0*z_193 + 8729.0*z_192;
-    const double z_218 = 203.0*z_188;
-    dM[158] = (1.0/10000000000.0)*(160.0*sin_q4*(42500.0*z_215 - (sin_q5*z_184 + z_214)) + 203.0*(z_191 +
-        sin_q5*z_217) - 2.0*cos_q4*(z_193*c_5 + 292320.0*z_192 - 2159.0*(sin_q5*z_190 - cos_q5*z_217) -
-        2159.0*c_1*(cos_q5*z_193 - sin_q5*z_218)) - 203.0*c_1*(sin_q5*z_193 + cos_q5*z_218));
-    dM[162] = dM[147] = (1.0/62500000.0)*z_203;
-    const double z_219 = z_163*c_31;
-    const double z_220 = z_163 - sin_q4*(cos_q5*cos_q5);
-    dM[163] = dM[153] = ((-1.0/62500000.0))*((z_178 - z_219) + 21250.0*z_220);
-    dM[164] = dM[159] = ((-1.0/62500000.0))*(21250.0*z_220 + (z_185 - z_219));
-    const double c_9 = c[11];
-    dM[165] = -c_9*z_157;
-    dM[168] = dM[148] = ((-1.0/62500000.0))*(9.0*z_26 + z_26*c_3);
-    dM[169] = dM[154] = ((-1.0/31250000.0))*(9.0*z_127 + z_127*c_3);
-    dM[170] = dM[160] = ((-1.0/31250000.0))*(z_193*c_3 + 1827.0*z_192);
-    dM[174] = dM[149] = (1.0/25000.0)*z_33;
-    dM[175] = dM[155] = (1.0/25000.0)*z_130;
-    dM[176] = dM[161] = (1.0/25000.0)*z_130;
-    dM[177] = dM[167] = ((-1.0/25000.0))*sin_q5;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -2090,7 +1749,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_79 = 21250.0*z_69 - sin_q5*z_74;
     const double z_80 = z_76*c_10 + 3654.0*z_75 - 40135.0*cos_q4;
     const double c_20 = c[22];
-    const double c_33 = c[35];
+    const double c_22 = c[24];
     e[0] = (1.0/50000000000000.0)*(25.0*q1_dot*(q1_dot*(130000000000.0*sin_q2*sin_q2 +
         524000000000.0*cos_q2*cos_q2 + 4350000.0*sin_q2*(207169.0*sin_q2 - 1632.0*cos_q2) + 25.0*z_11*z_36 +
         1134029968642.0 - 100.0*cos_q2*(70992000.0*sin_q2 + 1450848000.0*z_6 + 2159.0*z_31 - 18759823020.0*cos_q2)
@@ -2099,7 +1758,7 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
         50.0*q2_dot*z_67 + q3_dot*(1000.0*sin_q4*(8.0*cos_q5*z_74 + z_73*c_4 + 170000.0*z_65) +
         10150.0*sin_q5*z_77 + 343365622869.0 + cos_q5*z_78*c_19 - 100.0*cos_q4*(2159.0*cos_q5*z_77 + z_76*c_5 +
         292320.0*z_75 - 845415424.0*cos_q4 - z_78*z_39)) + 8000.0*q4_dot*z_79 - 25.0*q1_dot*z_47 -
-        8000.0*q5_dot*z_80) + 25.0*q5_dot*(16000.0*q1_dot*z_49 + 16000.0*q2_dot*z_71 + q5_dot*c_33 -
+        8000.0*q5_dot*z_80) + 25.0*q5_dot*(16000.0*q1_dot*z_49 + 16000.0*q2_dot*z_71 + q5_dot*c_22 -
         16000.0*q3_dot*z_80) + 100.0*q6_dot*(48526126417.0*q6_dot + 10000000.0*q2_dot*z_68 +
         10000000.0*q3_dot*z_68 + 10000000.0*q4_dot*cos_q5 - 10000000.0*q1_dot*z_34) - 1250.0*q2_dot*(q1_dot*z_46 +
         320.0*q4_dot*z_70 - 2.0*q2_dot*(4318.0*cos_q3*(2426716.0*cos_q3 + 16646.0 + z_57*z_43 - z_62) +
@@ -2110,17 +1769,17 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
         c_20*z_64) - 250000000.0*q6_dot*cos_q5));
     e[1] = 0.0;
     e[2] = 0.0;
-    const double c_34 = c[36];
+    const double c_23 = c[25];
     const double z_81 = sin_q2 + (203.0/4318.0)*z_6;
     const double z_82 = z_13 - z_81;
-    const double c_35 = c[37];
-    const double c_36 = c[38];
-    const double c_37 = c[39];
-    const double c_38 = c[40];
-    const double c_39 = c[41];
-    e[3] = (1.0/1000000.0)*((2159.0*sin_q2 - 350.0*z_13)*c_34 + (-320.0*z_34 - 4318.0*z_82)*c_35 +
-        (-4318.0*z_82)*c_36 + (4318.0*z_81 - 4508.0*z_13)*c_37 + (34.0*z_44)*c_38 + (-2000.0*z_34 -
-        4318.0*z_82)*c_39);
+    const double c_24 = c[26];
+    const double c_25 = c[27];
+    const double c_26 = c[28];
+    const double c_27 = c[29];
+    const double c_28 = c[30];
+    e[3] = (1.0/1000000.0)*((2159.0*sin_q2 - 350.0*z_13)*c_23 + (-320.0*z_34 - 4318.0*z_82)*c_24 +
+        (-4318.0*z_82)*c_25 + (4318.0*z_81 - 4508.0*z_13)*c_26 + (34.0*z_44)*c_27 + (-2000.0*z_34 -
+        4318.0*z_82)*c_28);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -2200,6 +1859,338 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q2 = x[1];
+    const double sin_q2 = em_sin(q2);
+    const double cos_q2 = em_cos(q2);
+    const double q3 = x[2];
+    const double sin_q3 = em_sin(q3);
+    const double z_3 = cos_q2*sin_q3;
+    const double cos_q3 = em_cos(q3);
+    const double z_5 = sin_q2*cos_q3;
+    const double z_6 = z_3 + z_5;
+    const double q4 = x[3];
+    const double sin_q4 = em_sin(q4);
+    const double z_8 = z_6*sin_q4;
+    const double z_9 = sin_q2*sin_q3;
+    const double z_10 = cos_q2*cos_q3;
+    const double z_11 = z_9 - z_10;
+    const double z_12 = 4318.0*cos_q2 - 203.0*z_11;
+    const double cos_q4 = em_cos(q4);
+    const double z_14 = z_11*cos_q4;
+    const double z_15 = sin_q4*z_12 - 1500.5*z_14;
+    const double q5 = x[4];
+    const double cos_q5 = em_cos(q5);
+    const double load = c[1];
+    const double sin_q5 = em_sin(q5);
+    const double z_18 = z_6*sin_q5;
+    const double z_19 = z_8 - (1.0/4318.0)*z_15;
+    const double z_20 = 8636.0*z_19;
+    const double z_21 = z_18 + (1.0/3001.0)*z_20*cos_q5;
+    const double z_22 = load*(4000.0*z_8 + 3001.0*z_21);
+    const double z_23 = 5760.0*z_8 + 100.0*z_22 + 129043.0*z_21;
+    const double z_24 = cos_q5*z_23;
+    const double z_25 = z_6*cos_q5;
+    const double z_26 = sin_q5*z_20 - 3001.0*z_25;
+    const double z_27 = 43.0 + 100.0*load;
+    const double z_28 = sin_q5*z_27;
+    const double z_29 = z_26*z_28;
+    const double z_30 = z_24 + z_29;
+    const double z_31 = 739312.0*z_8 + z_30 - 164.0*z_15;
+    const double z_32 = sin_q4*z_31;
+    const double z_33 = z_6*cos_q4;
+    const double z_34 = sin_q4*z_11;
+    const double z_35 = z_34 + (2.0/3001.0)*z_12*cos_q4;
+    const double z_36 = sin_q5*z_11;
+    const double z_37 = cos_q4*cos_q5;
+    const double z_38 = z_36 - z_6*z_37;
+    const double z_39 = z_33 - (3001.0/8636.0)*z_35;
+    const double z_40 = load*(8636.0*z_39 - 4000.0*z_38);
+    const double z_41 = z_40 - (288.0/5.0)*z_38;
+    const double z_42 = 222132.0*z_33 + 20.0*z_41 - 75025.0*z_35;
+    const double z_43 = cos_q4*z_42;
+    const double z_44 = z_32 + 5.0*z_43;
+    const double z_45 = 4318.0*sin_q2 + 203.0*z_6;
+    const double z_46 = z_33 + (2.0/3001.0)*sin_q4*z_45;
+    const double z_47 = 3001.0*z_46 - 8636.0*z_34;
+    const double z_48 = z_36 - (1.0/3001.0)*cos_q5*z_47;
+    const double z_49 = load*(4000.0*z_34 + 3001.0*z_48);
+    const double z_50 = 5760.0*z_34 + 100.0*z_49 + 129043.0*z_48;
+    const double z_51 = z_11*cos_q5;
+    const double z_52 = 3001.0*z_51 + sin_q5*z_47;
+    const double z_53 = cos_q5*z_50 - z_52*z_28;
+    const double z_54 = 246082.0*z_46 - 739312.0*z_34 - z_53;
+    const double z_55 = cos_q4*z_45;
+    const double z_56 = z_8 + (222132.0/75025.0)*z_14;
+    const double z_57 = z_18 + z_11*z_37;
+    const double z_58 = z_8 + (8636.0/3001.0)*z_14;
+    const double z_59 = z_55 - 1500.5*z_58;
+    const double z_60 = load*(4000.0*z_57 - 2.0*z_59);
+    const double z_61 = z_60 + (288.0/5.0)*z_57;
+    const double z_62 = 75025.0*z_56 + 20.0*z_61 - 50.0*z_55;
+    const double z_63 = sin_q4*z_54 - 5.0*cos_q4*z_62;
+    const double z_64 = 625.0*z_40 + 77724.0*z_39 - 33885.0*z_38;
+    const double z_65 = sin_q5*z_64;
+    const double z_66 = sin_q5*cos_q4;
+    const double z_67 = z_51 + z_6*z_66;
+    const double z_68 = cos_q5*z_67;
+    const double z_69 = sin_q4*z_42;
+    const double z_70 = cos_q4*z_31;
+    const double z_71 = z_69 - (1.0/5.0)*z_70;
+    const double z_72 = 5725482720.0*z_11 + 13600000.0*z_68 + 406.0*z_44 - 640.0*z_65 - 15005.0*z_71;
+    const double z_73 = z_3*z_72;
+    const double z_74 = 625.0*z_60 + 33885.0*z_57 - 18.0*z_59;
+    const double z_75 = sin_q5*z_74;
+    const double z_76 = z_25 - z_11*z_66;
+    const double z_77 = cos_q5*z_76;
+    const double z_78 = z_6 + (85000.0/35784267.0)*z_77;
+    const double z_79 = sin_q4*z_62 + (1.0/5.0)*cos_q4*z_54;
+    const double z_80 = 640.0*z_75 + 5725482720.0*z_78 + 406.0*z_63 + 15005.0*z_79;
+    const double z_81 = cos_q5*z_64;
+    const double z_82 = sin_q5*z_67;
+    const double z_83 = 497229916.0*z_33 + 32.0*z_81 + 680000.0*z_82 + 43180.0*z_41 - 166654533.0*z_35;
+    const double z_84 = cos_q4*z_83;
+    const double z_85 = 1690830848.0*z_8 + 100000.0*z_22 + 4321440.0*z_21 + 2159.0*z_30 - 369656.0*z_15;
+    const double z_86 = sin_q4*z_85;
+    const double z_87 = sin_q5*z_23;
+    const double z_88 = cos_q5*z_27;
+    const double z_89 = z_26*z_88;
+    const double z_90 = z_87 - z_89;
+    const double z_91 = 5803392000.0*cos_q2 - 9492774802.0*z_6 - 20.0*z_84 - 4.0*z_86 - 3001.0*z_90;
+    const double z_92 = z_9*z_91;
+    const double z_93 = sin_q5*z_76 - (166654533.0/680000.0)*(z_8 + (497229916.0/166654533.0)*z_14);
+    const double z_94 = 32.0*cos_q5*z_74 + 43180.0*z_61 - 111066.0*z_55 - 680000.0*z_93;
+    const double z_95 = z_49 + (27009.0/625.0)*z_48;
+    const double z_96 = 554668828.0*z_46 - 1690830848.0*z_34 - 100000.0*z_95 - 2159.0*z_53;
+    const double z_97 = sin_q5*z_50 + z_52*z_88;
+    const double z_98 = 5803392000.0*sin_q2 + 4.0*sin_q4*z_96 - 9492774802.0*z_11 - 20.0*cos_q4*z_94 -
+        3001.0*z_97;
+    const double z_99 = z_10*z_91;
+    const double z_100 = z_5*z_72;
+    dM[36] = ((-1.0/40000000000.0))*(31520000000.0*sin_q2*cos_q2 + (z_99 - z_5*z_98) -
+        4.0*(sin_q2*(70992000.0*sin_q2 + 1450848000.0*z_6 + 2159.0*z_44 - 18759823020.0*cos_q2) -
+        cos_q2*(18759823020.0*sin_q2 + 70992000.0*cos_q2 + 2159.0*z_63 - 1450848000.0*z_11)) -
+        174000.0*(cos_q2*(207169.0*sin_q2 - 1632.0*cos_q2) + sin_q2*(1632.0*sin_q2 + 207169.0*cos_q2)) - (z_73 +
+        z_9*z_80) - (z_92 + z_3*z_98) - (z_100 - z_10*z_80));
+    const double z_101 = z_6 + (3568189.0/78792000.0)*z_11;
+    const double z_102 = (sin_q4*z_94 + (1.0/5.0)*cos_q4*z_96) + 110308800.0*(z_101 + (29.0/157584000.0)*z_97);
+    dM[42] = dM[37] = (1.0/20000000000.0)*(475020000.0*sin_q2 + 4318.0*cos_q3*(1821922.0*z_11 + z_97) + 10.0*z_102
+        - 5383560000.0*cos_q2 - 4318.0*sin_q3*(1575840.0*z_6 + 5.0*z_79));
+    dM[48] = dM[38] = (1.0/20000000000.0)*(10.0*z_102);
+    const double z_103 = z_6 + (17.0/65.0)*z_77;
+    dM[54] = dM[39] = ((-1.0/62500000.0))*(z_75 + 81250.0*z_103);
+    dM[60] = dM[40] = ((-1.0/62500000.0))*(40135.0*z_34 + 625.0*z_95);
+    dM[66] = dM[41] = ((-1.0/25000.0))*z_76;
+    const double z_104 = z_8 + (3001.0/406.0)*z_33;
+    const double z_105 = 406.0*z_104 - 8636.0*z_34;
+    const double z_106 = z_36 - (1.0/3001.0)*cos_q5*z_105;
+    const double z_107 = load*(4000.0*z_34 + 3001.0*z_106);
+    const double z_108 = 5760.0*z_34 + 100.0*z_107 + 129043.0*z_106;
+    const double z_109 = 3001.0*z_51 + sin_q5*z_105;
+    const double z_110 = cos_q5*z_108 - z_109*z_28;
+    const double z_111 = 33292.0*z_104 - 739312.0*z_34 - z_110;
+    const double z_112 = z_33 - (3001.0/406.0)*z_58;
+    const double z_113 = load*(4000.0*z_57 - 406.0*z_112);
+    const double z_114 = z_113 + (288.0/5.0)*z_57;
+    const double z_115 = 75025.0*z_56 + 20.0*z_114 - 10150.0*z_33;
+    const double z_116 = sin_q4*z_111 - 5.0*cos_q4*z_115;
+    const double z_117 = 625.0*z_113 + 33885.0*z_57 - 3654.0*z_112;
+    const double z_118 = sin_q5*z_117;
+    const double z_119 = sin_q4*z_115 + (1.0/5.0)*cos_q4*z_111;
+    const double z_120 = 640.0*z_118 + 5725482720.0*z_78 + 406.0*z_116 + 15005.0*z_119;
+    const double z_121 = 32.0*cos_q5*z_117 + 43180.0*z_114 - 22546398.0*z_33 - 680000.0*z_93;
+    const double z_122 = z_107 + (27009.0/625.0)*z_106;
+    const double z_123 = 75040168.0*z_104 - 1690830848.0*z_34 - 100000.0*z_122 - 2159.0*z_110;
+    const double z_124 = sin_q5*z_108 + z_109*z_88;
+    const double z_125 = 9492774802.0*z_11 + 20.0*cos_q4*z_121 + 3001.0*z_124 - 4.0*sin_q4*z_123;
+    dM[72] = (1.0/40000000000.0)*(8636.0*cos_q2*(672000.0*z_11 - z_116) + (z_100 + z_9*z_120) + (z_92 - z_5*z_125)
+        + (z_73 - z_10*z_120) - (z_99 + z_3*z_125));
+    const double z_126 = (sin_q4*z_121 + (1.0/5.0)*cos_q4*z_123) + 110308800.0*(z_101 + (29.0/157584000.0)*z_124);
+    dM[78] = dM[73] = (1.0/20000000000.0)*(4318.0*(sin_q3*(1821922.0*z_6 + z_90) + cos_q3*(1821922.0*z_11 +
+        z_124)) + 10.0*z_126 - 4318.0*(cos_q3*(1575840.0*z_11 - 5.0*z_71) + sin_q3*(1575840.0*z_6 + 5.0*z_119)));
+    const double z_127 = sin_q3*cos_q4;
+    const double z_128 = 203.0 + 4318.0*cos_q3;
+    const double z_129 = cos_q4 - z_127;
+    const double z_130 = sin_q5*z_128 - 4318.0*cos_q5*z_129;
+    const double z_131 = load*(2000.0*cos_q4 - z_130);
+    const double z_132 = 2880.0*cos_q4 + 100.0*z_131 - 43.0*z_130;
+    const double z_133 = cos_q5*z_132;
+    const double z_134 = cos_q5*z_128 + 4318.0*sin_q5*z_129;
+    const double z_135 = z_134*z_28;
+    const double z_136 = z_133 + z_135;
+    const double z_137 = 369656.0*cos_q4 + z_136 - 354076.0*z_127;
+    const double z_138 = sin_q3*sin_q4;
+    const double z_139 = sin_q4*cos_q5;
+    const double z_140 = sin_q4 - z_138;
+    const double z_141 = load*(1000.0*z_139 + 2159.0*z_140);
+    const double z_142 = 55533.0*sin_q4 + 288.0*z_139 + 20.0*z_141 - 53975.0*z_138;
+    const double z_143 = cos_q3*cos_q4;
+    const double z_144 = sin_q3*sin_q5 - cos_q3*z_37;
+    const double z_145 = load*z_144;
+    const double z_146 = 43.0*z_144 + 100.0*z_145;
+    const double z_147 = sin_q3*cos_q5 + cos_q3*z_66;
+    const double z_148 = cos_q5*z_146 - z_147*z_28;
+    const double z_149 = sin_q4*sin_q4;
+    const double z_150 = sin_q5*z_132;
+    const double z_151 = z_134*z_88;
+    const double z_152 = sin_q5*z_146 + z_147*z_88;
+    const double z_153 = 9.0 + 625.0*load;
+    const double z_154 = cos_q3*sin_q4;
+    const double z_155 = z_144 + (625.0/9.0)*z_145;
+    const double z_156 = (sin_q4*(32.0*cos_q3*z_139*z_153 + (55533.0 + 43180.0*load)*z_154) -
+        (1.0/5.0)*cos_q4*(1440.0*z_155 + 2159.0*z_148 - 184828.0*z_143)) + (203.0/10.0)*(z_152 + 82.0*(sin_q3 +
+        (24000.0/1189.0)*cos_q3));
+    dM[79] = ((-2159.0/5000000000.0))*((cos_q3*(336000.0 + cos_q4*z_137 + 10.0*sin_q4*z_142 - 2072640.0*sin_q3) -
+        4318.0*sin_q3*(480.0*cos_q3 + cos_q4*(82.0*z_143 - z_148) + 25.0*cos_q3*(5.0 + 4.0*load)*z_149)) +
+        (sin_q3*(16646.0 + 2426716.0*cos_q3 + z_151 - z_150) + 4318.0*cos_q3*(562.0*sin_q3 + z_152)) +
+        10.0*z_156);
+    dM[84] = dM[74] = (1.0/20000000000.0)*(10.0*z_126);
+    dM[85] = dM[80] = ((-2159.0/5000000000.0))*(10.0*z_156);
+    dM[90] = dM[75] = ((-1.0/62500000.0))*(z_118 + 81250.0*z_103);
+    const double z_157 = sin_q5*z_153;
+    dM[91] = dM[81] = (2159.0/15625000.0)*(z_157*z_154);
+    dM[96] = dM[76] = ((-1.0/62500000.0))*(40135.0*z_34 + 625.0*z_122);
+    dM[97] = dM[82] = (2159.0/15625000.0)*(9.0*z_155);
+    dM[102] = dM[77] = ((-1.0/25000.0))*z_76;
+    const double z_158 = 8636.0*z_39;
+    const double z_159 = cos_q5*z_158;
+    const double z_160 = load*(4000.0*z_33 + z_159);
+    const double z_161 = 5760.0*z_33 + 43.0*z_159 + 100.0*z_160;
+    const double z_162 = sin_q5*sin_q5;
+    const double z_163 = z_27*z_162;
+    const double z_164 = cos_q5*z_161 + z_158*z_163;
+    const double z_165 = 739312.0*z_33 + z_164 - 246082.0*z_35;
+    const double z_166 = z_6*z_139;
+    const double z_167 = load*(4000.0*z_166 + 8636.0*z_19);
+    const double z_168 = z_166 + (5.0/288.0)*z_167;
+    const double z_169 = 222132.0*z_8 + 1152.0*z_168 - 50.0*z_15;
+    const double z_170 = (z_70 + sin_q4*z_165) - 5.0*(z_69 + cos_q4*z_169);
+    const double z_171 = 33885.0*z_166 + 625.0*z_167 + 77724.0*z_19;
+    const double z_172 = sin_q5*z_171 - 21250.0*z_18*z_139;
+    const double z_173 = (z_43 - sin_q4*z_169) + (1.0/5.0)*(z_32 - cos_q4*z_165);
+    const double z_174 = 406.0*z_170 + 640.0*z_172 - 15005.0*z_173;
+    const double z_175 = sin_q4*z_162;
+    const double z_176 = 497229916.0*z_8 + 32.0*cos_q5*z_171 + 680000.0*z_6*z_175 + 2487168.0*z_168 -
+        111066.0*z_15;
+    const double z_177 = z_159 + (625.0/9.0)*z_160;
+    const double z_178 = 1690830848.0*z_33 + 1440.0*z_177 + 2159.0*z_164 - 554668828.0*z_35;
+    const double z_179 = sin_q5*z_161 - z_159*z_28;
+    const double z_180 = 4.0*(cos_q4*z_85 + sin_q4*z_178) + 3001.0*z_179 - 20.0*(sin_q4*z_83 + cos_q4*z_176);
+    dM[108] = ((-1.0/40000000000.0))*(8636.0*cos_q2*z_170 + z_10*z_174 - z_9*z_174 - z_3*z_180 - z_5*z_180);
+    const double z_181 = (z_86 - cos_q4*z_178) + 101.5*(z_179 + (10.0/203.0)*(z_84 - sin_q4*z_176));
+    dM[114] = dM[109] = ((-1.0/20000000000.0))*(4318.0*cos_q3*z_179 + 2.0*z_181 - 4318.0*sin_q3*(5.0*z_173));
+    const double z_182 = cos_q5*z_140;
+    const double z_183 = load*(1000.0*sin_q4 + 2159.0*z_182);
+    const double z_184 = 1440.0*sin_q4 + 92837.0*z_182 + 100.0*z_183;
+    const double z_185 = cos_q5*z_184 + 2159.0*z_140*z_163;
+    const double z_186 = load*(2159.0*z_129 + 1000.0*z_37);
+    const double z_187 = sin_q5*z_184 - 2159.0*z_182*z_28;
+    const double z_188 = 33885.0*z_139 + 2500.0*z_141 + 77724.0*z_140;
+    const double z_189 = cos_q5*z_188;
+    const double z_190 = z_175 + (124307479.0/170000.0)*(sin_q4 + (621792.0/124307479.0)*z_139);
+    const double z_191 = 77724.0*z_129 + 33885.0*z_37 + 2500.0*z_186;
+    const double z_192 = cos_q4*z_162 + (124307479.0/170000.0)*(cos_q4 + (621792.0/124307479.0)*z_37);
+    const double z_193 = z_182 + (625.0/19431.0)*z_183;
+    const double z_194 = z_187 + (10.0/203.0)*((cos_q4*(43180.0*z_141 + 8.0*z_189 + 170000.0*z_190 -
+        119895747.0*z_138) + sin_q4*(43180.0*z_186 + 8.0*cos_q5*z_191 + 170000.0*z_192 - 119895747.0*z_127)) -
+        (1.0/10.0)*(sin_q4*(845415424.0*cos_q4 + 100000.0*z_131 + 2159.0*z_136 - 798087304.0*z_127 - 1440.0*z_130)
+        + 2.0*cos_q4*(422707712.0*sin_q4 + 3108960.0*z_193 + 2159.0*z_185 - 399043652.0*z_138)));
+    dM[115] = (1.0/5000000000.0)*(2159.0*sin_q3*((sin_q4*z_137 + 2.0*cos_q4*(184828.0*sin_q4 + z_185 -
+        177038.0*z_138)) - 10.0*(cos_q4*z_142 + sin_q4*(55533.0*cos_q4 + 288.0*z_37 + 20.0*z_186 -
+        53975.0*z_127))) + 4318.0*cos_q3*z_187 + 203.0*z_194);
+    dM[120] = dM[110] = ((-1.0/20000000000.0))*(2.0*z_181);
+    dM[121] = dM[116] = (1.0/5000000000.0)*(203.0*z_194);
+    const double z_195 = load*(2159.0*sin_q4 + 1000.0*z_139);
+    const double z_196 = 77724.0*sin_q4 + 33885.0*z_139 + 2500.0*z_195;
+    const double z_197 = cos_q5*z_196;
+    const double z_198 = load*(2159.0*cos_q4 + 1000.0*z_37);
+    const double z_199 = 77724.0*cos_q4 + 33885.0*z_37 + 2500.0*z_198;
+    const double z_200 = sin_q5 - (4318.0/203.0)*z_37;
+    const double z_201 = load*(203.0*z_200 - 2000.0*cos_q4);
+    const double z_202 = 100.0*z_201 + 8729.0*z_200 - 2880.0*cos_q4;
+    const double z_203 = cos_q5*z_202;
+    const double z_204 = cos_q5 + (4318.0/203.0)*z_66;
+    const double z_205 = 203.0*z_204;
+    const double z_206 = z_205*z_28;
+    const double z_207 = load*(1000.0*sin_q4 + 2159.0*z_139);
+    const double z_208 = 1440.0*sin_q4 + 92837.0*z_139 + 100.0*z_207;
+    const double z_209 = z_139 + (625.0/19431.0)*z_207;
+    dM[122] = (1.0/5000000000.0)*(10.0*(cos_q4*(43180.0*z_195 + 8.0*z_197 + 170000.0*z_190) +
+        sin_q4*(43180.0*z_198 + 8.0*cos_q5*z_199 + 170000.0*z_192)) + (sin_q4*(100000.0*z_201 + 2159.0*z_203 +
+        292320.0*z_200 - 845415424.0*cos_q4 - 2159.0*z_206) - 2.0*cos_q4*(422707712.0*sin_q4 + 2159.0*cos_q5*z_208
+        + 4661281.0*z_27*z_175 + 3108960.0*z_209)) + 203.0*sin_q5*z_208 - 438277.0*z_139*z_28);
+    dM[126] = dM[111] = ((-1.0/62500000.0))*z_172;
+    const double z_210 = cos_q5*z_66;
+    dM[127] = dM[117] = ((-1.0/62500000.0))*(sin_q5*z_191 - 21250.0*z_210);
+    dM[128] = dM[123] = (1.0/62500000.0)*(21250.0*z_210 - sin_q5*z_199);
+    dM[132] = dM[112] = (1.0/62500000.0)*(40135.0*z_33 + 9.0*z_177);
+    dM[133] = dM[118] = ((-1.0/62500000.0))*(40135.0*sin_q4 + 77724.0*z_193);
+    dM[134] = dM[124] = ((-1.0/62500000.0))*(40135.0*sin_q4 + 77724.0*z_209);
+    dM[138] = dM[113] = (1.0/25000.0)*(z_18*sin_q4);
+    dM[139] = dM[119] = (1.0/25000.0)*z_66;
+    dM[140] = dM[125] = (1.0/25000.0)*z_66;
+    const double z_211 = load*z_26;
+    const double z_212 = 43.0*z_26 + 100.0*z_211;
+    const double z_213 = 3001.0*z_21;
+    const double z_214 = (z_87 + cos_q5*z_212) - (z_89 + z_213*z_28);
+    const double z_215 = load*z_67;
+    const double z_216 = z_67 + (625.0/9.0)*z_215;
+    const double z_217 = 9.0*z_216;
+    const double z_218 = sin_q4*z_214 + 640.0*cos_q4*z_217;
+    const double z_219 = 6777.0*z_67 + 500000.0*z_215;
+    const double z_220 = (z_81 - 5.0*sin_q5*z_219) + 21250.0*(z_82 + cos_q5*z_38);
+    const double z_221 = sin_q4*z_217 - (1.0/640.0)*cos_q4*z_214;
+    const double z_222 = 406.0*z_218 + 640.0*z_220 - 1920640.0*z_221;
+    const double z_223 = (z_65 + 5.0*cos_q5*z_219) + 77724.0*z_216 - 21250.0*(z_68 - sin_q5*z_38);
+    const double z_224 = z_26 + (625.0/9.0)*z_211;
+    const double z_225 = 2159.0*z_214 + 1440.0*z_224;
+    const double z_226 = (z_24 - sin_q5*z_212) + (z_29 - z_213*z_88);
+    const double z_227 = 3001.0*z_226 - 640.0*cos_q4*z_223 - 4.0*sin_q4*z_225;
+    dM[144] = (1.0/40000000000.0)*(8636.0*cos_q2*z_218 + z_3*z_227 + z_5*z_227 + z_10*z_222 - z_9*z_222);
+    const double z_228 = cos_q4*z_225 + 101.5*(z_226 - (320.0/203.0)*sin_q4*z_223);
+    dM[150] = dM[145] = ((-1.0/20000000000.0))*(4318.0*cos_q3*z_226 + 4318.0*sin_q3*(640.0*z_221) + 2.0*z_228);
+    const double z_229 = load*z_134;
+    const double z_230 = 43.0*z_134 + 100.0*z_229;
+    const double z_231 = (z_150 + cos_q5*z_230) - (z_151 - z_130*z_28);
+    const double z_232 = (z_133 - sin_q5*z_230) + (z_135 + z_130*z_88);
+    const double z_233 = sin_q5*z_139;
+    const double z_234 = 6777.0 + 500000.0*load;
+    const double z_235 = z_233*z_234;
+    const double z_236 = z_233 - (127.0/625.0)*sin_q4*z_157;
+    const double z_237 = z_134 + (625.0/9.0)*z_229;
+    const double z_238 = z_232 - (160.0/203.0)*(sin_q4*(42500.0*z_236 - (sin_q5*z_188 + 5.0*z_235)) -
+        (1.0/80.0)*cos_q4*(2159.0*z_231 + 1440.0*z_237));
+    dM[151] = (1.0/10000000000.0)*(4318.0*sin_q3*(cos_q4*z_231 + 320.0*z_149*z_157) - 4318.0*cos_q3*z_232 -
+        203.0*z_238);
+    dM[156] = dM[146] = ((-1.0/20000000000.0))*(2.0*z_228);
+    dM[157] = dM[152] = ((-1.0/10000000000.0))*(203.0*z_238);
+    const double z_239 = load*z_205;
+    const double z_240 = 100.0*z_239 + 8729.0*z_204;
+    const double z_241 = 203.0*z_200;
+    const double z_242 = z_239 + (1827.0/625.0)*z_204;
+    dM[158] = (1.0/10000000000.0)*(160.0*sin_q4*(42500.0*z_236 - (sin_q5*z_196 + 5.0*z_235)) + 203.0*(z_203 +
+        sin_q5*z_240) - 2.0*cos_q4*(100000.0*z_242 - 2159.0*(sin_q5*z_202 - cos_q5*z_240) - 2159.0*(z_205*z_88 -
+        z_241*z_28)) - 203.0*(z_206 + z_241*z_88));
+    dM[162] = dM[147] = (1.0/62500000.0)*z_220;
+    const double z_243 = z_175*z_234;
+    const double z_244 = z_175 - sin_q4*(cos_q5*cos_q5);
+    dM[163] = dM[153] = ((-1.0/62500000.0))*((z_189 - 5.0*z_243) + 21250.0*z_244);
+    dM[164] = dM[159] = ((-1.0/62500000.0))*(21250.0*z_244 + (z_197 - 5.0*z_243));
+    dM[165] = ((-1.0/6250000.0))*(sin_q5*cos_q5*(4250.0 - z_234));
+    dM[168] = dM[148] = ((-1.0/62500000.0))*(9.0*z_224);
+    dM[169] = dM[154] = ((-1.0/31250000.0))*(9.0*z_237);
+    dM[170] = dM[160] = ((-1.0/31250000.0))*(625.0*z_242);
+    dM[174] = dM[149] = (1.0/25000.0)*z_38;
+    dM[175] = dM[155] = (1.0/25000.0)*z_139;
+    dM[176] = dM[161] = (1.0/25000.0)*z_139;
+    dM[177] = dM[167] = ((-1.0/25000.0))*sin_q5;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
@@ -3720,25 +3711,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[22] = 500000.0*z_1; /* c_20 */
     const double z_4 = 171348451657.0 + 40000000000.0*load;
     prepared[23] = (1.0/1000000000000.0)*z_4; /* c_21 */
-    prepared[24] = 25.0*(5.0 + 4.0*load); /* c_22 */
-    prepared[25] = 55533.0 + 43180.0*load; /* c_23 */
-    const double z_5 = 9.0 + 625.0*load;
-    prepared[26] = 32.0*z_5; /* c_24 */
-    prepared[27] = (2159.0/15625000.0)*z_5; /* c_25 */
-    prepared[28] = 4661281.0*z_0; /* c_26 */
-    prepared[29] = 438277.0*z_0; /* c_27 */
-    prepared[30] = 500000.0*load; /* c_28 */
-    prepared[31] = 5397500.0*load; /* c_29 */
-    prepared[32] = 320.0*z_5; /* c_30 */
-    prepared[33] = 5.0*z_1; /* c_31 */
-    prepared[34] = 8636.0*z_5; /* c_32 */
-    prepared[35] = z_4; /* c_33 */
-    prepared[36] = 960.0*g; /* c_34 */
-    prepared[37] = 9.0*g; /* c_35 */
-    prepared[38] = 34.0*g; /* c_36 */
-    prepared[39] = 82.0*g; /* c_37 */
-    prepared[40] = 34800.0*g; /* c_38 */
-    prepared[41] = 100.0*z_2; /* c_39 */
+    prepared[24] = z_4; /* c_22 */
+    prepared[25] = 960.0*g; /* c_23 */
+    prepared[26] = 9.0*g; /* c_24 */
+    prepared[27] = 34.0*g; /* c_25 */
+    prepared[28] = 82.0*g; /* c_26 */
+    prepared[29] = 34800.0*g; /* c_27 */
+    prepared[30] = 100.0*z_2; /* c_28 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */

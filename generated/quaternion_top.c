@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:4f764c699c2d21b6f96d23e3255e615f2fad6982c5f541b5dc82cb64aec19791 */
+/* body sha256:16a4c3e0a08668b535648a07e8f1827f5d1b4fb67dd12bb9aef2aaa40b42a823 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -56,7 +56,7 @@ enum {
 
 enum {
     N_PARAMETERS = 5,
-    N_PREPARED = 25,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PREPARED = 19,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
     N_GIVEN = 6,          /* inputs, parameters and the time */
     N_ARGUMENTS = 14,     /* x, v and these: what motion depends on */
@@ -236,10 +236,10 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_8 = q_1*c_1;
     const real z_9 = q_2*c_2;
     M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
-    const real c_13 = c[18];
-    M1[2][1] = -c_13*(q_1*q_2);
+    const real c_9 = c[14];
+    M1[2][1] = -c_9*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M1[3][0] = -c_13*(q_3*q_0);
+    M1[3][0] = -c_9*(q_3*q_0);
     M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
     M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
     M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
@@ -431,117 +431,6 @@ em_lanes quaternion_top_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q_1 = x[1];
-    const double c_9 = c[14];
-    dM[4] = dM[1] = -q_1*c_9;
-    const double q_0 = x[0];
-    const double c_10 = c[15];
-    dM[5] = q_0*c_10;
-    const double q_2 = x[2];
-    dM[8] = dM[2] = -q_2*c_9;
-    dM[10] = q_0*c_10;
-    const double q_3 = x[3];
-    const double c_8 = c[13];
-    dM[12] = dM[3] = -q_3*c_8;
-    const double c_11 = c[16];
-    const double z_0 = q_2*c_11;
-    dM[13] = dM[7] = -z_0;
-    const double z_1 = q_1*c_11;
-    dM[14] = dM[11] = z_1;
-    const double c_12 = c[17];
-    dM[15] = q_0*c_12;
-    dM[16] = q_1*c_10;
-    dM[20] = dM[17] = -q_0*c_9;
-    const double z_2 = q_3*c_11;
-    dM[24] = dM[18] = -z_2;
-    dM[25] = dM[22] = -q_2*c_8;
-    dM[26] = q_1*c_12;
-    dM[29] = dM[23] = -q_3*c_9;
-    const double z_3 = q_0*c_11;
-    dM[30] = dM[27] = z_3;
-    dM[31] = q_1*c_10;
-    dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_2;
-    dM[37] = q_2*c_12;
-    dM[40] = dM[34] = -q_0*c_9;
-    dM[41] = dM[38] = -q_1*c_8;
-    dM[45] = dM[39] = -z_3;
-    dM[46] = dM[43] = -q_3*c_9;
-    dM[47] = q_2*c_10;
-    dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_0;
-    dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_1;
-    dM[58] = q_3*c_10;
-    dM[60] = dM[51] = -q_0*c_8;
-    dM[61] = dM[55] = -q_1*c_9;
-    dM[62] = dM[59] = -q_2*c_9;
-}
-
-/* dM (n, n, n), of what is factored */
-EM_RARE /* no step calls it */
-EM_ACROSS void factored_gradient(double t, const double *restrict x, const double *restrict c,
-                                 double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q_0 = x[0];
-    const double c_14 = c[19];
-    dM[0] = q_0*c_14;
-    const double q_1 = x[1];
-    const double c_15 = c[20];
-    dM[4] = dM[1] = -q_1*c_15;
-    const double c_10 = c[15];
-    dM[5] = q_0*c_10;
-    const double q_2 = x[2];
-    dM[8] = dM[2] = -q_2*c_15;
-    dM[10] = q_0*c_10;
-    const double q_3 = x[3];
-    const double c_13 = c[18];
-    dM[12] = dM[3] = -q_3*c_13;
-    const double c_11 = c[16];
-    const double z_0 = q_2*c_11;
-    dM[13] = dM[7] = -z_0;
-    const double z_1 = q_1*c_11;
-    dM[14] = dM[11] = z_1;
-    const double c_12 = c[17];
-    dM[15] = q_0*c_12;
-    dM[16] = q_1*c_10;
-    dM[20] = dM[17] = -q_0*c_15;
-    dM[21] = q_1*c_14;
-    const double z_2 = q_3*c_11;
-    dM[24] = dM[18] = -z_2;
-    dM[25] = dM[22] = -q_2*c_13;
-    dM[26] = q_1*c_12;
-    dM[29] = dM[23] = -q_3*c_15;
-    const double z_3 = q_0*c_11;
-    dM[30] = dM[27] = z_3;
-    dM[31] = q_1*c_10;
-    dM[32] = q_2*c_10;
-    dM[36] = dM[33] = z_2;
-    dM[37] = q_2*c_12;
-    dM[40] = dM[34] = -q_0*c_15;
-    dM[41] = dM[38] = -q_1*c_13;
-    dM[42] = q_2*c_14;
-    dM[45] = dM[39] = -z_3;
-    dM[46] = dM[43] = -q_3*c_15;
-    dM[47] = q_2*c_10;
-    dM[48] = q_3*c_12;
-    dM[52] = dM[49] = z_0;
-    dM[53] = q_3*c_10;
-    dM[56] = dM[50] = -z_1;
-    dM[58] = q_3*c_10;
-    dM[60] = dM[51] = -q_0*c_13;
-    dM[61] = dM[55] = -q_1*c_15;
-    dM[62] = dM[59] = -q_2*c_15;
-    dM[63] = q_3*c_14;
-}
-
 /* bias (n): (M + A^T W A) xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -642,22 +531,22 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     const double q_3 = x[3];
     const double z_1 = q_1*q_3;
     const double z_2 = z_0 + z_1;
-    const double c_16 = c[21];
-    p[6] = p[22] = z_2*c_16;
+    const double c_10 = c[15];
+    p[6] = p[22] = z_2*c_10;
     const double z_3 = q_1*q_0 - q_2*q_3;
-    p[7] = p[23] = -z_3*c_16;
+    p[7] = p[23] = -z_3*c_10;
     const double z_4 = q_1*q_1 - q_3*q_3;
     const double z_5 = q_2*q_2 - q_0*q_0;
     const double z_6 = z_4 + z_5;
-    const double c_17 = c[22];
-    p[8] = p[24] = -z_6*c_17;
-    const double c_18 = c[23];
-    p[9] = p[16] = z_2*c_18;
-    p[10] = p[17] = -z_3*c_18;
+    const double c_11 = c[16];
+    p[8] = p[24] = -z_6*c_11;
+    const double c_12 = c[17];
+    p[9] = p[16] = z_2*c_12;
+    p[10] = p[17] = -z_3*c_12;
     const double l = c[1];
     p[11] = p[18] = -l*z_6;
-    const double c_19 = c[24];
-    p[12] = c_19;
+    const double c_13 = c[18];
+    p[12] = c_13;
     p[13] = 2.0*z_2;
     p[14] = (-2.0)*z_3;
     p[15] = -z_6;
@@ -670,6 +559,127 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double J = c[3];
+    const double q_1 = x[1];
+    const double z_0 = J*q_1;
+    dM[4] = dM[1] = (-4.0)*z_0;
+    const double q_0 = x[0];
+    const double z_1 = J*q_0;
+    dM[5] = 8.0*z_1;
+    const double q_2 = x[2];
+    const double z_2 = J*q_2;
+    dM[8] = dM[2] = (-4.0)*z_2;
+    dM[10] = 8.0*z_1;
+    const double J3 = c[4];
+    const double q_3 = x[3];
+    const double z_3 = J3*q_3;
+    dM[12] = dM[3] = (-4.0)*z_3;
+    const double z_4 = J - J3;
+    const double z_5 = q_2*z_4;
+    dM[13] = dM[7] = (-4.0)*z_5;
+    const double z_6 = q_1*z_4;
+    dM[14] = dM[11] = 4.0*z_6;
+    const double z_7 = J3*q_0;
+    dM[15] = 8.0*z_7;
+    dM[16] = 8.0*z_0;
+    dM[20] = dM[17] = (-4.0)*z_1;
+    const double z_8 = q_3*z_4;
+    dM[24] = dM[18] = (-4.0)*z_8;
+    const double z_9 = q_2*J3;
+    dM[25] = dM[22] = (-4.0)*z_9;
+    const double z_10 = q_1*J3;
+    dM[26] = 8.0*z_10;
+    const double z_11 = J*q_3;
+    dM[29] = dM[23] = (-4.0)*z_11;
+    const double z_12 = q_0*z_4;
+    dM[30] = dM[27] = 4.0*z_12;
+    dM[31] = 8.0*z_0;
+    dM[32] = 8.0*z_2;
+    dM[36] = dM[33] = 4.0*z_8;
+    dM[37] = 8.0*z_9;
+    dM[40] = dM[34] = (-4.0)*z_1;
+    dM[41] = dM[38] = (-4.0)*z_10;
+    dM[45] = dM[39] = (-4.0)*z_12;
+    dM[46] = dM[43] = (-4.0)*z_11;
+    dM[47] = 8.0*z_2;
+    dM[48] = 8.0*z_3;
+    dM[52] = dM[49] = 4.0*z_5;
+    dM[53] = 8.0*z_11;
+    dM[56] = dM[50] = (-4.0)*z_6;
+    dM[58] = 8.0*z_11;
+    dM[60] = dM[51] = (-4.0)*z_7;
+    dM[61] = dM[55] = (-4.0)*z_0;
+    dM[62] = dM[59] = (-4.0)*z_2;
+}
+
+/* dM (n, n, n), of what is factored */
+EM_RARE /* no step calls it */
+EM_ACROSS void factored_gradient(double t, const double *restrict x, const double *restrict c,
+                                 double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double q_0 = x[0];
+    const double J = c[3];
+    const double J3 = c[4];
+    const double z_0 = 1.0/(0.390625*1.0/(1.8587375025371702*J + 2.4974634188618468*J3) +
+        0.765625*1.0/(2.8880884188618468*J + 1.0931125025371702*J3) + 10.546220166818202*1.0/J +
+        1.0931125025371702*1.0/(2.8880884188618468*J + 0.765625*J3) + 2.4974634188618468*1.0/(1.8587375025371702*J
+        + 0.390625*J3));
+    dM[0] = 8.0*(q_0*z_0);
+    const double q_1 = x[1];
+    const double z_1 = z_0;
+    const double z_2 = J - z_1;
+    dM[4] = dM[1] = (-4.0)*(q_1*z_2);
+    dM[5] = 8.0*(J*q_0);
+    const double q_2 = x[2];
+    dM[8] = dM[2] = (-4.0)*(q_2*z_2);
+    dM[10] = 8.0*(J*q_0);
+    const double q_3 = x[3];
+    const double z_3 = J3 - z_1;
+    dM[12] = dM[3] = (-4.0)*(q_3*z_3);
+    const double z_4 = J - J3;
+    const double z_5 = q_2*z_4;
+    dM[13] = dM[7] = (-4.0)*z_5;
+    const double z_6 = q_1*z_4;
+    dM[14] = dM[11] = 4.0*z_6;
+    dM[15] = 8.0*(J3*q_0);
+    dM[16] = 8.0*(J*q_1);
+    dM[20] = dM[17] = (-4.0)*(q_0*z_2);
+    dM[21] = 8.0*(q_1*z_0);
+    const double z_7 = q_3*z_4;
+    dM[24] = dM[18] = (-4.0)*z_7;
+    dM[25] = dM[22] = (-4.0)*(q_2*z_3);
+    dM[26] = 8.0*(q_1*J3);
+    dM[29] = dM[23] = (-4.0)*(q_3*z_2);
+    const double z_8 = q_0*z_4;
+    dM[30] = dM[27] = 4.0*z_8;
+    dM[31] = 8.0*(J*q_1);
+    dM[32] = 8.0*(J*q_2);
+    dM[36] = dM[33] = 4.0*z_7;
+    dM[37] = 8.0*(q_2*J3);
+    dM[40] = dM[34] = (-4.0)*(q_0*z_2);
+    dM[41] = dM[38] = (-4.0)*(q_1*z_3);
+    dM[42] = 8.0*(q_2*z_0);
+    dM[45] = dM[39] = (-4.0)*z_8;
+    dM[46] = dM[43] = (-4.0)*(q_3*z_2);
+    dM[47] = 8.0*(J*q_2);
+    dM[48] = 8.0*(J3*q_3);
+    dM[52] = dM[49] = 4.0*z_5;
+    dM[53] = 8.0*(J*q_3);
+    dM[56] = dM[50] = (-4.0)*z_6;
+    dM[58] = 8.0*(J*q_3);
+    dM[60] = dM[51] = (-4.0)*(q_0*z_3);
+    dM[61] = dM[55] = (-4.0)*(q_1*z_2);
+    dM[62] = dM[59] = (-4.0)*(q_2*z_2);
+    dM[63] = 8.0*(q_3*z_0);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
@@ -953,12 +963,10 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
         1.0931125025371702*1.0/(2.8880884188618468*J + 0.765625*J3) + 2.4974634188618468*1.0/(1.8587375025371702*J
         + 0.390625*J3));
     prepared[5] = z_0; /* c_0 */
-    const double z_1 = J - J3;
-    prepared[6] = z_1; /* c_1 */
-    const double z_2 = J - z_0;
-    prepared[7] = z_2; /* c_2 */
-    const double z_3 = J3 - z_0;
-    prepared[8] = z_3; /* c_3 */
+    prepared[6] = J - J3; /* c_1 */
+    prepared[7] = J - z_0; /* c_2 */
+    const double z_1 = J3 - z_0;
+    prepared[8] = z_1; /* c_3 */
     const double g = parameters[2];
     const double l = parameters[1];
     const double m = parameters[0];
@@ -967,17 +975,11 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[11] = 2.0*J; /* c_6 */
     prepared[12] = 2.0*z_0; /* c_7 */
     prepared[13] = 4.0*J3; /* c_8 */
-    prepared[14] = 4.0*J; /* c_9 */
-    prepared[15] = 8.0*J; /* c_10 */
-    prepared[16] = 4.0*z_1; /* c_11 */
-    prepared[17] = 8.0*J3; /* c_12 */
-    prepared[18] = 4.0*z_3; /* c_13 */
-    prepared[19] = 8.0*z_0; /* c_14 */
-    prepared[20] = 4.0*z_2; /* c_15 */
-    prepared[21] = 2.5*l; /* c_16 */
-    prepared[22] = 1.25*l; /* c_17 */
-    prepared[23] = 2.0*l; /* c_18 */
-    prepared[24] = (3.0/5.0)*l; /* c_19 */
+    prepared[14] = 4.0*z_1; /* c_9 */
+    prepared[15] = 2.5*l; /* c_10 */
+    prepared[16] = 1.25*l; /* c_11 */
+    prepared[17] = 2.0*l; /* c_12 */
+    prepared[18] = (3.0/5.0)*l; /* c_13 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */
@@ -1048,10 +1050,10 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     const double z_8 = q_1*q_3;
     const double z_9 = q_2*q_0;
     M[8] = M[2] = (-4.0)*(c_1*z_8 + c_2*z_9);
-    const double c_13 = c[18];
-    M[9] = M[6] = -c_13*(q_1*q_2);
+    const double c_9 = c[14];
+    M[9] = M[6] = -c_9*(q_1*q_2);
     M[10] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M[12] = M[3] = -c_13*(q_3*q_0);
+    M[12] = M[3] = -c_9*(q_3*q_0);
     M[13] = M[7] = (-4.0)*(c_1*z_9 + c_2*z_8);
     M[14] = M[11] = 4.0*(c_1*z_6 - c_2*z_5);
     M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
@@ -1133,10 +1135,10 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double z_8 = q_1*c_1;
     const double z_9 = q_2*c_2;
     M1[0][2] = M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
-    const double c_13 = c[18];
-    M1[1][2] = M1[2][1] = -c_13*(q_1*q_2);
+    const double c_9 = c[14];
+    M1[1][2] = M1[2][1] = -c_9*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M1[0][3] = M1[3][0] = -c_13*(q_3*q_0);
+    M1[0][3] = M1[3][0] = -c_9*(q_3*q_0);
     M1[1][3] = M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
     M1[2][3] = M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
     M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);

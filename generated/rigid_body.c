@@ -1,6 +1,6 @@
 /* eigenmotion generate rigid_body.py */
 /* input sha256:6a1fe9ffd82e911c66db48438e1fdf5de1dc79f32cda1ff870839cf9ae9e6072 */
-/* body sha256:f8e781a86b49246245f76dc4e8246b2491b6491b59640b268d2823a97ef58914 */
+/* body sha256:5ff1723e5b3f6acceafce309ab5a627b531c64594b880672d708330d97573221 */
 /* rigid_body: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -437,36 +437,6 @@ em_lanes rigid_body_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_floc
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double J3 = c[2];
-    const double theta = x[1];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double z_2 = cos_theta*sin_theta;
-    const double J1 = c[0];
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double z_4 = sin_phi*sin_phi;
-    const double J2 = c[1];
-    const double cos_phi = em_cos(phi);
-    const double z_6 = cos_phi*cos_phi;
-    dM[9] = (-2.0)*(J3*z_2 - J1*z_4*z_2 - J2*z_6*z_2);
-    const double c_0 = c[3];
-    const double z_7 = sin_phi*cos_phi;
-    dM[12] = dM[10] = cos_theta*(c_0*z_7);
-    dM[15] = dM[11] = -J3*sin_theta;
-    const double c_1 = c[4];
-    const double z_8 = c_1*z_7;
-    dM[18] = sin_theta*sin_theta*z_8;
-    dM[21] = dM[19] = c_0*(sin_theta*z_6 - sin_theta*z_4);
-    dM[22] = -z_8;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -643,6 +613,35 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double J3 = c[2];
+    const double theta = x[1];
+    const double cos_theta = em_cos(theta);
+    const double sin_theta = em_sin(theta);
+    const double z_2 = cos_theta*sin_theta;
+    const double J1 = c[0];
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double z_4 = sin_phi*sin_phi;
+    const double J2 = c[1];
+    const double cos_phi = em_cos(phi);
+    const double z_6 = cos_phi*cos_phi;
+    dM[9] = (-2.0)*(J3*z_2 - J1*z_4*z_2 - J2*z_6*z_2);
+    const double z_7 = J1 - J2;
+    const double z_8 = z_7*(sin_phi*cos_phi);
+    dM[12] = dM[10] = cos_theta*z_8;
+    dM[15] = dM[11] = -J3*sin_theta;
+    dM[18] = 2.0*(z_8*(sin_theta*sin_theta));
+    const double z_9 = sin_theta*z_7;
+    dM[21] = dM[19] = z_6*z_9 - z_4*z_9;
+    dM[22] = (-2.0)*z_8;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:75f9b3df2dc53d417fe95a2fa545d39cdd92770ba6a600698d3c4d7ef6acbc0c */
+/* body sha256:b902bbdc8626473a7cc349c6d22229e3f4380a0198805b3676cd5a5f31af8d0a */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -587,35 +587,6 @@ em_lanes rolling_disk_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_fl
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double theta = x[3];
-    const double sin_theta = em_sin(theta);
-    const double phi = x[2];
-    const double sin_phi = em_sin(phi);
-    const double c_0 = c[3];
-    const double z_2 = sin_phi*c_0;
-    dM[60] = dM[52] = sin_theta*z_2;
-    const double cos_phi = em_cos(phi);
-    const double z_4 = cos_phi*c_0;
-    dM[61] = dM[57] = -sin_theta*z_4;
-    const double cos_theta = em_cos(theta);
-    dM[65] = dM[53] = -cos_theta*z_4;
-    dM[66] = dM[58] = -cos_theta*z_2;
-    dM[85] = dM[77] = -cos_theta*z_4;
-    dM[86] = dM[82] = -cos_theta*z_2;
-    const double c_1 = c[4];
-    dM[87] = c_1*(sin_theta*cos_theta);
-    dM[90] = dM[78] = sin_theta*z_2;
-    dM[91] = dM[83] = -sin_theta*z_4;
-    const double c_2 = c[5];
-    dM[97] = dM[89] = -cos_theta*c_2;
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -751,6 +722,36 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double theta = x[3];
+    const double sin_theta = em_sin(theta);
+    const double phi = x[2];
+    const double sin_phi = em_sin(phi);
+    const double m = c[0];
+    const double r = c[1];
+    const double z_2 = m*r;
+    const double z_3 = sin_phi*z_2;
+    dM[60] = dM[52] = sin_theta*z_3;
+    const double cos_phi = em_cos(phi);
+    const double z_5 = cos_phi*z_2;
+    dM[61] = dM[57] = -sin_theta*z_5;
+    const double cos_theta = em_cos(theta);
+    dM[65] = dM[53] = -cos_theta*z_5;
+    dM[66] = dM[58] = -cos_theta*z_3;
+    dM[85] = dM[77] = -cos_theta*z_5;
+    dM[86] = dM[82] = -cos_theta*z_3;
+    const double z_7 = r*r*(m*cos_theta);
+    dM[87] = 2.5*(sin_theta*z_7);
+    dM[90] = dM[78] = sin_theta*z_3;
+    dM[91] = dM[83] = -sin_theta*z_5;
+    dM[97] = dM[89] = (-0.5)*z_7;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

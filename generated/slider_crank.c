@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:e5716ab6f02610b21a1987740e60bb55b6457c7f0370e06a2671209f273f16d4 */
+/* body sha256:595ed050ee8b8c7e182589cbe037148201f39eea2c4e79078c47b66922e5fd1d */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -402,23 +402,6 @@ em_lanes slider_crank_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_fl
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[10];
-    const double phi = x[1];
-    const double sin_phi = em_sin(phi);
-    const double theta = x[0];
-    const double cos_theta = em_cos(theta);
-    const double sin_theta = em_sin(theta);
-    const double cos_phi = em_cos(phi);
-    dM[3] = dM[1] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
-    dM[12] = dM[10] = 0.5*(c_0*(sin_phi*cos_theta + sin_theta*cos_phi));
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -527,6 +510,26 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double phi = x[1];
+    const double sin_phi = em_sin(phi);
+    const double theta = x[0];
+    const double cos_theta = em_cos(theta);
+    const double l = c[1];
+    const double m_r = c[3];
+    const double r = c[0];
+    const double z_2 = l*(m_r*r);
+    const double sin_theta = em_sin(theta);
+    const double cos_phi = em_cos(phi);
+    dM[3] = dM[1] = 0.5*(sin_phi*cos_theta*z_2 + sin_theta*cos_phi*z_2);
+    dM[12] = dM[10] = 0.5*(sin_phi*cos_theta*z_2 + sin_theta*cos_phi*z_2);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */

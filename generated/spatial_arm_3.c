@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:9313fc7a59dddad4be8cd21e234a7bcd9a2053612d5819632ed99f444f962d5e */
+/* body sha256:175bbfe8e635a95253aeca5b915cc58eb2403cd471d714ea500caa110a180c6b */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -55,7 +55,7 @@ enum {
 
 enum {
     N_PARAMETERS = 8,
-    N_PREPARED = 44,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PREPARED = 38,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
     N_GIVEN = 9,          /* inputs, parameters and the time */
     N_ARGUMENTS = 15,     /* x, v and these: what motion depends on */
@@ -623,71 +623,6 @@ em_lanes spatial_arm_3_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_f
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double q_2 = x[1];
-    const double cos_q_2 = em_cos(q_2);
-    const double c_0 = c[8];
-    const double l_3 = c[5];
-    const double l_1 = c[3];
-    const double l_2 = c[4];
-    const double z_1 = l_2*cos_q_2;
-    const double z_2 = l_1 + z_1;
-    const double q_3 = x[2];
-    const double cos_q_3 = em_cos(q_3);
-    const double z_4 = cos_q_2*l_3 + 2.0*z_2*cos_q_3;
-    const double c_1 = c[9];
-    const double sin_q_2 = em_sin(q_2);
-    const double c_13 = c[21];
-    const double z_6 = cos_q_3*sin_q_2;
-    const double z_7 = l_3*sin_q_2 + c_13*z_6;
-    const double z_8 = c_0*sin_q_2 + z_7*c_1;
-    const double m_2 = c[1];
-    const double c_2 = c[10];
-    const double c_3 = c[11];
-    const double z_9 = cos_q_3*c_3;
-    const double c_4 = c[12];
-    const double sin_q_3 = em_sin(q_3);
-    const double z_11 = sin_q_3*sin_q_3;
-    const double c_5 = c[13];
-    const double z_12 = sin_q_2*c_5;
-    const double z_13 = sin_q_2*z_11;
-    const double c_28 = c[36];
-    const double m_3 = c[2];
-    const double c_29 = c[37];
-    const double c_9 = c[17];
-    const double c_30 = c[38];
-    const double c_14 = c[22];
-    const double z_14 = cos_q_3*cos_q_3;
-    const double z_15 = cos_q_2*sin_q_2;
-    const double c_10 = c[18];
-    dM[9] = ((-1.0/12.0))*(((cos_q_2*c_0 + z_4*c_1)*sin_q_2 + cos_q_2*z_8) + 3.0*l_2*(sin_q_2*(m_2*(c_2 + z_1) +
-        z_4*z_9 + c_4*(z_2*z_11)) + cos_q_2*(z_12 + z_7*z_9 + z_13*c_28)) + (z_12 + z_7*(m_3*cos_q_3) +
-        z_13*c_29)*c_9 - c_30*(cos_q_2*z_13) - c_14*(z_14*z_15) - c_10*z_15);
-    const double c_11 = c[19];
-    const double z_16 = cos_q_3*sin_q_3;
-    const double c_15 = c[23];
-    const double z_17 = cos_q_2*sin_q_3;
-    dM[12] = dM[10] = (1.0/12.0)*(cos_q_2*c_11*z_16 + c_15*z_17);
-    dM[15] = dM[11] = ((-1.0/12.0))*z_8;
-    const double c_31 = c[39];
-    const double z_18 = z_2*z_16;
-    const double z_19 = z_18*c_4 - m_3*(z_4*sin_q_3 + 2.0*z_18);
-    const double c_32 = c[40];
-    const double c_21 = c[29];
-    dM[18] = (1.0/6.0)*(c_31*(sin_q_2*sin_q_2)*z_16 + z_19*c_32 + cos_q_2*z_19*c_21 - c_1*(z_2*z_17));
-    dM[21] = dM[19] = ((-1.0/12.0))*(c_11*(z_13 - sin_q_2*z_14) - c_15*z_6);
-    const double c_7 = c[15];
-    dM[22] = ((-1.0/12.0))*((c_7*z_16 + sin_q_3*(cos_q_3*c_0 + (c_13 + l_3*cos_q_3)*c_1)) + sin_q_3*c_15 -
-        c_14*z_16);
-    const double c_33 = c[41];
-    dM[24] = dM[20] = -c_33*(z_2*sin_q_3);
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -820,9 +755,9 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
         q_3_dot*c_7));
     e[1] = 0.0;
     e[2] = 0.0;
-    const double c_34 = c[42];
-    const double c_35 = c[43];
-    e[3] = (-0.5)*((sin_q_2*z_15 + sin_q_2*c_13)*c_34 + sin_q_2*c_35);
+    const double c_28 = c[36];
+    const double c_29 = c[37];
+    e[3] = (-0.5)*((sin_q_2*z_15 + sin_q_2*c_13)*c_28 + sin_q_2*c_29);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -871,6 +806,66 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double l_1 = c[3];
+    const double m_2 = c[1];
+    const double l_2 = c[4];
+    const double q_2 = x[1];
+    const double sin_q_2 = em_sin(q_2);
+    const double z_1 = l_2*sin_q_2;
+    const double z_2 = m_2*z_1;
+    const double l_3 = c[5];
+    const double q_3 = x[2];
+    const double cos_q_3 = em_cos(q_3);
+    const double z_4 = cos_q_3*z_1;
+    const double z_5 = l_3*sin_q_2 + 2.0*z_4;
+    const double m_3 = c[2];
+    const double z_6 = m_3*cos_q_3;
+    const double sin_q_3 = em_sin(q_3);
+    const double z_8 = sin_q_3*sin_q_3;
+    const double z_9 = m_3*z_8;
+    const double z_10 = z_5*z_6 + 2.0*z_1*z_9;
+    const double cos_q_2 = em_cos(q_2);
+    const double rho = c[6];
+    const double z_12 = rho*rho;
+    const double z_13 = z_12;
+    const double z_14 = l_3*l_3;
+    const double z_15 = 3.0*z_13 + z_14;
+    const double z_16 = m_3*z_15;
+    const double z_17 = l_2*cos_q_2;
+    const double z_18 = l_1 + z_17;
+    const double z_19 = cos_q_2*l_3 + 2.0*z_18*cos_q_3;
+    const double z_20 = m_3*l_3;
+    const double z_21 = z_16*sin_q_2 + 3.0*z_5*z_20;
+    const double z_22 = z_16 + 3.0*m_3*z_14;
+    const double z_23 = cos_q_2*sin_q_2;
+    const double z_24 = m_3*z_12;
+    const double z_25 = cos_q_3*cos_q_3;
+    dM[9] = ((-1.0/12.0))*(6.0*l_1*(z_2 + z_10) + ((cos_q_2*z_16 + 3.0*z_19*z_20)*sin_q_2 + cos_q_2*z_21) +
+        3.0*((m_2*(2.0*l_1 + z_17) + 2.0*z_19*z_6 + 4.0*z_18*z_9)*z_1 + z_17*(z_2 + 2.0*z_10)) - 2.0*z_22*z_8*z_23
+        - 12.0*z_24*z_25*z_23 - 2.0*(6.0*m_2*z_12 - m_2*(3.0*z_13 + l_2*l_2))*z_23);
+    const double z_26 = z_22 - 6.0*z_24;
+    const double z_27 = cos_q_3*sin_q_3;
+    const double z_28 = sin_q_3*z_20;
+    dM[12] = dM[10] = (1.0/12.0)*(cos_q_2*z_26*z_27 + 6.0*z_17*z_28);
+    dM[15] = dM[11] = ((-1.0/12.0))*z_21;
+    const double z_29 = sin_q_3*z_6;
+    const double z_30 = z_18*z_29;
+    const double z_31 = 4.0*z_30 - (m_3*z_19*sin_q_3 + 2.0*z_30);
+    const double z_32 = z_18*z_28;
+    dM[18] = (1.0/6.0)*(3.0*l_1*z_31 + 3.0*z_17*z_31 + (z_26)*(sin_q_2*sin_q_2)*z_27 - 3.0*cos_q_2*z_32);
+    const double z_33 = sin_q_2*z_26;
+    dM[21] = dM[19] = ((-1.0/12.0))*((z_8*z_33 - z_25*z_33) - 6.0*z_4*z_20);
+    dM[22] = ((-1.0/12.0))*(6.0*l_2*z_28 + (z_22*z_27 + sin_q_3*(z_15*z_6 + 3.0*(2.0*l_2 + l_3*cos_q_3)*z_20)) -
+        12.0*z_12*z_29);
+    dM[24] = dM[20] = (-0.5)*z_32;
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
@@ -1339,16 +1334,15 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     const double z_10 = l_2*l_2;
     const double z_11 = m_2*(3.0*z_1 + z_10);
     prepared[18] = 2.0*(6.0*z_9 - z_11); /* c_10 */
-    const double z_12 = z_7 - 6.0*z_8;
-    prepared[19] = z_12; /* c_11 */
-    const double z_13 = l_3*z_6;
-    prepared[20] = z_13; /* c_12 */
+    prepared[19] = z_7 - 6.0*z_8; /* c_11 */
+    const double z_12 = l_3*z_6;
+    prepared[20] = z_12; /* c_12 */
     prepared[21] = 2.0*l_2; /* c_13 */
     prepared[22] = 12.0*z_8; /* c_14 */
-    prepared[23] = 6.0*z_13; /* c_15 */
+    prepared[23] = 6.0*z_12; /* c_15 */
     const double g = parameters[7];
-    const double z_14 = g*z_5;
-    prepared[24] = 6.0*(z_14 + 2.0*z_6*g); /* c_16 */
+    const double z_13 = g*z_5;
+    prepared[24] = 6.0*(z_13 + 2.0*z_6*g); /* c_16 */
     prepared[25] = 6.0*z_9; /* c_17 */
     prepared[26] = 6.0*z_8; /* c_18 */
     prepared[27] = 6.0*(z_4*g); /* c_19 */
@@ -1357,19 +1351,13 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[30] = 12.0*m_3; /* c_22 */
     prepared[31] = 6.0*m_3; /* c_23 */
     const double m_1 = parameters[0];
-    const double z_15 = l_1*l_1;
-    prepared[32] = 3.0*m_1*z_15 + m_1*(z_15 + 3.0*z_1); /* c_24 */
+    const double z_14 = l_1*l_1;
+    prepared[32] = 3.0*m_1*z_14 + m_1*(z_14 + 3.0*z_1); /* c_24 */
     prepared[33] = z_11 + 3.0*m_2*z_10; /* c_25 */
     prepared[34] = 6.0*z_6; /* c_26 */
     prepared[35] = (1.0/12.0)*z_7; /* c_27 */
-    prepared[36] = 4.0*z_6; /* c_28 */
-    prepared[37] = 2.0*z_6; /* c_29 */
-    prepared[38] = 2.0*z_7; /* c_30 */
-    prepared[39] = z_12; /* c_31 */
-    prepared[40] = 3.0*l_1; /* c_32 */
-    prepared[41] = 0.5*z_4; /* c_33 */
-    prepared[42] = m_3*g; /* c_34 */
-    prepared[43] = z_14; /* c_35 */
+    prepared[36] = m_3*g; /* c_28 */
+    prepared[37] = z_13; /* c_29 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */

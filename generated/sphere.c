@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:e3a1ad25ca8a20b28461f05d739665fccff4ec96d6d8071704e52266ece55e65 */
+/* body sha256:4ff9095ce29f0a8815d071aa2b9fefeef24a09164704a54d3972f8ef14e2e2de */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -60,7 +60,7 @@ enum {
 
 enum {
     N_PARAMETERS = 4,
-    N_PREPARED = 32,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
+    N_PREPARED = 31,      /* the parameters, factors of constant blocks, shared constants c_0, ... */
     N_OUTPUTS = 0,
     N_GIVEN = 5,          /* inputs, parameters and the time */
     N_ARGUMENTS = 15,     /* x, v and these: what motion depends on */
@@ -700,63 +700,6 @@ em_lanes sphere_lanes = { EM_LANES, rhs_on_lanes, velocity_on_lanes, em_flock_ru
 
 /* --- what no step calls --- */
 
-/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
-EM_RARE /* no step calls it */
-EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
-                                    double *restrict dM)
-{
-    memset(dM, 0, sizeof *dM * N * N * N);
-    const double c_0 = c[12];
-    const double p_1 = x[2];
-    const double z_0 = p_1*p_1;
-    const double p_2 = x[3];
-    const double z_1 = p_2*p_2;
-    const double p_3 = x[4];
-    const double z_2 = p_3*p_3;
-    const double z_3 = 1.0 + z_0 + z_1 + z_2;
-    const double z_4 = z_3*z_3;
-    const double z_5 = 1.0/(z_3*z_4);
-    const double z_6 = p_1*z_5;
-    const double z_7 = z_6*z_1;
-    const double z_8 = z_6*z_2;
-    dM[62] = ((-32.0/5.0))*(c_0*(z_6 + z_7 + z_8));
-    const double z_9 = 1.0/z_4;
-    const double z_10 = p_2*z_9;
-    const double z_11 = p_2*z_5;
-    const double z_12 = z_11*z_0;
-    dM[67] = dM[63] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_12));
-    const double c_1 = c[13];
-    const double z_13 = z_6*c_1;
-    const double z_14 = p_1*z_9;
-    const double z_15 = c_0*(z_14 - 2.0*z_6*z_0) - z_13;
-    dM[68] = ((-16.0/5.0))*(z_2*z_13 - z_15);
-    const double z_16 = p_3*z_9;
-    const double z_17 = p_3*z_5;
-    const double z_18 = z_17*z_0;
-    dM[72] = dM[64] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_18));
-    const double c_5 = c[17];
-    dM[73] = dM[69] = z_6*c_5*(p_2*p_3);
-    dM[74] = ((-16.0/5.0))*(z_1*z_13 - z_15);
-    const double z_19 = z_11*c_1;
-    const double z_20 = c_0*(z_10 - 2.0*z_11*z_1) - z_19;
-    dM[87] = ((-16.0/5.0))*(z_2*z_19 - z_20);
-    dM[92] = dM[88] = ((-8.0/5.0))*(c_0*(-(4.0*z_7 - z_14)));
-    const double z_21 = z_11*z_2;
-    dM[93] = ((-32.0/5.0))*(c_0*(z_12 + z_11 + z_21));
-    dM[97] = dM[89] = z_6*c_5*(p_2*p_3);
-    const double z_22 = z_17*z_1;
-    dM[98] = dM[94] = ((-8.0/5.0))*(c_0*(z_16 - 4.0*z_22));
-    dM[99] = ((-16.0/5.0))*(z_0*z_19 - z_20);
-    const double z_23 = z_17*c_1;
-    const double z_24 = c_0*(z_16 - 2.0*z_17*z_2) - z_23;
-    dM[112] = ((-16.0/5.0))*(z_1*z_23 - z_24);
-    dM[117] = dM[113] = z_6*c_5*(p_2*p_3);
-    dM[118] = ((-16.0/5.0))*(z_0*z_23 - z_24);
-    dM[122] = dM[114] = ((-8.0/5.0))*(c_0*(-(4.0*z_8 - z_14)));
-    dM[123] = dM[119] = ((-8.0/5.0))*(c_0*(z_10 - 4.0*z_21));
-    dM[124] = ((-32.0/5.0))*(c_0*(z_18 + z_22 + z_17));
-}
-
 /* bias (n): M xddot + A^T lambda = bias (11);  gamma (m) = Adot xdot + bdot: A xddot + gamma = 0 */
 EM_ACROSS void motion_bias(double t, const double *restrict x, const double *restrict v,
                            const double *restrict c, const double *restrict u, double *restrict bias,
@@ -787,17 +730,17 @@ EM_ACROSS void motion_bias(double t, const double *restrict x, const double *res
     const double z_12 = z_11*z_8;
     const double z_13 = z_4*z_12;
     const double z_14 = z_6*z_12;
-    const double c_6 = c[18];
+    const double c_5 = c[17];
     const double z_15 = z_9*z_12;
-    bias[2] = (8.0/5.0)*((z_3*z_5 - z_3*z_7 - 2.0*p_1*z_10) + (c_0*(z_2*z_5 - 4.0*p_2*z_13) + c_6*z_15 -
+    bias[2] = (8.0/5.0)*((z_3*z_5 - z_3*z_7 - 2.0*p_1*z_10) + (c_0*(z_2*z_5 - 4.0*p_2*z_13) + c_5*z_15 -
         c_0*(z_2*z_7 - 4.0*p_3*z_14)));
     const double z_16 = p_1_dot*z_4;
     const double z_17 = p_3_dot*z_9;
-    bias[3] = ((-8.0/5.0))*((z_3*z_16 + 2.0*p_2*z_10 - z_3*z_17) - (c_0*(z_2*z_17 - 4.0*p_3*z_15) + c_6*z_14 -
+    bias[3] = ((-8.0/5.0))*((z_3*z_16 + 2.0*p_2*z_10 - z_3*z_17) - (c_0*(z_2*z_17 - 4.0*p_3*z_15) + c_5*z_14 -
         c_0*(z_2*z_16 - 4.0*p_1*z_13)));
     const double z_18 = p_1_dot*z_6;
     const double z_19 = p_2_dot*z_9;
-    bias[4] = (8.0/5.0)*((z_3*z_18 - z_3*z_19 - 2.0*p_3*z_10) + (c_0*(z_2*z_18 - 4.0*p_1*z_14) + c_6*z_13 -
+    bias[4] = (8.0/5.0)*((z_3*z_18 - z_3*z_19 - 2.0*p_3*z_10) + (c_0*(z_2*z_18 - 4.0*p_1*z_14) + c_5*z_13 -
         c_0*(z_2*z_19 - 4.0*p_2*z_15)));
     const double R = c[1];
     const double z_20 = 1.0/z_0;
@@ -834,11 +777,11 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double z_11 = p_3_dot*p_3;
     const double z_12 = p_1_dot*z_9;
     const double z_13 = z_1*z_4;
-    const double c_7 = c[19];
+    const double c_6 = c[18];
     const double x_dot = v[0];
     const double y_dot = v[1];
-    e[0] = (1.0/10.0)*(8.0*p_1_dot*(p_1_dot*(c_0*(z_5 + z_7)) - z_9*z_10 - z_9*z_11) + c_7*(x_dot*x_dot) +
-        c_7*(y_dot*y_dot) - 8.0*p_2_dot*(p_2*z_12 + p_2*z_8*z_11 - p_2_dot*(c_0*(z_6 + z_5 + z_13))) -
+    e[0] = (1.0/10.0)*(8.0*p_1_dot*(p_1_dot*(c_0*(z_5 + z_7)) - z_9*z_10 - z_9*z_11) + c_6*(x_dot*x_dot) +
+        c_6*(y_dot*y_dot) - 8.0*p_2_dot*(p_2*z_12 + p_2*z_8*z_11 - p_2_dot*(c_0*(z_6 + z_5 + z_13))) -
         8.0*p_3_dot*(p_3*z_12 + p_3*z_8*z_10 - p_3_dot*(c_0*(z_13 + z_7))));
     e[1] = 0.0;
     e[2] = 0.0;
@@ -878,30 +821,30 @@ EM_ACROSS void quasi(double t, const double *restrict x, const double *restrict 
 EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c, double *restrict p)
 {
     const double x_ = x[0];
-    const double c_8 = c[20];
-    const double z_0 = x_*c_8;
+    const double c_7 = c[19];
+    const double z_0 = x_*c_7;
     p[0] = z_0;
     const double y = x[1];
     p[1] = p[16] = p[20] = p[27] = p[34] = y;
-    const double c_9 = c[21];
-    const double z_1 = x_*c_9;
+    const double c_8 = c[20];
+    const double z_1 = x_*c_8;
     p[2] = -z_1;
+    const double c_9 = c[21];
+    p[3] = p[12] = c_9;
     const double c_10 = c[22];
-    p[3] = p[12] = c_10;
+    p[4] = p[7] = c_10;
     const double c_11 = c[23];
-    p[4] = p[7] = c_11;
+    p[5] = p[14] = c_11;
     const double c_12 = c[24];
-    p[5] = p[14] = c_12;
+    p[6] = p[9] = c_12;
     const double c_13 = c[25];
-    p[6] = p[9] = c_13;
+    p[8] = p[11] = c_13;
     const double c_14 = c[26];
-    p[8] = p[11] = c_14;
+    p[10] = p[13] = c_14;
     const double c_15 = c[27];
-    p[10] = p[13] = c_15;
+    p[15] = p[19] = p[26] = p[33] = z_0 + c_15;
     const double c_16 = c[28];
-    p[15] = p[19] = p[26] = p[33] = z_0 + c_16;
-    const double c_17 = c[29];
-    p[17] = p[21] = p[28] = p[35] = -(z_1 - c_17);
+    p[17] = p[21] = p[28] = p[35] = -(z_1 - c_16);
     const double R = c[1];
     p[18] = p[22] = p[29] = p[36] = R;
     const double p_2 = x[3];
@@ -913,33 +856,90 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     const double z_5 = z_4 + z_2;
     const double z_6 = 1.0/(1.0 + z_3 + z_5);
     const double z_7 = 1.0 - 2.0*(z_2 + z_3)*z_6;
-    const double c_18 = c[30];
+    const double c_17 = c[29];
     const double z_8 = p_1*p_3;
     const double z_9 = (p_2 - z_8)*z_6;
-    p[23] = c_8*z_7 - c_18*z_9;
+    p[23] = c_7*z_7 - c_17*z_9;
     const double z_10 = p_1*p_2;
     p[24] = 2.0*((p_3 + z_10)*z_6);
-    const double c_19 = c[31];
-    p[25] = -(c_9*z_7 + c_19*z_9);
+    const double c_18 = c[30];
+    p[25] = -(c_8*z_7 + c_18*z_9);
     const double z_11 = p_3 - z_10;
-    const double z_12 = c_8*z_6;
+    const double z_12 = c_7*z_6;
     const double z_13 = p_2*p_3;
     const double z_14 = p_1 + z_13;
-    const double z_15 = c_9*z_6;
+    const double z_15 = c_8*z_6;
     p[30] = (-2.0)*(z_11*z_12 - z_14*z_15);
     p[31] = 1.0 - 2.0*(z_4 + z_3)*z_6;
     p[32] = 2.0*(z_14*z_12 + z_11*z_15);
     const double z_16 = 1.0 - 2.0*z_5*z_6;
     const double z_17 = (p_2 + z_8)*z_6;
-    p[37] = c_9*z_16 + c_19*z_17;
+    p[37] = c_8*z_16 + c_18*z_17;
     p[38] = (-2.0)*((p_1 - z_13)*z_6);
-    p[39] = c_8*z_16 - c_18*z_17;
+    p[39] = c_7*z_16 - c_17*z_17;
 }
 
 #endif
 #if EM_HOLDS(EM_DERIVATIVES)
 
 /* --- partial derivatives --- */
+
+/* dM (n, n, n): dM[k, i, j] = dM_ij / dx_k */
+EM_RARE /* no step calls it */
+EM_ACROSS void mass_matrix_gradient(double t, const double *restrict x, const double *restrict c,
+                                    double *restrict dM)
+{
+    memset(dM, 0, sizeof *dM * N * N * N);
+    const double p_1 = x[2];
+    const double z_0 = p_1*p_1;
+    const double p_2 = x[3];
+    const double z_1 = p_2*p_2;
+    const double p_3 = x[4];
+    const double z_2 = p_3*p_3;
+    const double z_3 = 1.0 + z_0 + z_1 + z_2;
+    const double z_4 = z_3*z_3;
+    const double m = c[0];
+    const double R = c[1];
+    const double z_5 = m*(R*R);
+    const double z_6 = z_5/(z_3*z_4);
+    const double z_7 = p_1*z_6;
+    const double z_8 = z_7*z_2;
+    const double z_9 = z_7*z_1;
+    const double z_10 = z_7 + z_9;
+    dM[62] = ((-32.0/5.0))*(z_8 + z_10);
+    const double z_11 = z_5/z_4;
+    const double z_12 = p_2*z_11;
+    const double z_13 = p_2*z_6;
+    const double z_14 = z_13*z_0;
+    dM[67] = dM[63] = ((-8.0/5.0))*(z_12 - 4.0*z_14);
+    const double z_15 = p_1*z_11;
+    const double z_16 = z_15 - 2.0*z_7*z_0;
+    dM[68] = ((-16.0/5.0))*(2.0*z_7 + 2.0*z_8 - z_16);
+    const double z_17 = p_3*z_11;
+    const double z_18 = p_3*z_6;
+    const double z_19 = z_18*z_0;
+    dM[72] = dM[64] = ((-8.0/5.0))*(z_17 - 4.0*z_19);
+    dM[73] = dM[69] = (32.0/5.0)*(p_2*p_3*z_7);
+    dM[74] = ((-16.0/5.0))*(2.0*z_10 - z_16);
+    const double z_20 = z_12 - 2.0*z_13*z_1;
+    const double z_21 = z_13*z_2;
+    dM[87] = ((-16.0/5.0))*(2.0*z_13 + 2.0*z_21 - z_20);
+    dM[92] = dM[88] = ((-8.0/5.0))*(z_15 - 4.0*z_9);
+    const double z_22 = z_14 + z_13;
+    dM[93] = ((-32.0/5.0))*(z_21 + z_22);
+    dM[97] = dM[89] = (32.0/5.0)*(p_2*p_3*z_7);
+    const double z_23 = z_18*z_1;
+    dM[98] = dM[94] = ((-8.0/5.0))*(z_17 - 4.0*z_23);
+    dM[99] = ((-16.0/5.0))*(2.0*z_22 - z_20);
+    const double z_24 = z_17 - 2.0*z_18*z_2;
+    dM[112] = ((-16.0/5.0))*(2.0*z_23 + 2.0*z_18 - z_24);
+    dM[117] = dM[113] = (32.0/5.0)*(p_2*p_3*z_7);
+    const double z_25 = z_19 + z_18;
+    dM[118] = ((-16.0/5.0))*(2.0*z_25 - z_24);
+    dM[122] = dM[114] = ((-8.0/5.0))*(z_15 - 4.0*z_8);
+    dM[123] = dM[119] = ((-8.0/5.0))*(z_12 - 4.0*z_21);
+    dM[124] = ((-32.0/5.0))*(z_23 + z_25);
+}
 
 /* D (n + m, 2 n) by x, v, at fixed a, lambda, of r = M a + P^T lambda - bias and s = A a + gamma */
 EM_RARE /* no explicit step calls it */
@@ -1355,24 +1355,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M1[N
     prepared[14] = m*g*sin_alpha; /* c_2 */
     prepared[15] = 2.0*R; /* c_3 */
     prepared[16] = (8.0/5.0)*z_0; /* c_4 */
-    prepared[17] = (32.0/5.0)*z_0; /* c_5 */
-    prepared[18] = 4.0*z_0; /* c_6 */
-    prepared[19] = 5.0*m; /* c_7 */
+    prepared[17] = 4.0*z_0; /* c_5 */
+    prepared[18] = 5.0*m; /* c_6 */
     const double cos_alpha = em_cos(alpha);
-    prepared[20] = cos_alpha; /* c_8 */
-    prepared[21] = sin_alpha; /* c_9 */
+    prepared[19] = cos_alpha; /* c_7 */
+    prepared[20] = sin_alpha; /* c_8 */
     const double z_3 = R*cos_alpha;
-    prepared[22] = (-4.0)*z_3; /* c_10 */
-    prepared[23] = (-4.0)*R; /* c_11 */
+    prepared[21] = (-4.0)*z_3; /* c_9 */
+    prepared[22] = (-4.0)*R; /* c_10 */
     const double z_4 = R*sin_alpha;
-    prepared[24] = 4.0*z_4; /* c_12 */
-    prepared[25] = 24.0*z_3; /* c_13 */
-    prepared[26] = (-24.0)*z_4; /* c_14 */
-    prepared[27] = 12.0*R; /* c_15 */
-    prepared[28] = z_4; /* c_16 */
-    prepared[29] = z_3; /* c_17 */
-    prepared[30] = 2.0*sin_alpha; /* c_18 */
-    prepared[31] = 2.0*cos_alpha; /* c_19 */
+    prepared[23] = 4.0*z_4; /* c_11 */
+    prepared[24] = 24.0*z_3; /* c_12 */
+    prepared[25] = (-24.0)*z_4; /* c_13 */
+    prepared[26] = 12.0*R; /* c_14 */
+    prepared[27] = z_4; /* c_15 */
+    prepared[28] = z_3; /* c_16 */
+    prepared[29] = 2.0*sin_alpha; /* c_17 */
+    prepared[30] = 2.0*cos_alpha; /* c_18 */
 }
 
 /* What depends on parameters only, once per parameter set: c (N_PREPARED). */

@@ -37,6 +37,13 @@ class Entry:
     words: str = ""
 
 
+def both_triangles(name: str, first: int, M: Sequence[Sequence[Node]]) -> list[Entry]:
+    """A symmetric matrix (n, n), both triangles, from the place `first` on."""
+    n, array = len(M), Array(name, "")
+    places = {(i, j): (first + i * n + j, first + j * n + i) for i in range(n) for j in range(i + 1)}
+    return [Entry(array, tuple(f"[{at}]" for at in dict.fromkeys(both)), M[i][j]) for (i, j), both in places.items()]
+
+
 @dataclass(frozen=True, slots=True)
 class Draft:
     """A kernel before it is written.

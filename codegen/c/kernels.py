@@ -16,20 +16,20 @@ from ..model.model import ModelError
 from ..physics.specialise import Scene
 from ..physics.terms import Rows, Terms
 from .break_kernel import break_kernel
-from .kernel import Array, Draft, Entry, Kernel, Symbols, written
+from .kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from .layout import Layout
 from .partial_kernels import partial_kernels
 from .program import BlockView
-from .roles import Factored, Kernels, Stages
+from .roles import Kernels, Stages
 
 OF_STATE = {"x": "y", "v": "dy"}
 """Where a right-hand side has coordinates and velocities."""
 
 
-def kernels_of(scene: Scene, choices: Choices, layout: Layout) -> tuple[Kernels, int]:
-    """Write every kernel; return also how many constants of the parameters they share."""
+def kernels_of(scene: Scene, choices: Choices, layout: Layout, whole: bool) -> tuple[Kernels, int]:
+    """Write every kernel, those of derivatives for the `whole`; return also how many constants they share."""
     writing = _Writing(scene, choices, layout)
-    return writing.kernels(), len(writing.constants.nodes)
+    return writing.kernels(whole), len(writing.constants.nodes)
 
 
 class _Writing:
@@ -47,11 +47,10 @@ class _Writing:
             symbol.name: (array, k) for array, symbols in arrays.items() for k, symbol in enumerate(symbols)
         } | {"t": ("t", None)}
 
-    def kernels(self) -> Kernels:
+    def kernels(self, whole: bool) -> Kernels:
         published = self.published()
         asked = {
             "mass_matrix": self.mass_matrix("mass_matrix", self.terms.M),
-            "mass_matrix_gradient": self.gradient("mass_matrix_gradient", self.terms.dM),
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
@@ -59,13 +58,13 @@ class _Writing:
         settled = self.stages(self.settled_masses(), self.settled_rates())
         takes_over = self.choices.bounded and self.layout.couples
         triangular = self.right_hand_side("triangular") if takes_over else Stages(None, None)
-        factored = self.factored() if self.mechanics.augmented else None
+        factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
         drawing = self.drawing()  # last: the constants of the others stay where they are
         symbols = Symbols(self.places, self.layout.first_constant)
-        partials, breaks = partial_kernels(self.terms, symbols), break_kernel(self.terms, symbols)
+        breaks, prepared = break_kernel(self.terms, symbols), self.prepared()
+        partials = partial_kernels(self.terms, symbols) if whole else None  # last: others are the same without
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       drawing=drawing, partials=partials, breaks=breaks, prepared=self.prepared(),
-                       **asked)  # fmt: skip
+                       drawing=drawing, partials=partials, breaks=breaks, prepared=prepared, **asked)  # fmt: skip
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""
@@ -200,27 +199,7 @@ class _Writing:
     # -- what every model can be asked ---------------------------------------------------------------------------
 
     def mass_matrix(self, name: str, M: Rows) -> Kernel:
-        return self.one(name, self.whole("M", 0, M), "t", "x", "c", "M")
-
-    def gradient(self, name: str, dM: Sequence[Rows]) -> Kernel:
-        """What is not zero, since the rest is cleared before."""
-        zero, square = self.terms.graph.zero, self.scene.n**2
-        entries = [entry for k, M in enumerate(dM) for entry in self.whole("dM", k * square, M) if entry.node != zero]
-        return self.write(Draft(name, entries, ("t", "x", "c", "dM")))[0]
-
-    def whole(self, name: str, first: int, M: Rows) -> list[Entry]:
-        """A symmetric matrix (n, n), both triangles, from the place `first` on."""
-        n, array = self.scene.n, Array(name, "")
-        places = {(i, j): (first + i * n + j, first + j * n + i) for i in range(n) for j in range(i + 1)}
-        return [
-            Entry(array, tuple(f"[{at}]" for at in dict.fromkeys(both)), M[i][j]) for (i, j), both in places.items()
-        ]
-
-    def factored(self) -> Factored:
-        return Factored(
-            self.mass_matrix("factored_matrix", self.terms.factored),
-            self.gradient("factored_gradient", self.terms.factored_gradient),
-        )
+        return self.one(name, both_triangles("M", 0, M), "t", "x", "c", "M")
 
     def pfaffian(self) -> Kernel:
         A = self.column("A", (node for row in self.terms.A for node in row))

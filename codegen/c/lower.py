@@ -33,10 +33,10 @@ class Defaults:
     switches: tuple[Switch, ...]
 
 
-def lower(scene: Scene, outline: Outline, choices: Choices) -> Program:
-    """Write the kernels."""
+def lower(scene: Scene, outline: Outline, choices: Choices, whole: bool = True) -> Program:
+    """Write the kernels: `whole` with derivatives, without which no event acts."""
     layout = laid_out(scene, choices)
-    kernels, n_constants = kernels_of(scene, choices, layout)
+    kernels, n_constants = kernels_of(scene, choices, layout, whole or _acts(scene))
     known = {field.name: getattr(outline, field.name) for field in fields(outline)}
     return Program(**known, n_prepared=layout.first_constant + n_constants,
                    costs=_costs(kernels, choices.formulation), kernels=kernels)  # fmt: skip

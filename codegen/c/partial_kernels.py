@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from ..graph.store import Node
 from ..physics.partials import Partials
-from ..physics.terms import Terms
-from .kernel import Array, Draft, Entry, Kernel, Symbols, written
+from ..physics.terms import Rows, Terms
+from .kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from .roles import PartialKernels
 
 MOTION = ("t", "x", "v", "a", "lambda", "c", "u")
@@ -38,6 +39,8 @@ class _Writing:
             events=self.if_any("event_partials", events, arguments, "t", "x", "v", "c", "u"),
             breaks=self.if_any("break_partials", breaks, arguments, "c"),
             quasi=self.if_any("quasi_partials", quasi, arguments, "t", "x", "v", "c"),
+            mass_matrix=self.gradient("mass_matrix_gradient", self.terms.dM),
+            factored=self.gradient("factored_gradient", self.terms.factored_gradient) if mechanics.augmented else None,
             **self.deeds(),
         )
 
@@ -69,5 +72,14 @@ class _Writing:
         flat = [entry for row in self.partials.of(roots, columns) for entry in row]
         expanded = [(k, self.terms.expanded(entry)) for k, entry in enumerate(flat)]
         entries = [Entry(D, (f"[{k}]",), node) for k, node in expanded if node != graph.zero]
-        draft = Draft(name, entries, (*arguments, "D"))
-        return written(graph, [draft], self.symbols, None)[0]
+        return self.one(name, entries, *arguments, "D")
+
+    def gradient(self, name: str, dM: Sequence[Rows]) -> Kernel:
+        """What is not zero, since the rest is cleared before."""
+        zero, expanded = self.terms.graph.zero, self.terms.expanded
+        given = [entry for k, M in enumerate(dM) for entry in both_triangles("dM", k * len(M) ** 2, M)]
+        entries = [replace(entry, node=expanded(entry.node)) for entry in given if entry.node != zero]
+        return self.one(name, entries, "t", "x", "c", "dM")
+
+    def one(self, name: str, entries: Sequence[Entry], *arguments: str) -> Kernel:
+        return written(self.terms.graph, [Draft(name, entries, arguments)], self.symbols, None)[0]

@@ -25,14 +25,6 @@ class Stages:
 
 
 @dataclass(frozen=True, slots=True)
-class Factored:
-    """M + A^T W A, and its gradient."""
-
-    matrix: Kernel
-    gradient: Kernel
-
-
-@dataclass(frozen=True, slots=True)
 class BreakKernel:
     """When conditions in the time alone change: at, period, terms of each.
 
@@ -55,6 +47,7 @@ class PartialKernels:
     outputs : by a, lambda and these
     impacts, resets, levels : of what events do, as Kernels has them
     breaks : of at and period of each break, by the arguments
+    mass_matrix, factored : of M and of what is factored in its place, if anything is, by x (n, n, n)
     blow : of M a + A^T lambda and A a at fixed a, lambda
     """
 
@@ -69,6 +62,8 @@ class PartialKernels:
     levels: Kernel | None
     blow: Kernel | None
     breaks: Kernel | None
+    mass_matrix: Kernel
+    factored: Kernel | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,15 +73,15 @@ class Kernels:
     impacts : N, dphi/dt and the restitution of each; resets : x and v after each
     levels : what switches are held against; pushes : the rows P by which multipliers push
     published, triangular : of the right-hand sides; settled : of what follows an accepted step
-    factored : None where it is M
+    factored : M + A^T W A, None where it is M
+    partials : None where they are left for later
     breaks : when conditions in the time alone change
     """
 
     prepared: Kernel
     breaks: BreakKernel
     mass_matrix: Kernel
-    mass_matrix_gradient: Kernel
-    factored: Factored | None
+    factored: Kernel | None
     pfaffian: Kernel
     position: Kernel
     bias: Kernel
@@ -95,7 +90,7 @@ class Kernels:
     events: Kernel
     quasi: Kernel
     drawing: Kernel
-    partials: PartialKernels
+    partials: PartialKernels | None
     impacts: Kernel
     resets: Kernel
     levels: Kernel

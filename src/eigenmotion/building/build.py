@@ -14,7 +14,7 @@ from ..files import write
 from .cache import entry, guarded, key
 from .errors import BuildError, FolderError
 from .extension import compile_in, load, stepper_ahead
-from .parts import PARTS, WORDS, at_first
+from .parts import ALL_AT_FIRST, PARTS, WORDS, at_first
 from .request import Request, request
 from .toolchain import EXTENSION_SUFFIX, INCLUDE, Toolchain, toolchain
 
@@ -99,7 +99,7 @@ def later(wanted: Request, tools: Toolchain, part: str) -> "CompiledModel":
         As `build`; says what was asked for.
     """
     try:
-        return load(part_of(cached_sources(wanted), tools, wanted.model, part)).compiled
+        return load(part_of(wanted, tools, part)).compiled
     except BuildError as error:
         raise type(error)(
             f"{error}\n\nIt is {WORDS[part]} of {wanted.model.name} that cannot be compiled: parts of a model are as "
@@ -114,13 +114,13 @@ def make(wanted: Request, tools: Toolchain, output: Path | None = None) -> Path:
     once both are there.
     """
     with stepper_ahead(tools) as ahead:
-        sources = cached_sources(wanted, ahead)
         if output is not None:
+            sources = cached_sources(wanted, ahead)
             binary = all_of(sources, tools, wanted.model)
             with guarded():
                 module = binary.read_bytes()
             _write(output, [(file.name, file.text.encode()) for file in sources.files] + [(binary.name, module)])
-        return compiled(sources, tools, wanted.model)
+        return compiled(first_sources(wanted, ahead), tools, wanted.model)
 
 
 def _folder(output: object) -> Path:
@@ -140,7 +140,18 @@ def _write(folder: Path, files: list[tuple[str, bytes]]) -> None:
 
 def cached_sources(wanted: Request, ahead: Callable[[str], object] | None = None) -> Sources:
     """Return the sources of a request, derived unless the same generator did so before; `ahead` as of `generate`."""
-    folder = entry("sources", wanted.sources_hash, lambda folder: _generate(wanted, folder, ahead))
+    return _cached_sources(wanted, wanted.sources_hash, whole=True, ahead=ahead)
+
+
+def first_sources(wanted: Request, ahead: Callable[[str], object] | None = None) -> Sources:
+    """Return what of the sources first runs need: all but derivatives, unless those are part of that."""
+    if ALL_AT_FIRST:
+        return cached_sources(wanted, ahead)
+    return _cached_sources(wanted, key(wanted.sources_hash, "first"), whole=False, ahead=ahead)
+
+
+def _cached_sources(wanted: Request, name: str, whole: bool, ahead: Callable[[str], object] | None) -> Sources:
+    folder = entry("sources", name, lambda folder: _generate(wanted, folder, whole, ahead))
     with guarded():
         files = tuple(SourceFile(name, (folder / name).read_text(encoding="utf-8")) for name in wanted.file_names)
     return Sources(wanted.model.name, files)
@@ -160,12 +171,13 @@ def compiled(sources: Sources, tools: Toolchain, model: Model | None = None) -> 
     return folder / f"{sources.name}{EXTENSION_SUFFIX}"
 
 
-def part_of(sources: Sources, tools: Toolchain, model: Model | None, part: str) -> Path:
+def part_of(wanted: Request, tools: Toolchain, part: str) -> Path:
     """Return the path of the library that has a part in new objects, and the rest in those of `compiled`."""
-    units = PARTS[part]
-    kept = _objects(compiled(sources, tools, model))
+    units, model, first = PARTS[part], wanted.model, first_sources(wanted)
+    kept = _objects(compiled(first, tools, model))
     if part == "implicit":  # of which derivatives are a part by themselves
-        kept |= _objects(part_of(sources, tools, model, "derivatives"))
+        kept |= _objects(part_of(wanted, tools, "derivatives"))
+    sources = cached_sources(wanted) if part == "derivatives" else first
 
     def fill(folder: Path) -> None:
         _log.info("compiling %s of %s", WORDS[part], sources.name)
@@ -201,9 +213,9 @@ def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
     return key(sources.name, *bodies, _abi(), tools.identity, *proved)
 
 
-def _generate(wanted: Request, folder: Path, ahead: Callable[[str], object] | None) -> None:
+def _generate(wanted: Request, folder: Path, whole: bool, ahead: Callable[[str], object] | None) -> None:
     _log.info("deriving %s", wanted.model.name)
-    for file in wanted.sources(ahead).files:
+    for file in wanted.sources(whole, ahead).files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
 
 

@@ -1,6 +1,7 @@
 """What was generated and compiled before, kept by content.
 
-    sources/KEY/    NAME.h NAME.c NAME.pyx     KEY: the model, the options, and the text of the generator
+    sources/KEY/    NAME.h NAME.c NAME.pyx     KEY: the model, the options, and the text of the generator; and
+                                               whether it is what first runs need
     binaries/KEY/   NAME.<extension suffix>    KEY: the sources' text and the ABI's, compiler, flags, processor,
                     NAME_UNIT.o ...                 the model and its proof; which part it is (parts.py), or Python
     steppers/KEY/   UNIT.o                     KEY: its text after the preprocessor, compiler, flags, processor

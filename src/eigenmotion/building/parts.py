@@ -26,17 +26,16 @@ WORDS: Mapping[str, str] = MappingProxyType({
     "members": "what runs side by side need",
     "duals": "the Jacobian of the right-hand side",
 })  # fmt: skip
+ALL_AT_FIRST = not sys.platform.startswith("linux")
+"""Whether nothing may be missing as a library is linked: where objects are not ELF's."""
 _AT_FIRST = ("stepper", "model", "rhs", "lanes", "aside")
 _ACTS = "#define EM_ACTS"
 _DIFFERENTIATES = '#include "em_rate_jacobian.h"'
 
 
 def at_first(text: str) -> tuple[str, ...]:
-    """Return the units of a NAME.c that its first run may need: what events do stands among its derivatives.
-
-    Where objects are not ELF's, nothing may be missing as a library is linked.
-    """
-    if not sys.platform.startswith("linux"):
+    """Return the units of a NAME.c that its first run may need: what events do stands among its derivatives."""
+    if ALL_AT_FIRST:
         return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
     first = {*_AT_FIRST, "derivatives"} if _ACTS in text.splitlines() else _AT_FIRST
     return tuple(unit for unit in UNITS if unit in first)

@@ -40,10 +40,10 @@ class Request:
         """Hash of all that the generated text depends on, the generator included."""
         return key(self.input_hash, self.origin, generator_hash())
 
-    def sources(self, ahead: Callable[[str], object] | None = None) -> Sources:
-        """Derive and render; `ahead` as of `generate`."""
+    def sources(self, whole: bool = True, ahead: Callable[[str], object] | None = None) -> Sources:
+        """Derive and render; `whole` and `ahead` as of `generate`."""
         with kept():
-            return generate(self.model, self.choices, origin=self.origin, ahead=ahead)
+            return generate(self.model, self.choices, origin=self.origin, whole=whole, ahead=ahead)
 
     def explanation(self) -> str:
         """Say in words what the generated code carries and what it left out."""

@@ -81,11 +81,16 @@ def check_consistent(model: CompiledModel, prepared: Prepared, t: float, x: Vect
 def _check_turning(model: CompiledModel, prepared: Prepared, t: float, x: Vector) -> None:
     """Refuse to extrapolate Omega (32) from where eigenvalues that part coincide: nothing says how axes turn."""
     C, s = (part[0] for part in model.eigenfactor_rows(np.array([t]), x[None], prepared))
+    close = [
+        (i, j)
+        for i, j in combinations(range(model.n), 2)
+        if model.block[i] == model.block[j] and abs(s[i] ** 2 - s[j] ** 2) < _CLOSE * max(s[i], s[j]) ** 2
+    ]
+    if not close:
+        return
     mu = C @ (model.scales[:, None] * model.factored_gradient(t, x, prepared) * model.scales) @ C.T
     size = np.abs(mu).max(initial=0.0)
-    for i, j in combinations(range(model.n), 2):
-        if model.block[i] != model.block[j] or abs(s[i] ** 2 - s[j] ** 2) >= _CLOSE * max(s[i], s[j]) ** 2:
-            continue
+    for i, j in close:
         if max(np.abs(mu[:, i, j]).max(), np.abs(mu[:, i, i] - mu[:, j, j]).max()) > _STILL * size:
             names = ", ".join(repr(name) for name, block in zip(model.coordinates, model.block, strict=True)
                               if block == model.block[i])  # fmt: skip

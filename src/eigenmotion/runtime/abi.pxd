@@ -160,6 +160,7 @@ cdef extern from "eigenmotion.h" nogil:
         int (*rhs)(double, const double *, const double *, const double *, double *, em_fault *) noexcept nogil
         void (*mass_matrix)(double, const double *, const double *, double *) noexcept nogil
         void (*mass_matrix_gradient)(double, const double *, const double *, double *) noexcept nogil
+        void (*factored_gradient)(double, const double *, const double *, double *) noexcept nogil
         void (*pfaffian)(double, const double *, const double *, double *, double *) noexcept nogil
         void (*position)(double, const double *, const double *, double *, double *) noexcept nogil
         int (*acceleration)(double, const double *, const double *, const double *, const double *, int,

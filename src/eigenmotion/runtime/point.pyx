@@ -85,6 +85,7 @@ cdef class PointModel:
         if found.lanes != NULL and found.lanes.run != NULL:
             mine.lanes = found.lanes
         if mine.motion_jacobian == NULL:
+            mine.mass_matrix_gradient, mine.factored_gradient = found.mass_matrix_gradient, found.factored_gradient
             mine.motion_derivatives, mine.motion_along = found.motion_derivatives, found.motion_along
             mine.jacobian, mine.tangent = found.jacobian, found.tangent
             mine.constraint_partials, mine.output_partials = found.constraint_partials, found.output_partials
@@ -241,6 +242,7 @@ cdef class PointModel:
     def mass_matrix_gradient(self, double t, x, Prepared c not None):
         """dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
         cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        self.need_derivatives()
         self.model.mass_matrix_gradient(t, q.data, c.c, dM.data)
         return dM.array
 
@@ -253,6 +255,7 @@ cdef class PointModel:
     def factored_gradient(self, double t, x, Prepared c not None):
         """Its gradient (n, n, n), as mass_matrix_gradient."""
         cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
+        self.need_derivatives()
         em_factored_gradient(self.model, t, q.data, c.c, dM.data)
         return dM.array
 

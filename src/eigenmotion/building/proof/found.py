@@ -11,13 +11,16 @@ from ...runtime import CompiledModel, EvaluationError, Prepared
 from ...system.system import System
 from .places import Places
 
+_REACH = 1e-6
+"""Half of what differences are over, relative to coordinates."""
+
 
 @dataclass(frozen=True, slots=True)
 class Found:
     """Answers at k places, the places first.
 
-    M, factored (k, n, n); dM (k, n, n, n), of what is factored; A (k, m, n); b (k, m); phi (k, h); energies (k, 4);
-    quasi (k, n or 0);
+    M, factored (k, n, n); dM (k, n, n, n), of what is factored, by differences; A (k, m, n); b (k, m); phi (k, h);
+    energies (k, 4); quasi (k, n or 0);
     events (k, n_events); drawn (k, n_drawn); a (k, n); multipliers (k, m); outputs (k, n_outputs);
     C (k, n, n); s (k, n);
     y, dy (k, n_state); velocity (k, n) of y;
@@ -66,7 +69,7 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
     C, s = c.eigenfactor_rows(time, position, prepared)
     y = c.state_rows(time, position, moving, prepared)
     return (
-        c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), c.factored_gradient(t, x, prepared),
+        c.mass_matrix(t, x, prepared), c.factored_matrix(t, x, prepared), _slopes(c, t, x, prepared),
         *c.pfaffian(t, x, prepared),
         c.position(t, x, prepared)[0], c.energy_rows(time, position, moving, prepared)[0],
         c.quasi_rows(time, position, moving, prepared)[0],
@@ -76,6 +79,13 @@ def _ask(c: CompiledModel, t: float, x: Vector, v: Vector, u: Vector, p: Vector)
         _rate(c, t, y[0], prepared, u), c.velocity_rows(time, y, prepared)[0],
         np.array(least_norm),
     )  # fmt: skip
+
+
+def _slopes(c: CompiledModel, t: float, x: Vector, prepared: Prepared) -> Vector:
+    """(n, n, n) dM_ij / dx_k of what is factored as [k, i, j], by differences: sizes come of it, and no more."""
+    ways = _REACH * np.maximum(1.0, np.abs(x)) * np.eye(c.n)
+    both = ((c.factored_matrix(t, x + way, prepared), c.factored_matrix(t, x - way, prepared)) for way in ways)
+    return np.array([(there - back) / (2.0 * way.max()) for (there, back), way in zip(both, ways, strict=True)])
 
 
 def _free(c: CompiledModel, p: Vector, prepared: Prepared) -> Prepared:

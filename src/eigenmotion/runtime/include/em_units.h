@@ -37,8 +37,6 @@ int model_rhs(int mode, double t, const double *y, const double *c, const double
 
 /* --- of EM_ASIDE --- */
 
-void mass_matrix_gradient(double t, const double *x, const double *c, double *dM);
-void factored_gradient(double t, const double *x, const double *c, double *dM);
 void motion_bias(double t, const double *x, const double *v, const double *c, const double *u, double *bias, double *gamma);
 void energy(double t, const double *x, const double *v, const double *c, double *e);
 void observe(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
@@ -52,6 +50,8 @@ void pushes(double t, const double *x, const double *v, const double *c, const d
 
 /* --- of EM_DERIVATIVES --- */
 
+void mass_matrix_gradient(double t, const double *x, const double *c, double *dM);
+void factored_gradient(double t, const double *x, const double *c, double *dM);
 void state_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
                     const double *u, double *D);
 void forcing_partials(double t, const double *x, const double *v, const double *a, const double *lambda, const double *c,
@@ -117,6 +117,8 @@ EM_LATER(em_rate_jacobian);
 EM_LATER(em_further);
 #endif
 #if !EM_HOLDS(EM_DERIVATIVES)
+EM_LATER(mass_matrix_gradient);
+EM_LATER(factored_gradient);
 EM_LATER(jacobian);
 EM_LATER(em_motion_jacobian);
 EM_LATER(em_motion_derivatives);
