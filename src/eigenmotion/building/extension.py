@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import SourceFile, Sources
 from ..codegen.model import Model
+from ..garbage import uncollected
 from .cache import LOCATION, entry, key
 from .errors import BuildError
 from .parts import methods_of, whole
@@ -42,7 +43,8 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
     with _work(sources.files, folder) as work:
         with ThreadPoolExecutor(max_workers=1) as pool:
             built = pool.submit(compile_and_link, work, sources.name, tools, units, kept)
-            from .proof import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
+            with uncollected():
+                from .proof import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
         made = built.result()
         if model is not None:
             system = system_in(work / library)
@@ -90,6 +92,7 @@ def stepper_ahead(tools: Toolchain) -> Iterator[Callable[[str], object]]:
     Whoever needs it finds it in the cache, or waits for it; what goes wrong here goes wrong there again, and says so.
     """
     with ThreadPoolExecutor(max_workers=1) as pool:
+        pool.submit(getattr, tools, "identity")  # which compilers take a while to tell
         yield lambda text: pool.submit(_shared_unit, text, "stepper", tools)
 
 
