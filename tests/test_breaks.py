@@ -76,7 +76,7 @@ def test_backwards_and_from_a_break_to_a_break(pulsed):
 
 
 LAWS = {  # what pushes a mass of 1 kg, and where it is after 3 s
-    "ramp": (Max(0, t - 1), 4 / 3),
+    "ramp": (Max(0, t - 1) + Piecewise((9, sin(t) > 1), (0, True)), 4 / 3),  # at asin(1), whose slope is infinite
     "window": (Piecewise((1e6, Abs(t - 2) < 1e-6), (0, True)), 2.0),
     "square": (sign(sin(2 * np.pi * t)), 0.75),
     "periodic": (Piecewise((1, Mod(t, 0.1) < 0.03), (0, True)), 1.3815),
@@ -100,6 +100,16 @@ def test_factors_of_the_time_may_have_either_sign_or_vanish():
     system = system_for(driven("factor", Piecewise((1, K * t < 1), (0, True)), {K: 1.0}), "lagrange")
     for k, x in {1.0: 1.5, 0.0: 2.0, -1.0: 2.0, 1e300: 0.0}.items():
         assert system.simulate((0.0, 2.0), parameters={"k": k}).x[0, -1] == pytest.approx(x, abs=1e-12)
+
+
+@pytest.mark.parametrize(("bend", "slope"), [(1.0, 0.0), (0.0, 1.0), (1e-20, 1.0), (-1e-14, 1.0), (0.0, 0.0)])
+def test_a_quadratic_may_be_all_but_straight(bend, slope):
+    """Its time was a difference of equal numbers: what ended at 1 s never held."""
+    model = driven("straight", Piecewise((1, K * t**2 + DUTY * t < 1), (-1, True)), {K: 1.0, DUTY: 0.0})
+    run = system_for(model).simulate((0.0, 2.0), parameters={"k": bend, "duty": slope}, sensitivities=["duty"])
+    assert np.allclose(run.x[0, -1], 1.0 if slope or bend else 2.0, rtol=0, atol=1e-12)
+    if slope:
+        assert run.sensitivity["duty"].dv[0, -1] == pytest.approx(-2.0, rel=1e-9)
 
 
 def test_times_that_meet_or_pass_each_other(pulsed):

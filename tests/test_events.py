@@ -253,3 +253,15 @@ def test_events_that_vary_faster_than_the_motion_are_not_missed(g, count, method
     found = free.simulate((start, end), x0=[start], v0=[1.0], method=method)
     assert found.success, found.message
     assert len(found.t_events[0]) == count
+
+
+@WAYS
+@EVERY
+@pytest.mark.parametrize("max_step", [np.inf, 0.07])
+def test_what_rests_at_zero_between_its_signs_fires_where_it_leaves(method, way, max_step):
+    """It fired anywhere in between, by each method elsewhere: x = t, and nothing happens from 3 to 7."""
+    free = system_for(Model(name="slack", coordinates=[X], kinetic_energy=X.diff() ** 2 / 2,
+                            events={"slack": Max(X - 7, 0) - Max(3 - X, 0)}))  # fmt: skip
+    start, end = (0.0, 10.0)[::way]
+    found = free.simulate((start, end), x0=[start], v0=[1.0], method=method, max_step=max_step)
+    np.testing.assert_allclose(found.t_events[0], [5 + 2 * way], rtol=1e-8)

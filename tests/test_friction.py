@@ -52,6 +52,19 @@ def test_a_block_on_a_belt_is_let_go_where_the_spring_pulls_as_much(method):
     assert run.x[0][run.t > lets_go] == pytest.approx(0.25 + 0.25 * np.sin(2 * (times - lets_go)), abs=1e-8)
 
 
+@pytest.mark.parametrize("method", ["dop853", "ra15", "radau5"])
+@pytest.mark.parametrize("formulation", ["eigenfactor", "lagrange"])
+@pytest.mark.parametrize("push", [0.0, 1e-17, -1e-30])
+def test_what_begins_to_slip_begins_with_no_tiny_step(formulation, method, push):
+    """Without speed, and with an acceleration of rounding: a step of 3e-15 s ended one run by ra15 in forty."""
+    begins = symbols("begins")
+    model = Model(name="grows", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, forces={x: t + begins},
+                  parameters={begins: 0.0})  # fmt: skip
+    run = system_for(model, formulation).simulate((0.0, 3.0), parameters={"begins": push}, method=method)
+    assert run.x[0, -1] == pytest.approx(4.5, rel=1e-6)
+    assert run.t[1] > 1e-5
+
+
 def test_friction_at_rest_balances_what_changes_and_never_chatters():
     """A push that grows and falls: stuck up to the limit, sliding beyond, stuck again as it is slow enough."""
     model = Model(name="pushed", coordinates=[x], kinetic_energy=x.diff() ** 2 / 2, forces={x: 2 * sin(t)},

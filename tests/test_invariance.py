@@ -8,7 +8,7 @@ rest still a matter of atol, is given.
 """
 
 from dataclasses import replace
-from functools import cache
+from functools import cache, cached_property
 
 import numpy as np
 import pytest
@@ -22,6 +22,9 @@ from .models_table import BY_NAME, SCENARIOS, Scenario
 
 ORIGINS = (1.0, -0.7, 1.3, 0.4, -1.1)
 TOLERANCE, TIMED = (1e-12, 1e-8), (1e-6, 1e-11)  # rtol, atol
+NEAR = (0.8, 0.9, 1.1, 1.25)
+"""Times a tolerance. One run alone may be off by luck less than what is known of its motion: andrews by 2, 5, 78 and 2
+times 1e-6 at 1, 0.9, 1.1 and 1.2 times that of `TIMED`."""
 FIRST_STEP = 1e-3
 FRAMES = {
     "origins": Frame(origins=ORIGINS),
@@ -105,19 +108,38 @@ def differences(system: System, scene: Scenario, frames: dict[str, Frame], metho
         anew = frame in AUGMENTED.get(scene.name, ())
         return system_written_in(frame, scene.name, system.formulation) if anew else system
 
-    own = Frame().run(system, span, *tolerance, method=method)
-    error = np.abs(own.x - Frame().run(system, span, 1e-13, 1e-13).x).max()
+    known = Known(system, span, tolerance, method=method)
     runs = {name: frame.run(one(name), span, *tolerance, initial=system.initial, method=method)
             for name, frame in frames.items()}  # fmt: skip
-    return [f"{name}: {words}" for name, run in runs.items() if (words := compared(run, own, error))]
+    return [f"{name}: {words}" for name, run in runs.items() if (words := compared(run, known))]
 
 
-def compared(run: Run, own: Run, error: float) -> str:
-    cost, moved = run.solution.nfev / own.solution.nfev, np.abs(run.x - own.x).max()
+class Known:
+    """A run as it is, and how well the motion is known by it, or, asked again, by those at tolerances nearby."""
+
+    def __init__(self, system: System, span: float, tolerance: tuple[float, float], **given) -> None:
+        self.run = Frame().run(system, span, *tolerance, **given)
+        self._exact = Frame().run(system, span, 1e-13, 1e-13).x
+        self._anew = lambda times: Frame().run(system, span, *(times * np.array(tolerance)), **given).x
+
+    def error(self, x: np.ndarray) -> float:
+        return np.abs(x - self._exact).max()
+
+    @cached_property
+    def errors(self) -> list[float]:
+        return [self.error(self.run.x), *(self.error(self._anew(times)) for times in NEAR)]
+
+    def is_within(self, moved: float) -> bool:
+        return moved <= 10 * self.error(self.run.x) + 1e-12 or moved <= 10 * max(self.errors) + 1e-12
+
+
+def compared(run: Run, known: Known) -> str:
+    cost, moved = run.solution.nfev / known.run.solution.nfev, np.abs(run.x - known.run.x).max()
     if not run.solution.success:
         return run.solution.message
-    same = abs(cost - 1) <= 0.25 and moved <= 10 * error + 1e-12
-    return "" if same else f"{cost:.3g} times the cost, {moved:.1e} from the motion, which is known to {error:.1e}"
+    if abs(cost - 1) <= 0.25 and known.is_within(moved):
+        return ""
+    return f"{cost:.3g} times the cost, {moved:.1e} from the motion, which is known to {known.error(known.run.x):.1e}"
 
 
 def frames_for(formulation: str) -> dict[str, Frame]:
@@ -156,12 +178,10 @@ def test_weights_far_from_their_start_are_named():
 
 
 def differences_in_time(system: System, scene: Scenario) -> list[str]:
-    rtol, atol = TIMED
-    own = Frame().run(system, scene.t_end, rtol, atol, first_step=FIRST_STEP)
-    error = np.abs(own.x - Frame().run(system, scene.t_end, 1e-13, 1e-13).x).max()
-    runs = {frame.time: frame.run(system, scene.t_end, rtol, least, first_step=FIRST_STEP / frame.time)
+    known = Known(system, scene.t_end, TIMED, first_step=FIRST_STEP)
+    runs = {frame.time: frame.run(system, scene.t_end, TIMED[0], least, first_step=FIRST_STEP / frame.time)
             for frame, least in OTHER_TIMES.items()}  # fmt: skip
-    return [f"unit of time {time:g}: {words}" for time, run in runs.items() if (words := compared(run, own, error))]
+    return [f"unit of time {time:g}: {words}" for time, run in runs.items() if (words := compared(run, known))]
 
 
 @pytest.mark.parametrize("name", ["dual_link", "pendulum"])
@@ -185,9 +205,8 @@ def differences_in_order(scene: Scenario, formulation: str) -> str:
     one, other = (loaded(compiler.generate(framed(model), choices_for(scene.name, formulation)), "-O0")
                   for model in (moving(scene), reordered(moving(scene))))  # fmt: skip
     span = span_of(scene)
-    own, run = Frame().run(one, span, *TOLERANCE), Frame().run(other, span, *TOLERANCE)
-    error = np.abs(own.x - Frame().run(one, span, 1e-13, 1e-13).x).max()
-    found = compared(Run(run.solution, run.x[::-1], run.v[::-1]), own, error)
+    run = Frame().run(other, span, *TOLERANCE)
+    found = compared(Run(run.solution, run.x[::-1], run.v[::-1]), Known(one, span, TOLERANCE))
     if not found or formulation != "cholesky":
         return found
     cost = cost_at_equal_error(one, other, span)

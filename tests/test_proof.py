@@ -21,6 +21,7 @@ from eigenmotion.codegen.graph.zeros import Zeros
 from sympy.physics.mechanics import dynamicsymbols
 
 import eigenmotion as em
+from eigenmotion import t
 from eigenmotion.building.build import compiled
 from eigenmotion.building.proof import ProofError, prove
 from eigenmotion.building.proof.evaluate import Evaluation
@@ -53,6 +54,25 @@ def two(kinetic_energy, name="two", **more):
 @pytest.mark.parametrize("name", NAMES)
 def test_the_models_are_proved(name, formulation):
     prove(model_of(name), system_of(name, formulation))
+
+
+@pytest.mark.parametrize("formulation", FORMULATIONS)
+def test_a_start_where_something_bends_is_proved(formulation):
+    """What judged the first steps took the slope of M before the start for that behind it, and refused them."""
+    M = sympy.Piecewise((1 + q - k, q > k), (1, True))
+    model = em.Model(name="bends", coordinates=[q], kinetic_energy=M * qd**2 / 2, potential_energy=q**2,
+                     parameters={k: 0.7}, initial={q: 0.7, qd: 1.0})  # fmt: skip
+    prove(model, system_for(model, formulation))
+
+
+@pytest.mark.parametrize("value", [0.1, 0.7, 1.3, 5.0])
+@pytest.mark.parametrize("force", [sympy.exp(k * t) - 1, 1 + k * t - sympy.cos(k * t), sympy.sqrt(1 + k * t) - 1])
+def test_a_start_at_rest_under_a_force_that_grows_from_rounding_is_proved(force, value):
+    """Without an absolute tolerance steps were so short there that rounding of the force was the motion."""
+    model = em.Model(
+        name="sets_in", coordinates=[q], kinetic_energy=qd**2 / 2, forces={q: force}, parameters={k: value}
+    )
+    prove(model, system_for(model, "lagrange"))
 
 
 @pytest.mark.parametrize("options", [{"close_eigenvalues": "extrapolate"}, {"schur": "eigenfactor"}], ids=str)

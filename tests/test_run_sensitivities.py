@@ -220,3 +220,19 @@ def test_thirty_digits():
             for run in runs:
                 found = np.concatenate([run.sensitivity[name].dx[:, 1], run.sensitivity[name].dv[:, 1]])
                 assert np.abs(found - right).max() < 1e-8 * np.abs(right).max()
+
+
+def test_of_a_run_that_ends_at_a_reset_off_its_constraints():
+    """They are those up to there; that the event had no state after it was an IndexError."""
+    x, y = dynamicsymbols("x y")
+    g = symbols("g", positive=True)
+    model = em.Model(
+        name="torn", coordinates=[x, y], kinetic_energy=(x.diff() ** 2 + y.diff() ** 2) / 2, potential_energy=g * y,
+        holonomic_constraints=[x**2 + y**2 - 1], events={"middle": em.Event(x, reset={x.diff(): 2 * x.diff(), y: 0})},
+        parameters={g: 2.0}, initial={x: 0.6, y: -0.8},
+    )  # fmt: skip
+    system = system_for(model, "lagrange")
+    run = system.simulate((0.0, 3.0), sensitivities=["g"], **TIGHT)
+    assert run.stop is em.StopReason.RESET_OFF
+    more, less = (system.simulate((0.0, 3.0), parameters={"g": 2.0 + d}, **TIGHT).t_events[0] for d in (1e-5, -1e-5))
+    assert run.sensitivity["g"].dt_events[0] == pytest.approx((more - less) / 2e-5, rel=1e-6)

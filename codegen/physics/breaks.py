@@ -57,9 +57,16 @@ class Breaks:
         for node in [node for node in graph.reachable(roots) if self._is_condition(node)]:
             try:
                 found.update(dict.fromkeys(self._of(node)))
-            except UnsolvedError:
+            except (UnsolvedError, ZeroDivisionError):
                 self.unsolved.append(node)
-        self.times = tuple(Break(at, period, self._terms(at)) for at, period in found)
+        self.times = tuple(Break(at, period, self._rounding(at)) for at, period in found)
+
+    def _rounding(self, at: Node) -> Node:
+        """Of what is infinitely steep, as asin(1) and log(0), that of the time itself: no number tells more."""
+        try:
+            return self._terms(at)
+        except ZeroDivisionError:
+            return self.graph.zero
 
     def _is_condition(self, node: Node) -> bool:
         kind, operands = self.graph.records[node]
@@ -128,14 +135,16 @@ class Breaks:
         return {operands[0] for kind, operands in records if kind is Kind.SYMBOL}
 
     def _quadratic(self, node: Node, rate: Node, bend: Node) -> list[tuple[Node, Node]]:
-        """Solve bend t^2 / 2 + slope t + rest = 0."""
+        """Solve bend t^2 / 2 + slope t + rest = 0; nothing cancels where parameters make bend small, or 0."""
         graph = self.graph
         slope, rest = (self._at(part, **{self.time: graph.zero}) for part in (rate, node))
         if graph.varies(slope) or graph.varies(rest):
             raise UnsolvedError
         inside = graph.add(graph.power(slope, 2), graph.scale(graph.mul(bend, rest), -2))
         root = graph.power(inside, Fraction(1, 2))
-        return [(self._ratio(graph.add(slope, graph.scale(root, sign)), bend), graph.zero) for sign in (1, -1)]
+        away = graph.call("select", graph.call("<", slope, graph.zero), graph.negative(root), root)
+        larger = graph.add(slope, away)
+        return [(self._ratio(larger, bend), graph.zero), (self._ratio(graph.scale(rest, 2), larger), graph.zero)]
 
     def _inverted(self, node: Node) -> list[tuple[Node, Node]]:
         """Solve c f(argument) + rest = 0 for the argument, and that for t."""

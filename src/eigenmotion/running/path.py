@@ -103,8 +103,9 @@ def _happened(task: Task, solution: Solution) -> tuple[Vector, Vector, list[tupl
     made: list[Vector] = []
     marks: list[tuple[int, Place]] = []
     for t, places in at_once.items():
-        groups = _in_turns([place for place in places if c.acting[place[0]]], states, after)
-        others = [place for place in places if not c.acting[place[0]]]
+        acted = [(k, time) for k, time in places if c.acting[k] and time < len(after[k])]  # else it ended the run
+        groups = _in_turns(acted, states, after)
+        others = [place for place in places if place not in acted]
         marks += [(len(made), place) for place in others]
         t_made.append(t)
         made.append(states[places[0][0]][places[0][1]] if not groups else states[groups[0][0][0]][groups[0][0][1]])

@@ -30,24 +30,43 @@ static void em_bracket_add(em_bracket *r, double t, double f) {
     r->a = t, r->fa = f;
 }
 
-/* *root <- where g_i = 0 between the points found. 0, or -1 and w->reason. */
+static double em_spacing_at(const em_walk *w, double t) {
+    return 2.0 * DBL_EPSILON * em_max(fabs(t), DBL_EPSILON * fabs(w->h));
+}
+
+/* *g <- g_i at t. Where it is 0 and stays so beyond t, it has not passed zero yet: *g <- next to nothing, on the side
+ * from which it came. 1: t is the root; 0; or -1 and w->reason. */
+static int em_at_root(em_walk *w, const em_found *found, double t, double *g) {
+    double here[EM_SOME_EVENTS], beyond[EM_SOME_EVENTS];
+    const double later = t + w->direction * em_spacing_at(w, t);
+    if (em_events_inside(w, t, here)) return -1;
+    *g = here[found->event];
+    if (*g != 0.0 || found->after.g == 0.0) return *g == 0.0;
+    if (w->direction * (found->after.t - later) <= 0.0) return 1;
+    if (em_events_inside(w, later, beyond)) return -1;
+    *g = copysign(DBL_MIN, -found->after.g);
+    return em_side_of(beyond[found->event], 0.0) == em_side_of(found->after.g, 0.0);
+}
+
+/* *root <- where g_i = 0 between the points found; of an interval on which it is, the end. 0, or -1 and w->reason. */
 static int em_locate(em_walk *w, const em_found *found, double *root) {
     enum { ENOUGH = 200 }; /* bisection alone needs 60 */
     const em_point *end = &found->after, *start = &found->before;
     em_bracket r = {end->t, end->g, start->t, start->g, start->t, start->g};
-    double g[EM_SOME_EVENTS], fraction = 0.5;
-    for (int n = 0; n < ENOUGH; ++n) {
-        const int a_is_best = fabs(r.fa) < fabs(r.fb);
-        *root = a_is_best ? r.a : r.b;
-        const double spacing = 2.0 * DBL_EPSILON * em_max(fabs(*root), DBL_EPSILON * fabs(w->h));
-        const double margin = spacing / fabs(r.b - r.a);
-        if (!(margin < 0.5) || (a_is_best ? r.fa : r.fb) == 0.0) break;
+    double fraction = 0.5, g;
+    int is_root = 0;
+    if (start->g == 0.0 && start->t != end->t) is_root = em_at_root(w, found, *root = start->t, &r.fb), r.fc = r.fb;
+    for (int n = 0; n < ENOUGH && is_root == 0; ++n) {
+        *root = fabs(r.fa) < fabs(r.fb) ? r.a : r.b;
+        const double margin = em_spacing_at(w, *root) / fabs(r.b - r.a);
+        if (!(margin < 0.5)) break;
         fraction = n == 0 ? 0.5 : em_bracket_fraction(&r, margin);
         const double t = r.a + fraction * (r.b - r.a);
-        if (em_events_inside(w, t, g)) return -1;
-        em_bracket_add(&r, t, g[found->event]);
+        is_root = em_at_root(w, found, t, &g);
+        if (is_root) *root = t;
+        em_bracket_add(&r, t, g);
     }
-    return 0;
+    return is_root < 0 ? -1 : 0;
 }
 
 #endif

@@ -107,14 +107,18 @@ static double em_next_look(const em_outset *at, int failed, double span) {
     return at->h;
 }
 
+/* Where speed and acceleration vanish to rounding, as where a force begins to exceed a friction, every look is too far:
+ * what changes is beyond all parts of what there is, and the motion shows no rate. */
 static em_outset em_set_out(em_walk *w, double span) {
     em_outset at = {.d1 = em_rate_norm(w, w->K[0])};
     em_split_rate(w, w->K[0], &at.V, &at.A);
-    double next = em_first_look(w, &at, span);
+    const double first = em_first_look(w, &at, span);
+    double next = first;
     for (int looks = 0; looks < 3 && next != at.h; ++looks) {
         at.h = next;
         next = em_next_look(&at, em_measure(w, &at), span);
     }
+    if (at.h * at.rate > EM_TOO_FAR) at.rate = 0.0, at.h = 1e-4 * first;
     return at;
 }
 
