@@ -20,10 +20,10 @@ import secrets
 import shutil
 import stat
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
 
-from filelock import AcquireReturnProxy, FileLock, Timeout
+from filelock import FileLock, Timeout
 from platformdirs import user_cache_path
 
 from .errors import BuildError, FolderError
@@ -160,7 +160,7 @@ def _free(kind: str, name: str) -> Iterator[bool]:
         yield False
 
 
-def _lock(kind: str, name: str, timeout: float = -1.0) -> AcquireReturnProxy:
+def _lock(kind: str, name: str, timeout: float = -1.0) -> AbstractContextManager[object]:
     """Take the lock of an entry, which is held to the end of a `with`."""
     folder = location() / LOCKS
     _make(folder)
