@@ -70,7 +70,7 @@ def unit_by_unit(seconds: Seconds) -> Callable[..., Any]:
 def stages(file: str, definitions: dict[str, int]) -> Seconds:
     """Build a model in a fresh cache, then each part as if it were asked for; return the seconds of each stage.
 
-    Those of the compiler run side by side.
+    Those of the compiler run side by side, and count how long they wait for their turn.
     """
     seconds: Seconds = {}
     with tempfile.TemporaryDirectory() as cache, ExitStack() as stack:

@@ -18,7 +18,7 @@ PENDULUM = Path(__file__).parents[1] / "models" / "pendulum.py"
 def test_the_stepper_that_is_compiled_ahead_is_the_models(name, formulation):
     """Before kernels are written, of the same text: else it would be compiled twice."""
     told = []
-    sources = request(PENDULUM.with_stem(name), formulation=formulation).sources(told.append)
+    sources = request(PENDULUM.with_stem(name), formulation=formulation).sources(ahead=told.append)
     ahead, whole = (toolchain().preprocess_unit(text, "stepper") for text in (*told, sources.files[1].text))
     assert ahead == whole
 
@@ -26,7 +26,7 @@ def test_the_stepper_that_is_compiled_ahead_is_the_models(name, formulation):
 def test_what_is_counted_with_the_kernels_is_not_compiled_ahead():
     """Constants of a model that acts; times at which a condition changes."""
     told = []
-    request(PENDULUM.with_stem("bouncing_ball")).sources(told.append)
+    request(PENDULUM.with_stem("bouncing_ball")).sources(ahead=told.append)
     m, g = symbols("m g")
     (q,) = dynamicsymbols("q:1")
     kicked = em.Model(
@@ -36,5 +36,5 @@ def test_what_is_counted_with_the_kernels_is_not_compiled_ahead():
         potential_energy=-g * q * Piecewise((1, em.t < 1), (0, True)),
         parameters={m: 1.0, g: 1.0},
     )
-    request(kicked).sources(told.append)
+    request(kicked).sources(ahead=told.append)
     assert told == []

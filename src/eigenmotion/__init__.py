@@ -6,7 +6,7 @@ Names load what they need when first used, so that `eigenmotion --help` does not
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from .garbage import kept
+from .garbage import uncollected
 
 if TYPE_CHECKING:
     from .arguments.signals import Sampled as Sampled
@@ -75,7 +75,7 @@ _HOME = {
 def __getattr__(name: str) -> object:
     if name not in _HOME:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    with kept():
+    with uncollected():
         value = getattr(import_module(_HOME[name], __name__), name)
     globals()[name] = value
     return value

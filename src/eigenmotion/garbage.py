@@ -9,7 +9,7 @@ from contextlib import contextmanager
 
 
 @contextmanager
-def kept() -> Iterator[None]:
+def uncollected() -> Iterator[None]:
     """Look for none meanwhile; whoever has switched that off for good finds it so."""
     was_enabled = gc.isenabled()
     gc.disable()

@@ -21,7 +21,7 @@ import secrets
 import shutil
 import stat
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
 
 from filelock import FileLock, Timeout
@@ -31,6 +31,8 @@ from .errors import BuildError, FolderError
 
 LOCATION = "EIGENMOTION_CACHE"
 LOCKS, SUMS = "locks", "sums"
+_LOOKS = 0.005
+"""Seconds from one look whether a lock is free to the next: a build may wait for what it has begun itself."""
 _ENTRY = re.compile(r"[0-9a-f]{32}")
 _PASSING = re.compile(r"\.([0-9a-f]{32})\.[0-9a-f]{8}")
 
@@ -159,10 +161,11 @@ def _free(kind: str, name: str) -> Iterator[bool]:
         yield False
 
 
-def _lock(kind: str, name: str, timeout: float = -1.0) -> FileLock:
+def _lock(kind: str, name: str, timeout: float = -1.0) -> AbstractContextManager[object]:
+    """Take the lock of an entry, which is held to the end of a `with`."""
     folder = location() / LOCKS
     _make(folder)
-    return FileLock(folder / f"{kind}-{name}", timeout=timeout)
+    return FileLock(folder / f"{kind}-{name}").acquire(timeout=timeout, poll_interval=_LOOKS)
 
 
 def _make(folder: Path) -> None:

@@ -2,7 +2,6 @@
 
 import ctypes
 import logging
-import os
 import shutil
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from ..codegen.c.emit import SourceFile, Sources
 from ..codegen.model import Model
+from ..garbage import uncollected
 from .cache import LOCATION, entry, key
 from .errors import BuildError
 from .parts import methods_of, whole
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from ..system.system import System
 
 _log = logging.getLogger("eigenmotion")
-_CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 _loading = Lock()
 _loaded: dict[Path, "System"] = {}
 _CAPSULE = b"eigenmotion.em_model"  # which outlives its capsules, as they ask
@@ -42,7 +41,8 @@ def compile_in(sources: Sources, tools: Toolchain, folder: Path, model: Model | 
     with _work(sources.files, folder) as work:
         with ThreadPoolExecutor(max_workers=1) as pool:
             built = pool.submit(compile_and_link, work, sources.name, tools, units, kept)
-            from .proof import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
+            with uncollected():
+                from .proof import prove, prove_methods  # noqa: PLC0415, half a second, and more, while compilers work
         made = built.result()
         if model is not None:
             system = system_in(work / library)
@@ -64,16 +64,15 @@ def compile_and_link(work: Path, name: str, tools: Toolchain, units: Sequence[st
                      ) -> tuple[str, ...]:  # fmt: skip
     """Units of NAME.c side by side, then the library of them. Without `units`: all, and it is a module of Python.
 
-    Returns the names of objects that are new, and this model's alone. As many are compiled at once as there are cores:
-    with more of them, the one that takes longest would not be done first, but last.
+    Returns the names of objects that are new, and this model's alone.
     """
     is_module, units = not units, tuple(units) or whole()
     replaced = {f"{name}_{IN_PLACE_OF[unit]}.o" for unit in units if unit in IN_PLACE_OF}
     shaped = [unit for unit in dict.fromkeys(("stepper", *units)) if unit in OF_A_SHAPE]
     there = {path.name for path in kept}
     text = (work / f"{name}.c").read_text(encoding="utf-8")
-    with ThreadPoolExecutor(max_workers=len(shaped)) as beside, ThreadPoolExecutor(max_workers=_CORES) as pool:
-        shared = [beside.submit(_shared_unit, text, unit, tools) for unit in shaped]
+    with ThreadPoolExecutor(max_workers=len(units) + 2) as pool:
+        shared = [pool.submit(_shared_unit, text, unit, tools) for unit in shaped]
         own = [unit for unit in units if unit not in OF_A_SHAPE and f"{name}_{unit}.o" not in there]
         made = [pool.submit(tools.compile_unit, work, name, unit) for unit in own]
         if is_module:
@@ -90,6 +89,7 @@ def stepper_ahead(tools: Toolchain) -> Iterator[Callable[[str], object]]:
     Whoever needs it finds it in the cache, or waits for it; what goes wrong here goes wrong there again, and says so.
     """
     with ThreadPoolExecutor(max_workers=1) as pool:
+        pool.submit(getattr, tools, "identity")  # which compilers take a while to tell
         yield lambda text: pool.submit(_shared_unit, text, "stepper", tools)
 
 

@@ -13,7 +13,7 @@ from ..codegen.c.emit import Sources
 from ..codegen.choices import STANDARD, Choices
 from ..codegen.compiler import explain, generate, input_hash
 from ..codegen.model import Model, ModelError
-from ..garbage import kept
+from ..garbage import uncollected
 from .cache import key
 from .loading import load_model
 
@@ -42,7 +42,7 @@ class Request:
 
     def sources(self, whole: bool = True, ahead: Callable[[str], object] | None = None) -> Sources:
         """Derive and render; `whole` and `ahead` as of `generate`."""
-        with kept():
+        with uncollected():
             return generate(self.model, self.choices, origin=self.origin, whole=whole, ahead=ahead)
 
     def explanation(self) -> str:

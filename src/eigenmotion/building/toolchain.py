@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.util import find_spec
 from pathlib import Path
+from threading import BoundedSemaphore
 
 from .cache import key
 from .errors import BuildError, CompilerNotFoundError
@@ -48,12 +49,21 @@ _MACROS = ("-dM", "-E", "-x", "c", os.devnull)
 EXTENSION_SUFFIX: str = sysconfig.get_config_var("EXT_SUFFIX")
 
 
+def _one_a_core() -> BoundedSemaphore:
+    return BoundedSemaphore(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+
+
 @dataclass(frozen=True)
 class Toolchain:
-    """A C compiler of the GCC or Clang kind and the flags that follow ours (the last of two that disagree wins)."""
+    """A C compiler of the GCC or Clang kind and the flags that follow ours (the last of two that disagree wins).
+
+    Of one build no more units are compiled at once than there are cores, in the order in which they are asked for: with
+    more of them, the one that takes longest would not be done first, but last.
+    """
 
     command: tuple[str, ...]
     flags: tuple[str, ...] = field(default=())
+    _turns: BoundedSemaphore = field(default_factory=_one_a_core, init=False, compare=False, repr=False)
 
     @cached_property
     def optimised(self) -> tuple[str, ...]:
@@ -89,7 +99,8 @@ class Toolchain:
     def compile_unit(self, folder: Path, stem: str, unit: str) -> str:
         """STEM.c -> STEM_UNIT.o, a part of it, of which the name is returned."""
         target = f"{stem}_{unit}.o"
-        self._run(*self._of_unit(unit), "-c", f"{stem}.c", "-o", target, folder=folder)
+        with self._turns:
+            self._run(*self._of_unit(unit), "-c", f"{stem}.c", "-o", target, folder=folder)
         return target
 
     def preprocess_unit(self, text: str, unit: str) -> str:
