@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:35edbe80b1b01eb294955fd34739e5f11d911d528fe553cbfe4c7a247d2437c7 */
+/* body sha256:5cb0c6a1198a595dfc281de2c6091f24b0d7849da2834bdd03c52619c0d7278c */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -69,8 +69,8 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4, 5, 6, 7 };
 #if EM_HOLDS(EM_MODEL)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
-                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                     real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
@@ -925,8 +925,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
-                                 real shared[93])
+EM_BY_ITSELF void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                    real shared[93])
 {
     const real c_99 = c[125];
     M1[0][0] = c_99;
@@ -1276,8 +1276,8 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 }
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[93],
-                                 real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+EM_BY_ITSELF void triangular_motion(const real *restrict v, const real *restrict c, const real shared[93],
+                                    real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
@@ -9957,8 +9957,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #if EM_HOLDS(EM_MODEL)
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[75])
+EM_BY_ITSELF void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double A1[N_ROWS][N1], double b[N_ROWS], double shared[75])
 {
     const double c_99 = c[125];
     M1[0][0] = c_99;
@@ -10375,8 +10375,8 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 }
 
 /* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[75],
-                             double Mdot1[N1][N1])
+EM_BY_ITSELF void settled_rates(const double *restrict v, const double *restrict c, const double shared[75],
+                                double Mdot1[N1][N1])
 {
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:0c836728dfebe9faa8a404261a3d7e795ca7975b856908689a289e9755a4eb44 */
+/* body sha256:2c521b603b65efa1e16bb3af79b73a16693549d3753251994bd6c0ef4d4d8084 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -69,8 +69,8 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
 #if EM_HOLDS(EM_MODEL)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
-                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                     real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     const real l = c[1];
     const real c_0 = c[3];
@@ -765,9 +765,9 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 }
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
-                                 const real shared[66], real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1],
-                                 real gamma[N_ROWS])
+EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                    const real shared[66], real Mdot1[N1][N1], real f1[N1],
+                                    real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     const real l = c[1];
     const real c_0 = c[3];
