@@ -1,7 +1,10 @@
 """Sources -> extension module -> System, by way of the cache."""
 
+import gc
 import logging
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache, partial
 from os import PathLike
 from pathlib import Path
@@ -213,8 +216,22 @@ def _key(sources: Sources, tools: Toolchain, model: Model | None) -> str:
 
 def _generate(wanted: Request, folder: Path, whole: bool) -> None:
     _log.info("deriving %s", wanted.model.name)
-    for file in wanted.sources(whole).files:
+    with _unswept():
+        sources = wanted.sources(whole)
+    for file in sources.files:
         (folder / file.name).write_text(file.text, encoding="utf-8")
+
+
+@contextmanager
+def _unswept() -> Iterator[None]:
+    """Look for no cycles meanwhile: a graph that grows is none, and looking through it takes a fifth of the time."""
+    swept = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if swept:
+            gc.enable()
 
 
 @cache
