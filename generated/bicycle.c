@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:e332615673b1aea8f8b203b2cd8cd248875793c128bc6563e88ac355005ac7f8 */
+/* body sha256:13fb62e1e534d95488a38741a3d1489453a7c33579c7f66bb71397199ca6cf10 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -69,8 +69,8 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4, 5, 6, 7 };
 #if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
-                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                     real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
@@ -925,8 +925,8 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 }
 
 /* M of the blocks that vary: the lower triangle */
-EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
-                                 real shared[93])
+EM_BY_ITSELF void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
+                                    real shared[93])
 {
     const real c_99 = c[125];
     M1[0][0] = c_99;
@@ -1276,8 +1276,8 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 }
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const real *restrict v, const real *restrict c, const real shared[93],
-                                 real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+EM_BY_ITSELF void triangular_motion(const real *restrict v, const real *restrict c, const real shared[93],
+                                    real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     Mdot1[0][0] = em_real(0.0);
     Mdot1[0][1] = Mdot1[1][0] = em_real(0.0);
@@ -9957,8 +9957,8 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 #if EM_HOLDS(EM_MODEL)
 
 /* M of the blocks that vary, A, b: A xdot + b = 0 */
-EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
-                              double A1[N_ROWS][N1], double b[N_ROWS], double shared[75])
+EM_BY_ITSELF void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
+                                 double A1[N_ROWS][N1], double b[N_ROWS], double shared[75])
 {
     const double c_99 = c[125];
     M1[0][0] = c_99;
@@ -10375,8 +10375,8 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
 }
 
 /* Mdot */
-EM_INLINE void settled_rates(const double *restrict v, const double *restrict c, const double shared[75],
-                             double Mdot1[N1][N1])
+EM_BY_ITSELF void settled_rates(const double *restrict v, const double *restrict c, const double shared[75],
+                                double Mdot1[N1][N1])
 {
     Mdot1[0][0] = 0.0;
     Mdot1[0][1] = Mdot1[1][0] = 0.0;

@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:86ff3e53c1b529d87c7521db4da106e26f569b3926dc19e0fccaf97d1e6501c2 */
+/* body sha256:3488abb65126e91cb35caa05c9b8ec2a8e70252d1d4ed85e2b893d91cc00e895 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -69,8 +69,8 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4 };
 #if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
-                                  real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
+EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                     real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     const real l = c[1];
     const real c_0 = c[3];
@@ -765,9 +765,9 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
 }
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29), A, gamma = Adot xdot + bdot */
-EM_INLINE void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
-                                 const real shared[66], real Mdot1[N1][N1], real f1[N1], real A1[N_ROWS][N1],
-                                 real gamma[N_ROWS])
+EM_BY_ITSELF void triangular_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                    const real shared[66], real Mdot1[N1][N1], real f1[N1],
+                                    real A1[N_ROWS][N1], real gamma[N_ROWS])
 {
     const real l = c[1];
     const real c_0 = c[3];

@@ -1,6 +1,6 @@
 /* eigenmotion generate puma.py */
 /* input sha256:44f9309bb8b2d719e1a6d8e72a68752f8590b0520274b45dad0cbd7ef656c8aa */
-/* body sha256:82146040fde18d407c153d4e31f816705f055b57c13a1ba219749320f21d816a */
+/* body sha256:f53c592987c9d07e39487ba83b497b47f4231444ab95b5c271038fe4820dbdcf */
 /* puma: equations of motion, eigenfactor formulation.
  *
  * State, 54 numbers:
@@ -68,8 +68,8 @@ EM_UNUSED static const int coordinate1[N1] = { 0, 1, 2, 3, 4, 5 };
 #if EM_HOLDS(EM_RHS)
 
 /* Mdot, force f = 1/2 xdot^T M_x xdot + G_x^T xdot + F (29) */
-EM_INLINE void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
-                                  const real *restrict u, real Mdot1[N1][N1], real f1[N1])
+EM_BY_ITSELF void eigenfactor_motion(const real *restrict x, const real *restrict v, const real *restrict c,
+                                     const real *restrict u, real Mdot1[N1][N1], real f1[N1])
 {
     const real q2 = x[1];
     const real cos_q2 = em_cos(q2);

@@ -17,6 +17,9 @@ INPUTS = ("t", "x", "v", "a", "lambda", "c", "u", "parameters")
 """What a kernel may read, in the order of its arguments; all but the time are arrays."""
 SHARED = "shared"
 """The array of what one kernel computed and the next one needs, too."""
+LONG = 250
+"""Statements from which on a kernel is not copied into what calls it: compilers take more than twice the time for twice
+the text, and what they make of it is no faster."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -228,12 +231,13 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
         results.append(Array(SHARED, f"[{handed}]"))
     read = [name for name in (*INPUTS, SHARED) if name in scope.read]
     names = [*read, *(array.name for array in results)]
-    actual = draft.actual or {}
+    actual, statements = draft.actual or {}, (*scope.statements, *scope.shares)
+    linkage = "EM_INLINE" if len(statements) < LONG else "EM_BY_ITSELF"
     return Kernel(
-        head=_head(draft) if draft.arguments else _inner_head(draft, read, results, handed),
+        head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, handed),
         declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
-        statements=(*scope.statements, *scope.shares), cost=cost,
+        statements=statements, cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
     )  # fmt: skip
 
@@ -252,10 +256,10 @@ def _given(draft: Draft) -> list[str]:
     return [_input(name, "double") if name in INPUTS else f"double *restrict {name}" for name in draft.arguments]
 
 
-def _inner_head(draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:
+def _inner_head(linkage: str, draft: Draft, read: Iterable[str], results: Iterable[Array], handed: int) -> str:
     number = draft.number
     given = [_input(name, number) if name != SHARED else f"const {number} {SHARED}[{handed}]" for name in read]
-    return folded(f"EM_INLINE void {draft.name}(", [*given, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
+    return folded(f"{linkage} void {draft.name}(", [*given, *(f"{number} {a.name}{a.shape}" for a in results)], ")")
 
 
 def _input(name: str, number: str) -> str:

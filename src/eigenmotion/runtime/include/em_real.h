@@ -20,6 +20,7 @@
 #define EM_INLINE static inline __attribute__((unused))
 #endif
 #define EM_COLD static __attribute__((noinline, unused))
+#define EM_BY_ITSELF EM_COLD /* so long that a call is nothing beside it, while copies take compilers long */
 #define EM_UNUSED __attribute__((unused))
 #define EM_WEAK __attribute__((weak))
 #define EM_RARE __attribute__((cold)) /* called by no step, or by few: for size, which takes a compiler less time */
