@@ -72,7 +72,7 @@ EM_INLINE int em_tiled(int n) { return __builtin_constant_p(n) ? n / EM_TILE * E
         for (int i = 0; i < rows; ++i) x[i] = *(const em_stored_##width *)(X + i * n + first);                         \
         EM_UNROLL for (int k = 0; k < rows; ++k) {                                                                     \
             x[k] *= r[k];                                                                                              \
-            EM_UNROLL for (int i = k + 1; i < rows; ++i) x[i] -= L[i * n + k] * x[k];                                            \
+            EM_UNROLL for (int i = k + 1; i < rows; ++i) x[i] -= L[i * n + k] * x[k];                                  \
             *(em_stored_##width *)(X + k * n + first) = x[k];                                                          \
         }                                                                                                              \
     }
@@ -147,14 +147,16 @@ EM_INLINE void em_mirror(int n, real *A) {
         for (int j = 0; j < i; ++j) A[j * n + i] = A[i * n + j];
 }
 
-/* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. */
+/* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. Where loops over
+ * columns end is a constant of its own: of one that begins where another ended GCC thinks a first column n. */
 EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, const real *restrict r, real *restrict X) {
     int j = 0;
 #ifdef EM_PACKED
     if (em_tiled(n) && n > EM_TILE) {
-        for (; EM_LANES >= 8 && j + 8 <= n; j += 8) em_forward_8(n, upper ? j + 8 : n, j, L, r, X);
-        for (; EM_LANES >= 4 && j + 4 <= n; j += 4) em_forward_4(n, upper ? j + 4 : n, j, L, r, X);
-        for (; j + 2 <= n; j += 2) em_forward_2(n, upper ? j + 2 : n, j, L, r, X);
+        const int eights = EM_LANES >= 8 ? n / 8 * 8 : 0, fours = EM_LANES >= 4 ? n / 4 * 4 : 0;
+        for (; j < eights; j += 8) em_forward_8(n, upper ? j + 8 : n, j, L, r, X);
+        for (j = eights; j < fours; j += 4) em_forward_4(n, upper ? j + 4 : n, j, L, r, X);
+        for (j = fours; j < n / 2 * 2; j += 2) em_forward_2(n, upper ? j + 2 : n, j, L, r, X);
     }
 #endif
     for (int i = 0; i < n; ++i)
