@@ -167,6 +167,39 @@ EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, cons
         }
 }
 
+#if defined(EM_ON_LANES) && !defined(EM_ON_DUALS)
+enum { EM_TALL = 4, EM_WIDE = EM_LANES >= 8 ? 4 : 2 }; /* of a product on lanes, what registers hold while it is formed */
+
+/* EM_TALL rows and EM_WIDE columns of sign A B: B_kj is at k down + j across. */
+EM_INLINE void em_lane_tile(int n, double sign, const real *restrict A, const real *restrict B, int down, int across,
+                            real *restrict O) {
+    real sum[EM_TALL][EM_WIDE];
+    EM_UNROLL for (int i = 0; i < EM_TALL; ++i)
+        EM_UNROLL for (int j = 0; j < EM_WIDE; ++j) sum[i][j] = A[i * n] * B[j * across];
+    EM_ALONG for (int k = 1; k < n; ++k)
+        EM_UNROLL for (int i = 0; i < EM_TALL; ++i)
+            EM_UNROLL for (int j = 0; j < EM_WIDE; ++j) sum[i][j] += A[i * n + k] * B[k * down + j * across];
+    EM_UNROLL for (int i = 0; i < EM_TALL; ++i)
+        EM_UNROLL for (int j = 0; j < EM_WIDE; ++j) O[i * n + j] = sign * sum[i][j];
+}
+
+/* O (n, n) <- sign A B in such tiles; what is left, at the end of rows and below the last that are whole, is not formed.
+ * Where `lower`, nor is what is above the diagonal. */
+EM_INLINE void em_lane_tiles(int n, int lower, double sign, const real *restrict A, const real *restrict B, int down,
+                             int across, real *restrict O) {
+    for (int i = 0; i + EM_TALL <= n; i += EM_TALL)
+        for (int j = 0; j + EM_WIDE <= n && (!lower || j < i + EM_TALL); j += EM_WIDE)
+            em_lane_tile(n, sign, A + i * n, B + j * across, down, across, O + i * n + j);
+}
+
+/* How many columns of row i these are. */
+EM_INLINE int em_lane_tiled(int n, int i) { return i < n / EM_TALL * EM_TALL ? n / EM_WIDE * EM_WIDE : 0; }
+#else
+EM_INLINE void em_lane_tiles(EM_UNUSED int n, EM_UNUSED int lower, EM_UNUSED double sign, EM_UNUSED const real *A,
+                             EM_UNUSED const real *B, EM_UNUSED int down, EM_UNUSED int across, EM_UNUSED real *O) {}
+EM_INLINE int em_lane_tiled(EM_UNUSED int n, EM_UNUSED int i) { return 0; }
+#endif
+
 /* O (n, n) <- sign A B; where `lower`, not all of what is above the diagonal. */
 EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A, const real *restrict B,
                            real *restrict O) {
@@ -184,8 +217,9 @@ EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A
         if (n % 2 && j < last) em_tile_1(n, j, sign, rows, B, product); /* n % 2: GCC fears a column n of an even n */
     }
 #endif
+    em_lane_tiles(n, lower, sign, A, B, n, 1, O);
     for (int i = em_tiled(n); i < n; ++i)
-        for (int j = 0; j < (lower ? i + 1 : n); ++j) {
+        for (int j = em_lane_tiled(n, i); j < (lower ? i + 1 : n); ++j) {
             real sum = sign * A[i * n] * B[j];
             for (int k = 1; k < n; ++k) sum += sign * A[i * n + k] * B[k * n + j];
             O[i * n + j] = sum;
