@@ -17,6 +17,7 @@ import eigenmotion as em
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 
 from .generation import COMPILERS, NAMES, STRICT, model_of
+from .kernels import HERE
 
 SHAPES = [(n, m) for n in range(1, 5) for m in range(min(n, 3) + 1)]
 OPTIONS = [{"formulation": name} for name in FORMULATIONS] + [
@@ -103,6 +104,14 @@ def test_models_that_once_gave_one(name, formulation, compiler, tmp_path):
 @pytest.mark.parametrize("name", NAMES)
 def test_our_models(name, formulation, compiler, tmp_path):
     assert not warnings_of(model_of(name), tmp_path, compiler, formulation=formulation)
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("n", [9, 24, 32])
+def test_algebra_of_large_blocks(n, compiler):
+    """In loops over the columns of a factor GCC feared a first column n where n is a multiple of eight."""
+    command = (compiler, *STRICT, *toolchain(compiler).optimised, f"-I{INCLUDE}", f"-DSIZE={n}", "-c", "-o", os.devnull)
+    subprocess.run([*command, str(HERE / "rates.c")], check=True)
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)

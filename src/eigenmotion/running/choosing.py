@@ -14,9 +14,9 @@ from .methods import METHODS, Method
 _LEAST_LANES = 4
 _TIGHT = {"eigenfactor": 1e-6}
 _TIGHT_OTHERWISE = 1e-5
-_MANY, _TIGHT_WITH_MANY = 150, 1e-11
-"""So many numbers of eigenfactors in the state, whose products fill vectors of four by themselves, gain by nodes only
-from such tolerances on: measured on chains of 8 and 16 coordinates."""
+_TIGHT_WITH_MANY = {4: ((150, 1e-11),), 8: ((150, 1e-10), (100, 1e-8), (60, 1e-7))}
+"""By the width of vectors: so many numbers of eigenfactors in the state, whose products fill them by themselves, gain
+by nodes only from such tolerances on. Measured on chains of 8 to 16 coordinates."""
 _PLACED = ((6, 1e-7), (1, 3e-11))
 """Of ensembles: from so many constraints on positions on, the tolerances up to which longer steps pay."""
 _STIFF = METHODS["radau9"]
@@ -85,9 +85,9 @@ def automatic(model: CompiledModel, rtol: float, least_norm: bool) -> Method:
 
 def _nodes_pay(model: CompiledModel) -> float:
     """Return the tolerance from which on they do."""
-    if model.lanes == _LEAST_LANES and model.n_state - 2 * model.n > _MANY:
-        return _TIGHT_WITH_MANY
-    return _TIGHT.get(model.formulation, _TIGHT_OTHERWISE)
+    factors = model.n_state - 2 * model.n
+    otherwise = _TIGHT.get(model.formulation, _TIGHT_OTHERWISE)
+    return next((rtol for many, rtol in _TIGHT_WITH_MANY.get(model.lanes, ()) if factors > many), otherwise)
 
 
 def automatic_of_many(model: CompiledModel, rtol: float, least_norm: bool) -> Method:

@@ -29,6 +29,27 @@ EM_INLINE double em_sum_of(em_bundle a) {
 #endif
 }
 
+enum { EM_SUMS = 4 }; /* partial sums, which do not wait for each other */
+
+/* A number at each of the nodes of bundle b, of row k. */
+typedef em_bundle em_term(em_walk *w, int b, int k);
+
+/* The sum of the squares of terms of rows first ... end. */
+EM_INLINE em_bundle em_sum_of_squares(em_walk *w, int b, int first, int end, em_term *term) {
+    em_bundle sum[EM_SUMS] = {{0.0}};
+    int k = first;
+    for (; k + EM_SUMS <= end; k += EM_SUMS)
+        for (int place = 0; place < EM_SUMS; ++place) {
+            const em_bundle number = term(w, b, k + place);
+            sum[place] += number * number;
+        }
+    for (; k < end; ++k) {
+        const em_bundle number = term(w, b, k);
+        sum[0] += number * number;
+    }
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
 /* Rows of a linear map's images that are made together: they share its numbers, which come from memory. */
 enum { EM_TOGETHER = EM_LANES == 1 ? 1 : 2 };
 

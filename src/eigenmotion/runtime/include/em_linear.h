@@ -79,7 +79,7 @@ EM_INLINE int em_factor(int n, int roots, const real *restrict M, real *restrict
         sound[j] = em_real(1.0);
         if (em_fails(&sound[j], em_value(pivot) > tolerance * em_value(M[j * n + j]))) return j;
         L[j * n + j] = pivot;
-        r[j] = 1.0 / pivot;
+        r[j] = em_inverse(pivot);
         for (int i = j + 1; i < n; ++i) {
             real sum = M[i * n + j];
             for (int k = 0; k < j; ++k) sum -= LD[i * n + k] * L[j * n + k];
@@ -186,8 +186,9 @@ EM_INLINE void em_congruence_below(int n, const real *restrict C, const real *re
         return;
     }
     em_multiply(n, 0, 1.0, C, M, W);
+    em_lane_tiles(n, 1, 1.0, W, C, 1, n, Lambda);
     for (int i = 0; i < n; ++i)
-        for (int j = 0; j <= i; ++j) Lambda[i * n + j] = em_inner(n, W + i * n, C + j * n);
+        for (int j = em_lane_tiled(n, i); j <= i; ++j) Lambda[i * n + j] = em_inner(n, W + i * n, C + j * n);
 }
 
 /* Lambda (n, n) <- C M C^T, both triangles; M full. */

@@ -100,7 +100,7 @@ EM_INLINE void em_drop_rows(int m, real *restrict Delta, real *restrict rhs, int
 EM_INLINE int em_solve_independent(int m, real *restrict Delta, real *restrict rhs, int flags) {
     if (m == 1) {
         if (em_fails(&Delta[0], em_value(Delta[0]) > 0.0)) return 0;
-        rhs[0] *= 1.0 / Delta[0]; /* ready before rhs is */
+        rhs[0] *= em_inverse(Delta[0]); /* ready before rhs is */
         return -1;
     }
     real L[m * m], r[m];

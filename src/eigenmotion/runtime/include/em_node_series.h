@@ -12,18 +12,16 @@
 
 static double em_rates_count(const em_walk *w) { return EM_SECOND_ORDER ? N : em_count(w); }
 
+EM_INLINE em_bundle em_weighed_series(em_walk *w, int b, int k) { return w->nodes.series[b][k] * w->nodes.weight[k]; }
+
 /* series, and the size of each term. */
 static void em_find_series(em_walk *w) {
     em_nodes *const q = &w->nodes;
-    em_bundle squares[EM_BUNDLES] = {{0.0}};
+    em_bundle squares[EM_BUNDLES];
     static const double zeros[N_STATE] = {0.0};
     const int first = EM_FIRST_RATE, end = em_rates_end(w);
     em_map(end - first, em_series_of, q->a, first, zeros, 1.0, q->series, first);
-    for (int k = first; k < end; ++k)
-        for (int b = 0; b < EM_BUNDLES; ++b) {
-            const em_bundle weighed = q->series[b][k] * q->weight[k];
-            squares[b] += weighed * weighed;
-        }
+    for (int b = 0; b < EM_BUNDLES; ++b) squares[b] = em_sum_of_squares(w, b, first, end, em_weighed_series);
     const double *const square = (const double *)squares;
     for (int l = 0; l < EM_NODE_COUNT; ++l) q->size[l] = sqrt(square[l]);
 }
@@ -55,21 +53,21 @@ static double em_size_by_truncation(double truncation) {
 
 enum { EM_UPPER = EM_BUNDLES / 2 }; /* the first bundle of the upper four of eight */
 
+/* Coefficients of a row of the series, as far as the iteration has found it. */
+EM_INLINE em_bundle em_weighed_terms(em_walk *w, int b, int k) {
+    em_bundle term = {0.0};
+    EM_UNROLL
+    for (int j = 0; j < EM_NODE_COUNT; ++j)
+        term += em_bundle_at(em_series_of[j] + b * EM_LANES) * em_number_at(w->nodes.a, k, j);
+    return term * w->nodes.weight[k];
+}
+
 /* The error of the polynomial that the iteration is about to find, as far as its coefficients tell, where the last change
  * no longer turns it into another; else 0. Where that is too large the rest of the iteration need not be waited for. */
 static double em_foreseen(em_walk *w, double change) {
-    em_nodes *const q = &w->nodes;
     double square[EM_NODE_COUNT] EM_ALIGNED = {0.0};
-    const int end = em_rates_end(w);
-    for (int k = EM_FIRST_RATE; k < end; ++k)
-        for (int b = EM_UPPER; b < EM_BUNDLES; ++b) {
-            em_bundle term = {0.0};
-            EM_UNROLL
-            for (int j = 0; j < EM_NODE_COUNT; ++j)
-                term += em_bundle_at(em_series_of[j] + b * EM_LANES) * em_number_at(q->a, k, j);
-            term *= q->weight[k];
-            *(em_bundle *)(square + b * EM_LANES) += term * term;
-        }
+    for (int b = EM_UPPER; b < EM_BUNDLES; ++b)
+        *(em_bundle *)(square + b * EM_LANES) = em_sum_of_squares(w, b, EM_FIRST_RATE, em_rates_end(w), em_weighed_terms);
     const double last = sqrt(square[6] + square[7]), counts = fabs(w->h) * last / sqrt(em_rates_count(w));
     return change < EM_TURNS * counts ? em_truncation(w, sqrt(square[4] + square[5]), last) : 0.0;
 }

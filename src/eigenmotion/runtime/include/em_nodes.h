@@ -90,38 +90,30 @@ static void em_node_states(em_walk *w) {
     if (k < N) em_motion_states(w, 1, k);
 }
 
-/* The size in tolerances of something at the nodes, of which `square` is the sum of squares over the rates. */
-EM_INLINE double em_over_nodes(const em_walk *w, const em_bundle *square) {
+/* The size in tolerances of something at the nodes, in whose terms the rates are weighed. */
+EM_INLINE double em_over_nodes(em_walk *w, em_term *term) {
     double sum = 0.0;
-    for (int b = 0; b < EM_BUNDLES; ++b) sum += em_sum_of(square[b] * em_bundle_at(em_end_weight + b * EM_LANES));
+    for (int b = 0; b < EM_BUNDLES; ++b) {
+        const em_bundle square = em_sum_of_squares(w, b, EM_FIRST_RATE, em_rates_end(w), term);
+        sum += em_sum_of(square * em_bundle_at(em_end_weight + b * EM_LANES));
+    }
     return fabs(w->h) * sqrt(sum / em_rates_count(w));
 }
 
-/* a <- F. Returns by how much they differed. */
-EM_INLINE double em_take_rates(em_walk *w) {
+/* a <- F. By how much they differed. */
+EM_INLINE em_bundle em_take_rate(em_walk *w, int b, int k) {
     em_nodes *q = &w->nodes;
-    em_bundle square[EM_BUNDLES] = {{0.0}};
-    const int end = em_rates_end(w);
-    for (int b = 0; b < EM_BUNDLES; ++b)
-        for (int k = EM_FIRST_RATE; k < end; ++k) {
-            const em_bundle change = (q->F[b][k] - q->a[b][k]) * q->weight[k];
-            square[b] += change * change;
-            q->a[b][k] = q->F[b][k];
-        }
-    return em_over_nodes(w, square);
+    const em_bundle change = q->F[b][k] - q->a[b][k];
+    q->a[b][k] = q->F[b][k];
+    return change * q->weight[k];
 }
 
+EM_INLINE em_bundle em_weighed_rate(em_walk *w, int b, int k) { return w->nodes.a[b][k] * w->nodes.weight[k]; }
+
+EM_INLINE double em_take_rates(em_walk *w) { return em_over_nodes(w, em_take_rate); }
+
 /* How large they are. */
-EM_COLD double em_rates_size(const em_walk *w) {
-    em_bundle square[EM_BUNDLES] = {{0.0}};
-    const int end = em_rates_end(w);
-    for (int b = 0; b < EM_BUNDLES; ++b)
-        for (int k = EM_FIRST_RATE; k < end; ++k) {
-            const em_bundle rate = w->nodes.a[b][k] * w->nodes.weight[k];
-            square[b] += rate * rate;
-        }
-    return em_over_nodes(w, square);
-}
+EM_COLD double em_rates_size(em_walk *w) { return em_over_nodes(w, em_weighed_rate); }
 
 /* -1 and w->reason: rates are not finite, of the first coordinate at the first node. */
 EM_COLD int em_fail_nodes(em_walk *w) {

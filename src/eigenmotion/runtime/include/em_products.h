@@ -72,7 +72,7 @@ EM_INLINE int em_tiled(int n) { return __builtin_constant_p(n) ? n / EM_TILE * E
         for (int i = 0; i < rows; ++i) x[i] = *(const em_stored_##width *)(X + i * n + first);                         \
         EM_UNROLL for (int k = 0; k < rows; ++k) {                                                                     \
             x[k] *= r[k];                                                                                              \
-            EM_UNROLL for (int i = k + 1; i < rows; ++i) x[i] -= L[i * n + k] * x[k];                                            \
+            EM_UNROLL for (int i = k + 1; i < rows; ++i) x[i] -= L[i * n + k] * x[k];                                  \
             *(em_stored_##width *)(X + k * n + first) = x[k];                                                          \
         }                                                                                                              \
     }
@@ -147,14 +147,16 @@ EM_INLINE void em_mirror(int n, real *A) {
         for (int j = 0; j < i; ++j) A[j * n + i] = A[i * n + j];
 }
 
-/* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. */
+/* X (n, n) <- L^-1 X, L lower, r = 1 / diag L; where `upper`, not all of what is below the diagonal. Where loops over
+ * columns end is a constant of its own: of one that begins where another ended GCC thinks a first column n. */
 EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, const real *restrict r, real *restrict X) {
     int j = 0;
 #ifdef EM_PACKED
     if (em_tiled(n) && n > EM_TILE) {
-        for (; EM_LANES >= 8 && j + 8 <= n; j += 8) em_forward_8(n, upper ? j + 8 : n, j, L, r, X);
-        for (; EM_LANES >= 4 && j + 4 <= n; j += 4) em_forward_4(n, upper ? j + 4 : n, j, L, r, X);
-        for (; j + 2 <= n; j += 2) em_forward_2(n, upper ? j + 2 : n, j, L, r, X);
+        const int eights = EM_LANES >= 8 ? n / 8 * 8 : 0, fours = EM_LANES >= 4 ? n / 4 * 4 : 0;
+        for (; j < eights; j += 8) em_forward_8(n, upper ? j + 8 : n, j, L, r, X);
+        for (j = eights; j < fours; j += 4) em_forward_4(n, upper ? j + 4 : n, j, L, r, X);
+        for (j = fours; j < n / 2 * 2; j += 2) em_forward_2(n, upper ? j + 2 : n, j, L, r, X);
     }
 #endif
     for (int i = 0; i < n; ++i)
@@ -164,6 +166,39 @@ EM_INLINE void em_forward_columns(int n, int upper, const real *restrict L, cons
             X[i * n + k] = sum * r[i];
         }
 }
+
+#if defined(EM_ON_LANES) && !defined(EM_ON_DUALS)
+enum { EM_TALL = 4, EM_WIDE = EM_LANES >= 8 ? 4 : 2 }; /* of a product on lanes, what registers hold while it is formed */
+
+/* EM_TALL rows and EM_WIDE columns of sign A B: B_kj is at k down + j across. */
+EM_INLINE void em_lane_tile(int n, double sign, const real *restrict A, const real *restrict B, int down, int across,
+                            real *restrict O) {
+    real sum[EM_TALL][EM_WIDE];
+    EM_UNROLL for (int i = 0; i < EM_TALL; ++i)
+        EM_UNROLL for (int j = 0; j < EM_WIDE; ++j) sum[i][j] = A[i * n] * B[j * across];
+    EM_ALONG for (int k = 1; k < n; ++k)
+        EM_UNROLL for (int i = 0; i < EM_TALL; ++i)
+            EM_UNROLL for (int j = 0; j < EM_WIDE; ++j) sum[i][j] += A[i * n + k] * B[k * down + j * across];
+    EM_UNROLL for (int i = 0; i < EM_TALL; ++i)
+        EM_UNROLL for (int j = 0; j < EM_WIDE; ++j) O[i * n + j] = sign * sum[i][j];
+}
+
+/* O (n, n) <- sign A B in such tiles; what is left, at the end of rows and below the last that are whole, is not formed.
+ * Where `lower`, nor is what is above the diagonal. */
+EM_INLINE void em_lane_tiles(int n, int lower, double sign, const real *restrict A, const real *restrict B, int down,
+                             int across, real *restrict O) {
+    for (int i = 0; i + EM_TALL <= n; i += EM_TALL)
+        for (int j = 0; j + EM_WIDE <= n && (!lower || j < i + EM_TALL); j += EM_WIDE)
+            em_lane_tile(n, sign, A + i * n, B + j * across, down, across, O + i * n + j);
+}
+
+/* How many columns of row i these are. */
+EM_INLINE int em_lane_tiled(int n, int i) { return i < n / EM_TALL * EM_TALL ? n / EM_WIDE * EM_WIDE : 0; }
+#else
+EM_INLINE void em_lane_tiles(EM_UNUSED int n, EM_UNUSED int lower, EM_UNUSED double sign, EM_UNUSED const real *A,
+                             EM_UNUSED const real *B, EM_UNUSED int down, EM_UNUSED int across, EM_UNUSED real *O) {}
+EM_INLINE int em_lane_tiled(EM_UNUSED int n, EM_UNUSED int i) { return 0; }
+#endif
 
 /* O (n, n) <- sign A B; where `lower`, not all of what is above the diagonal. */
 EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A, const real *restrict B,
@@ -182,8 +217,9 @@ EM_INLINE void em_multiply(int n, int lower, double sign, const real *restrict A
         if (n % 2 && j < last) em_tile_1(n, j, sign, rows, B, product); /* n % 2: GCC fears a column n of an even n */
     }
 #endif
+    em_lane_tiles(n, lower, sign, A, B, n, 1, O);
     for (int i = em_tiled(n); i < n; ++i)
-        for (int j = 0; j < (lower ? i + 1 : n); ++j) {
+        for (int j = em_lane_tiled(n, i); j < (lower ? i + 1 : n); ++j) {
             real sum = sign * A[i * n] * B[j];
             for (int k = 1; k < n; ++k) sum += sign * A[i * n + k] * B[k * n + j];
             O[i * n + j] = sum;

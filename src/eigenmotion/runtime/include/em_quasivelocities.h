@@ -49,7 +49,7 @@ EM_INLINE void em_turn(int n, const real *restrict before, const real *restrict 
 EM_INLINE void em_velocity(int n, const real *restrict C, const real *restrict s, const real *restrict eta,
                            real *restrict r, real *restrict w, real *restrict v) {
     for (int i = 0; i < n; ++i) {
-        r[i] = 1.0 / s[i];
+        r[i] = em_inverse(s[i]);
         w[i] = r[i] * eta[i];
         if (n == 1) v[i] = w[i];
     }

@@ -34,7 +34,7 @@ EM_INLINE void em_omega_apart(int n, const real *restrict s, const real *restric
         Omega[i * n + i] = em_real(0.0);
         for (int j = 0; j < i; ++j) {
             const real gap = (s[j] - s[i]) * (s[j] + s[i]);
-            Omega[i * n + j] = mu[i * n + j] * (1.0 / gap); /* the reciprocal is ready before mu is */
+            Omega[i * n + j] = mu[i * n + j] * em_inverse(gap); /* the reciprocal is ready before mu is */
             Omega[j * n + i] = -Omega[i * n + j];
         }
     }

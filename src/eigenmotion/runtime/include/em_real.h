@@ -81,6 +81,7 @@ typedef int em_truth;
 EM_INLINE real em_real(double a) { return a; }
 EM_INLINE real em_where(em_truth condition, real yes, real no) { return condition ? yes : no; }
 EM_INLINE double em_number(real a) { return em_value(a); }
+EM_INLINE real em_inverse(real a) { return 1.0 / a; }
 
 EM_INLINE int em_fails(real *value, em_truth holds) {
     if (!holds) *value = NAN;
@@ -101,6 +102,18 @@ EM_INLINE real em_real(double a) { return a - (real){0.0}; }
 
 EM_INLINE real em_where(em_truth condition, real yes, real no) {
     return (real)((condition & (em_truth)yes) | (~condition & (em_truth)no));
+}
+
+/* 1 / a to a unit in the last place. A division of wide vectors takes the machine as long as sixteen products: where it
+ * knows fourteen bits of the inverse, two steps of Newton's double them twice. NaN where there is none. */
+EM_INLINE real em_inverse(real a) {
+#if defined(__AVX512F__) && EM_LANES == 8
+    real inverse = __builtin_ia32_rcp14pd512_mask(a, (real){0.0}, 0xff);
+    inverse += inverse * (1.0 - a * inverse);
+    return inverse + inverse * (1.0 - a * inverse);
+#else
+    return 1.0 / a;
+#endif
 }
 
 /* Whether it is so in any lane. */
@@ -133,6 +146,7 @@ typedef int em_truth;
 EM_INLINE real em_real(double a) { return a; }
 EM_INLINE real em_where(em_truth condition, real yes, real no) { return condition ? yes : no; }
 EM_INLINE double em_number(real a) { return a; }
+EM_INLINE real em_inverse(real a) { return 1.0 / a; }
 EM_INLINE int em_fails(EM_UNUSED const real *value, em_truth holds) { return !holds; }
 
 #endif
