@@ -101,6 +101,7 @@ static void em_member_read(em_walk *w, const em_flock *f, int lane) {
     run->n_rhs = (long)f->n_rhs[lane] + EM_DOP853_TABLEAU.stages;
     w->stiff = f->stiff[lane] > 0.0;
     w->error_norm = w->size_norm = f->error[lane];
+    w->log_size = log(w->size_norm);
     w->mode_new = w->mode;
     w->moved = SETTLES;
     em_set_weights(w, w->y, w->K[0], w->y_new, w->f_new);

@@ -17,7 +17,7 @@ static int em_dop853_judge(em_walk *w) { return em_rk_judge(&EM_DOP853_TABLEAU, 
 EM_RUNGE_KUTTA(dop853, EM_DOP853_TABLEAU, em_dop853_judge)
 
 static em_scheme em_ra15(void) {
-    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 2.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
+    return (em_scheme){EM_SIZES_ORDER, 1.0, 0.3, 3.0, EM_NODE_COUNT + 1, 0, em_nodes_step, em_nodes_judge,
                        em_nodes_interpolate, em_nodes_sketch, em_nodes_evaluate, 0, 0, NULL, em_nodes_within};
 }
 

@@ -86,12 +86,18 @@ static double em_missed(em_walk *w, const double *f) {
     return sqrt(missed);
 }
 
-/* The error of a polynomial whose end is known. A kink behind the last node shows there alone; one at 0.64 of the step
- * hardly shows in either of what is last, so that they are added. */
-static double em_error_of_series(em_walk *w, const double *f) {
+/* The error of a polynomial that misses the rate at the end of the step by so much. A kink behind the last node shows there
+ * alone; one at 0.64 of the step hardly shows in either of what is last, so that they are added. */
+static double em_error_of_series(em_walk *w, double missed) {
     const double *const size = w->nodes.size;
     const double before = sqrt(size[4] * size[4] + size[5] * size[5]), last = sqrt(size[6] * size[6] + size[7] * size[7]);
-    return em_truncation(w, before, last + em_missed(w, f));
+    return em_truncation(w, before, last + missed);
+}
+
+/* As much as its last coefficients count a smooth polynomial hardly misses: for that sizes are chosen before it is known. */
+static double em_usually_missed(const em_walk *w) {
+    const double *const size = w->nodes.size;
+    return sqrt(size[6] * size[6] + size[7] * size[7]);
 }
 
 #endif

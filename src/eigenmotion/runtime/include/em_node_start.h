@@ -26,7 +26,7 @@ EM_INLINE void em_legendre(double start, double ratio, double (*P)[EM_NODE_COUNT
     }
 }
 
-#define EM_GROWN 100.0 /* beside the least of them, what the last term is where a polynomial is not to be gone on with */
+#define EM_GROWN 10.0 /* beside the least of them, what the last term is where a polynomial is not to be gone on with */
 
 /* The terms of the series with which to go on behind the step before, P_l(end) there: all, but where they grow, as behind
  * steps that left as much of an error as they might, those up to the least, as of any series that does not converge. Where

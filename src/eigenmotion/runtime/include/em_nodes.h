@@ -15,12 +15,13 @@
 #include "em_node_start.h"
 
 enum {
-    EM_AIMED = 5,        /* iterations that a step is made for */
+    EM_AIMED = 6,        /* iterations that a step is made for */
     EM_LAST_LOOK = 4,    /* the iteration after which a step that is too long is no longer given up */
-    EM_SIZES_ORDER = 13  /* after EM_AIMED the error falls with the power 1 + 8 + 5 of the step's size */
+    EM_SIZES_ORDER = 13  /* after EM_AIMED the error falls with the power 1 + 8 + 6 of the step's size, or nearly so */
 };
 
-#define EM_LEFT 0.03 /* of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere */
+#define EM_LEFT 0.01 /* of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere */
+#define EM_BLIND 0.01 /* the least error that the size of a step follows where nothing was known of the one before */
 #define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding: */
 #define EM_ROUNDED 0.1 /* the error norm then, as good as it gets */
 #define EM_SMOOTH 1e3 /* in tolerances: what has changed by less in the first iteration was known well, */
@@ -146,20 +147,29 @@ static double em_power(double base, int times) {
     return power;
 }
 
+/* What is left after an iteration that changed the rates by so much, where that before it changed them by `before`. */
+static double em_left(double change, double before) {
+    return change < 0.9 * before ? change * change / (before - change) : change > 0.0 ? EM_DIVERGES : 0.0;
+}
+
 /* Iterates until little is left. *aimed <- how much was, or would have been, after as many as a step is made for. Returns
  * what is left, EM_DIVERGES where it does not get there, NaN where there are no rates; what is foreseen where the step
  * turns out to be too long for its polynomial, which is kept for a shorter one to begin with. */
 static double em_solve_nodes(em_walk *w, int most, double *aimed) {
     double first = 0.0, earlier = 0.0, before = 0.0, left = EM_DIVERGES, rounding = 0.0;
     *aimed = EM_DIVERGES;
+    w->nodes.slow = 0;
     for (int k = 1; k <= most; ++k) {
-        const double change = em_iterate(w), factor = k == 1 ? 1.0 : before > 0.0 ? change / before : 0.0;
+        const double change = em_iterate(w);
         if (!isfinite(change)) return NAN;
-        left = factor < 0.9 ? change * factor / (1.0 - factor) : EM_DIVERGES;
         if (k == 1) first = change;
-        w->nodes.slow = k >= EM_AIMED && first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
-        if (k <= EM_AIMED) *aimed = k == 1 ? left : left * em_power(em_max(factor, 1e-3), EM_AIMED - k);
-        if (k >= 2 && left < EM_LEFT) return left;
+        else left = em_left(change, before);
+        if (k >= EM_AIMED - 1) w->nodes.slow = first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
+        if (k == EM_AIMED) *aimed = left;
+        if (left < EM_LEFT) {
+            if (k < EM_AIMED) *aimed = left * em_power(em_max(change / (before + DBL_MIN), 1e-3), EM_AIMED - k);
+            return left;
+        }
         if (k >= 2 && k <= EM_LAST_LOOK && left >= 1.0) {
             const double foreseen = em_foreseen(w, change);
             if (foreseen >= 1.0) return em_find_series(w), em_keep_series(w), foreseen;
@@ -174,7 +184,12 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
 
 /* --- the step --- */
 
-/* y_new, and the series of the rates. */
+/* What sizes are chosen by. */
+static double em_size_of_nodes(const em_walk *w, double truncation) {
+    return em_max(w->nodes.blind ? EM_BLIND : w->nodes.aimed, em_size_by_truncation(truncation));
+}
+
+/* y_new, the series of the rates, and by what the next size is chosen unless the end of the step says otherwise. */
 static void em_finish_nodes(em_walk *w) {
     em_nodes *q = &w->nodes;
     const double h = w->h;
@@ -186,6 +201,7 @@ static void em_finish_nodes(em_walk *w) {
         w->y_new[k] = w->y[k] + h * (w->y[N + k] + h * twice);
     }
     em_keep_series(w);
+    w->size_norm = em_size_of_nodes(w, em_error_of_series(w, em_usually_missed(w)));
 }
 
 /* w->error <- by how much the rates change in a step that does not converge: whose do most is to blame. */
@@ -219,16 +235,16 @@ static int em_nodes_step(em_walk *w) {
 
 /* The error of a step whose end has been settled, with f_new there. 0, or -1 and w->reason. */
 static int em_nodes_judge(em_walk *w) {
-    const double *f = w->f_new;
+    const double *f = w->f_new, usual = em_usually_missed(w);
     if (w->mode_new != w->mode) {
         if (em_rhs(w, w->mode, w->t_new, w->y_raw, w->memory, w->K[1])) return -1;
         f = w->K[1];
     }
-    const double truncation = em_error_of_series(w, f);
+    const double missed = em_missed(w, f), truncation = em_error_of_series(w, missed);
     w->error_norm = em_max(w->error_norm, truncation);
     w->stiff = w->nodes.slow && truncation < 1.0;
     if (!(truncation < 1.0)) em_note_changes(w);
-    w->size_norm = em_max(w->nodes.blind ? 0.1 : w->nodes.aimed, em_size_by_truncation(truncation));
+    if (missed > usual) w->size_norm = em_size_of_nodes(w, truncation);
     return 0;
 }
 

@@ -86,7 +86,7 @@ static void em_commit(em_walk *w) {
     run->n_stiff += w->stiff;
     w->t = w->t_new;
     w->mode = w->mode_new;
-    w->last_error = em_max(log(w->size_norm), EM_LEAST_ERROR);
+    w->last_error = em_max(w->log_size, EM_LEAST_ERROR);
     memcpy(w->y, w->y_new, sizeof w->y);
     memcpy(w->K[0], w->f_new, sizeof w->f_new);
     memcpy(w->memory, w->memory_new, sizeof w->memory);

@@ -148,7 +148,7 @@ struct em_walk {
     int crosses;                               /* whether w->t is a break, whose other side the state is not yet on; -1: there is none */
 #endif
     double error_norm;                         /* of the step under way: it counts below 1 */
-    double size_norm, last_error;              /* what the next step is chosen by; log of that of the last accepted one */
+    double size_norm, log_size, last_error;    /* what the next step is chosen by; its log; that of the last accepted one */
     double longest[EM_ROWS_OR_ONE];            /* squared lengths of the rows of B, the largest so far */
     double longest_step, strongest;            /* so far: |h|, and the smallest pivot of Delta with rows in such units */
     double farthest, fastest;                  /* the largest distance and velocity so far, where nothing is settled */
