@@ -27,6 +27,7 @@ from eigenmotion.building.proof import ProofError, prove
 from eigenmotion.building.proof.evaluate import Evaluation
 from eigenmotion.building.proof.hyperdual import FUNCTIONS, RELATIONS, HyperDual
 from eigenmotion.building.toolchain import INCLUDE, toolchain
+from eigenmotion.stability.degenerate_models import quaternion_body
 
 from .generation import FORMULATIONS, NAMES, loaded, model_of, system_for, system_of
 from .test_random_mechanisms import SHAPES, mechanism
@@ -73,6 +74,10 @@ def test_a_start_at_rest_under_a_force_that_grows_from_rounding_is_proved(force,
         name="sets_in", coordinates=[q], kinetic_energy=qd**2 / 2, forces={q: force}, parameters={k: value}
     )
     prove(model, system_for(model, "lagrange"))
+
+
+def test_a_body_that_stands_on_its_head_is_proved():
+    prove(quaternion_body(), system_for(quaternion_body(), "lagrange"))
 
 
 @pytest.mark.parametrize("options", [{"close_eigenvalues": "extrapolate"}, {"schur": "eigenfactor"}], ids=str)

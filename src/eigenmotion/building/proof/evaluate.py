@@ -70,17 +70,31 @@ class Evaluation:
     def _piecewise(self, expression: Piecewise) -> HyperDual:
         value = _NO_VALUE
         for branch, condition in reversed([pair.args for pair in expression.args]):
-            value = self(branch).where(self._holds(condition), value)
+            holds = self._holds(condition)
+            value = self(branch).where(holds == 1, value).where(holds == holds, _NO_VALUE)
         return value
 
     def _holds(self, condition: sympy.Basic) -> Part:
+        """Return 1, 0, or what is not a number, where a condition is on what is none."""
         if isinstance(condition, BooleanTrue | BooleanFalse):
-            return np.asarray(bool(condition))
+            return np.asarray(float(bool(condition)))
         if isinstance(condition, Not):
-            return ~self._holds(*condition.args)
-        if isinstance(condition, And | Or):
-            return reduce(np.logical_and if isinstance(condition, And) else np.logical_or,
-                          map(self._holds, condition.args))  # fmt: skip
+            return 1 - self._holds(*condition.args)
+        if isinstance(condition, And):
+            return reduce(_both, map(self._holds, condition.args))
+        if isinstance(condition, Or):
+            return reduce(_either, map(self._holds, condition.args))
         if isinstance(condition, ITE):
-            return np.where(*map(self._holds, condition.args))
-        return RELATIONS[type(condition).__name__](*(self(side).a for side in condition.args))
+            asked, yes, no = map(self._holds, condition.args)
+            return _either(_both(asked, yes), _both(1 - asked, no))
+        one, other = (self(side).a for side in condition.args)
+        holds = RELATIONS[type(condition).__name__](one, other)
+        return np.where(np.isnan(one) | np.isnan(other), np.nan, holds)
+
+
+def _both(one: Part, other: Part) -> Part:
+    return np.where((one == 0) | (other == 0), 0.0, one * other)
+
+
+def _either(one: Part, other: Part) -> Part:
+    return 1 - _both(1 - one, 1 - other)

@@ -80,12 +80,23 @@ def _off(system: System, run: Solution) -> float:
     That becomes less with shorter substeps, as where a force or M jumps or bends at the start. And without an absolute
     tolerance, from rest, rounding of accelerations may be what moves: whoever asks looks at a run with one, too.
     """
-    if not run.nsteps or _jumps(system, run):
+    if not run.nsteps or _jumps(system, run) or _rests(system, run):
         return 0.0
     error = _error(system, run, SUBSTEPS)
     if not error > 1e3 * TOLERANCE:
         return 0.0
     return 0.0 if _error(system, run, 16 * SUBSTEPS) < error / 2 else error
+
+
+def _rests(system: System, run: Solution) -> bool:
+    """Whether it starts at rest where nothing pushes, then or by its end, by more than x does in its last places."""
+    x, v = run.x[:, 0], run.v[:, 0]
+    near = x * (1 + 4 * np.finfo(float).eps)
+    try:
+        pushed, moved = (np.abs([system.acceleration(at, v, t)[0] for t in (0.0, run.t[-1])]) for at in (x, near))
+    except EvaluationError:
+        return False
+    return not v.any() and bool(pushed.max() <= 8 * np.abs(pushed - moved).max())
 
 
 def _error(system: System, run: Solution, substeps: int) -> float:
