@@ -15,12 +15,14 @@
 #include "em_node_start.h"
 
 enum {
-    EM_AIMED = 6,        /* iterations that a step is made for */
+    EM_AIMED = EM_SECOND_ORDER ? 6 : 5, /* iterations that a step is made for: more where they cost less beside it */
+    EM_TO_SEE_SLOWNESS = EM_AIMED - 1, /* and those that tell whether it converges slowly */
     EM_LAST_LOOK = 4,    /* the iteration after which a step that is too long is no longer given up */
-    EM_SIZES_ORDER = 13  /* after EM_AIMED the error falls with the power 1 + 8 + 6 of the step's size, or nearly so */
+    EM_SIZES_ORDER = 13  /* after EM_AIMED the error falls with the power 1 + 8 + 5 of the step's size, at least */
 };
 
-#define EM_LEFT 0.01 /* of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere */
+/* Of the tolerances, to the iteration: one more costs less than the shorter steps it spares elsewhere. */
+#define EM_LEFT (EM_SECOND_ORDER ? 0.01 : 0.03)
 #define EM_BLIND 0.01 /* the least error that the size of a step follows where nothing was known of the one before */
 #define EM_ITERATED (16.0 * DBL_EPSILON) /* a change beside a rate that is rounding: */
 #define EM_ROUNDED 0.1 /* the error norm then, as good as it gets */
@@ -164,7 +166,7 @@ static double em_solve_nodes(em_walk *w, int most, double *aimed) {
         if (!isfinite(change)) return NAN;
         if (k == 1) first = change;
         else left = em_left(change, before);
-        if (k >= EM_AIMED - 1) w->nodes.slow = first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
+        if (k >= EM_TO_SEE_SLOWNESS) w->nodes.slow = first < EM_SMOOTH && change > first * em_power(EM_SLOW, k - 1);
         if (k == EM_AIMED) *aimed = left;
         if (left < EM_LEFT) {
             if (k < EM_AIMED) *aimed = left * em_power(em_max(change / (before + DBL_MIN), 1e-3), EM_AIMED - k);

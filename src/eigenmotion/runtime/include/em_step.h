@@ -60,17 +60,12 @@ static int em_land(em_walk *w) {
     return w->error_norm < 1.0 && em_needs_interpolant(w) ? w->scheme.interpolate(w) : 0;
 }
 
-/* 0, or -1 and w->reason; then the error norm may still be 1 or more. *factor <- by which the size of the next step
- * differs, which as a rule is known before the step is settled, and need not wait for that. */
-static int em_attempt(em_walk *w, double *factor) {
+/* 0, or -1 and w->reason; then the error norm may still be 1 or more. */
+static int em_attempt(em_walk *w) {
     w->error_norm = w->size_norm = INFINITY;
-    *factor = EM_AFTER_FAILURE;
     if (w->scheme.step(w)) return -1;
     if (!isfinite(w->error_norm) || !em_all_finite(w->y_new)) return em_not_finite(w, w->y_new, w->error);
-    const double known = w->size_norm, early = em_size_factor(w);
-    if (w->error_norm < 1.0 && em_land(w)) return -1;
-    *factor = w->size_norm == known ? early : em_size_factor(w);
-    return 0;
+    return w->error_norm < 1.0 ? em_land(w) : 0;
 }
 
 /* No step is short enough: the fault that stood in the way, if it was not the error alone. */
@@ -92,9 +87,9 @@ static int em_step_forward(em_walk *w) {
         if (em_poll(w)) return EM_END;
         em_aim(w, size);
         w->retries = rejected;
-        double factor;
-        const int failed = em_attempt(w, &factor) != 0;
+        const int failed = em_attempt(w) != 0;
         if (w->scheme.fixed) return failed ? em_end_with(w, w->reason) : EM_GO_ON;
+        const double factor = em_size_factor(w, failed);
         size = fabs(w->h) * (rejected ? em_min(1.0, factor) : factor);
         if (failed) obstacle = w->reason;
         else if (w->error_norm < 1.0) break;

@@ -9,15 +9,16 @@
 #include "em_norm.h"
 
 /* By which the size of the next step differs: after an accepted step for its error and that of the one before
- * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one for its error alone. */
-static double em_size_factor(em_walk *w) {
-    const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1, error = log(w->size_norm);
-    w->log_size = error;
+ * (Gustafsson, ACM Trans. Math. Softw. 17 (1991)), so that few are rejected; after a rejected one for its error alone.
+ * A step that failed otherwise is quartered. */
+static double em_size_factor(em_walk *w, int failed) {
+    const double safety = 0.9, least = 0.2, order = w->scheme.error_order + 1;
+    if (failed) return 0.25;
+    const double error = w->log_size = log(w->size_norm);
     const double wanted = error < 0.0 ? w->scheme.past * w->last_error - w->scheme.present * error : -error;
     return em_min(w->scheme.growth, em_max(least, safety * exp(wanted / order)));
 }
 
-#define EM_AFTER_FAILURE 0.25 /* of a step that failed for anything but its error */
 #define EM_LEAST_ERROR -9.2 /* log 1e-4: a step by chance without error says nothing of the next */
 
 /* --- the first step --- */
