@@ -19,6 +19,10 @@ from .oracles.trajectory import integrate
 CLOSED = [scenario for scenario in SCENARIOS if scenario.closed_form]
 # errors of the closed forms: rounding of start values, times the growth of perturbations
 LIMIT = 1e-13
+PUBLISHED = {"dual_link": "t = 10", "andrews": r"t = 0\.03"}
+"""States at one time alone, and when."""
+DIGITS = {"andrews": 1e-9}
+"""To which such a state is known where that is less than rounding: this one was found by integration, too."""
 
 
 def largest_difference(a: np.ndarray, b: np.ndarray) -> float:
@@ -35,15 +39,16 @@ def integrated_to_the_end(scenario: Scenario) -> State:
 @pytest.mark.parametrize("scenario", CLOSED, ids=lambda scenario: scenario.name)
 def test_closed_forms_agree_with_integration(scenario):
     exact, integrated = scenario.reference(), integrated_to_the_end(scenario)
-    assert largest_difference(exact.x, integrated.x) < LIMIT
-    assert largest_difference(exact.v, integrated.v) < LIMIT
+    limit = DIGITS.get(scenario.file, LIMIT)
+    assert largest_difference(exact.x, integrated.x) < limit
+    assert largest_difference(exact.v, integrated.v) < limit
 
 
 @pytest.mark.parametrize("scenario", CLOSED, ids=lambda scenario: scenario.name)
 def test_closed_forms_say_something_else_at_another_time(scenario):
-    if scenario.file == "dual_link":
-        with pytest.raises(ValueError, match="t = 10"):
-            scenario.closed_form(scenario.model(), 9.0)
+    if scenario.file in PUBLISHED:
+        with pytest.raises(ValueError, match=PUBLISHED[scenario.file]):
+            scenario.closed_form(scenario.model(), 0.9 * scenario.t_end)
         return
     early = scenario.closed_form(scenario.model(), 0.9 * scenario.t_end)
     assert largest_difference(scenario.reference().x, early.x) > 1e-3

@@ -118,7 +118,7 @@ def check_struck(name: str, formulation: str, seed: int) -> None:
     M, A, N, rate = case.terms(x)
     size = np.sqrt(v @ M @ v) + np.sqrt(v_after @ M @ v_after)
     off = v_after - case.struck(x, v)
-    assert np.array_equal(x, after)
+    assert np.abs(x - after).max() <= 4 * np.finfo(float).eps * np.abs(x).max()  # a leg begins on the constraints
     assert np.sqrt(off @ M @ off) <= 1e-11 * size * max(1.0, np.linalg.cond(np.vstack([A, N])))
     free = null_space(np.vstack([A, N]))
     assert np.abs(free.T @ M @ (v_after - v)).max(initial=0.0) <= 1e-12 * np.abs(M @ v).max() * np.linalg.cond(M)
