@@ -16,7 +16,7 @@ from sympy.physics.mechanics import dynamicsymbols
 import eigenmotion as em
 from eigenmotion.building.toolchain import INCLUDE, toolchain
 
-from .generation import COMPILERS, NAMES, STRICT, model_of
+from .generation import COMPILERS, NAMES, STRICT, choices_for, model_of
 from .kernels import HERE
 
 SHAPES = [(n, m) for n in range(1, 5) for m in range(min(n, 3) + 1)]
@@ -103,6 +103,7 @@ def test_models_that_once_gave_one(name, formulation, compiler, tmp_path):
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.parametrize("name", NAMES)
 def test_our_models(name, formulation, compiler, tmp_path):
+    choices_for(name, formulation)
     assert not warnings_of(model_of(name), tmp_path, compiler, formulation=formulation)
 
 

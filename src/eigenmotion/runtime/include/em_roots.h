@@ -53,7 +53,7 @@ static int em_locate(em_walk *w, const em_found *found, double *root) {
     enum { ENOUGH = 200 }; /* bisection alone needs 60 */
     const em_point *end = &found->after, *start = &found->before;
     em_bracket r = {end->t, end->g, start->t, start->g, start->t, start->g};
-    double fraction = 0.5, g;
+    double fraction = 0.5, g = 0.0;
     int is_root = 0;
     if (start->g == 0.0 && start->t != end->t) is_root = em_at_root(w, found, *root = start->t, &r.fb), r.fc = r.fb;
     for (int n = 0; n < ENOUGH && is_root == 0; ++n) {
