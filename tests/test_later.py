@@ -12,7 +12,7 @@ import pytest
 
 import eigenmotion as em
 from eigenmotion.building import extension, parts
-from eigenmotion.building.build import all_of, cached_sources, later
+from eigenmotion.building.build import all_of, cached_sources, later, make
 from eigenmotion.building.extension import load
 from eigenmotion.building.proof import verdict
 from eigenmotion.building.request import request
@@ -242,6 +242,17 @@ def test_what_acts_is_there_at_first():
     system.compiled.later = asked.append
     assert system.simulate((0.0, 1.0)).success
     assert not asked
+
+
+def test_what_extrapolates_has_its_derivatives_at_first():
+    """dM/dx says whether axes turn where eigenvalues coincide at the start: the proof asks, when nothing can be added."""
+    system = em.build(model_of("drone"), close_eigenvalues="extrapolate", flags="-O0")
+    system.compiled.later = None
+    with pytest.raises(em.ModelError, match="coincide at x0"):
+        system.simulate((0.0, 1.0))
+    alone = extension.system_in(make(request(model_of("pendulum")), toolchain()))
+    with pytest.raises(RuntimeError, match="pendulum has been compiled without derivatives"):
+        alone.mass_matrix_gradient([0.3])
 
 
 def test_a_cache_that_cannot_be_used_any_more(own_cache, monkeypatch):

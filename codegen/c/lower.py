@@ -34,9 +34,10 @@ class Defaults:
 
 
 def lower(scene: Scene, outline: Outline, choices: Choices, whole: bool = True) -> Program:
-    """Write the kernels: `whole` with derivatives, without which no event acts."""
+    """Write the kernels: `whole` with derivatives, without which no event acts and no run extrapolates."""
     layout = laid_out(scene, choices)
-    kernels, n_constants = kernels_of(scene, choices, layout, whole or _acts(scene))
+    extrapolates = layout.couples and choices.extrapolate
+    kernels, n_constants = kernels_of(scene, choices, layout, whole or extrapolates or _acts(scene))
     known = {field.name: getattr(outline, field.name) for field in fields(outline)}
     return Program(**known, n_prepared=layout.first_constant + n_constants,
                    costs=_costs(kernels, choices.formulation), kernels=kernels)  # fmt: skip

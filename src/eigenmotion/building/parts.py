@@ -29,15 +29,16 @@ WORDS: Mapping[str, str] = MappingProxyType({
 ALL_AT_FIRST = not sys.platform.startswith("linux")
 """Whether nothing may be missing as a library is linked: where objects are not ELF's."""
 _AT_FIRST = ("stepper", "model", "rhs", "lanes", "aside")
-_ACTS = "#define EM_ACTS"
+_DERIVED = {"#define EM_ACTS", '#include "em_extrapolate.h"'}
+"""In a NAME.c that wants derivatives at once: what events do stands among them, and dM/dx tells where axes turn."""
 _DIFFERENTIATES = '#include "em_rate_jacobian.h"'
 
 
 def at_first(text: str) -> tuple[str, ...]:
-    """Return the units of a NAME.c that its first run may need: what events do stands among its derivatives."""
+    """Return the units of a NAME.c that its first run may need."""
     if ALL_AT_FIRST:
         return (*whole(), "duals") if _DIFFERENTIATES in text else whole()
-    first = {*_AT_FIRST, "derivatives"} if _ACTS in text.splitlines() else _AT_FIRST
+    first = {*_AT_FIRST, "derivatives"} if _DERIVED.intersection(text.splitlines()) else _AT_FIRST
     return tuple(unit for unit in UNITS if unit in first)
 
 

@@ -30,6 +30,7 @@ cdef class PointModel:
     cdef take(self, PointModel other)
     cdef int need(self, str part) except -1
     cdef int need_derivatives(self) except -1
+    cdef int need_gradient(self) except -1
     cdef int need_method(self, int method) except -1
     cdef int need_members(self) except -1
     cdef read_names(self)

@@ -96,6 +96,10 @@ cdef class PointModel:
     cdef int need_derivatives(self) except -1:
         return self.need("derivatives") if self.model.motion_jacobian == NULL else 0
 
+    cdef int need_gradient(self) except -1:
+        if self.need_derivatives() == 0 and self.model.mass_matrix_gradient == NULL:
+            raise RuntimeError(f"{self.name} has been compiled without derivatives, and nothing is there to add them")
+
     cdef int need_method(self, int method) except -1:
         """What a run by em_method calls."""
         if method == EM_DOP853 or method == EM_RA15 or method == EM_TOLD:
@@ -242,7 +246,7 @@ cdef class PointModel:
     def mass_matrix_gradient(self, double t, x, Prepared c not None):
         """dM (n, n, n), [k, i, j] = dM_ij / dx_k."""
         cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
-        self.need_derivatives()
+        self.need_gradient()
         self.model.mass_matrix_gradient(t, q.data, c.c, dM.data)
         return dM.array
 
@@ -255,7 +259,7 @@ cdef class PointModel:
     def factored_gradient(self, double t, x, Prepared c not None):
         """Its gradient (n, n, n), as mass_matrix_gradient."""
         cdef Numbers q = given(x, (self.n,), "x"), dM = zeros((self.n, self.n, self.n))
-        self.need_derivatives()
+        self.need_gradient()
         em_factored_gradient(self.model, t, q.data, c.c, dM.data)
         return dM.array
 
