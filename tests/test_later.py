@@ -245,7 +245,7 @@ def test_what_acts_is_there_at_first():
 
 
 def test_what_extrapolates_has_its_derivatives_at_first():
-    """dM/dx says whether axes turn where eigenvalues coincide at the start: the proof asks, and nothing is added then."""
+    """dM/dx says whether axes turn where eigenvalues coincide at the start: the proof asks, with nothing to add."""
     system = em.build(model_of("drone"), close_eigenvalues="extrapolate", flags="-O0")
     system.compiled.later = None
     with pytest.raises(em.ModelError, match="coincide at x0"):
