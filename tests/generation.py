@@ -94,9 +94,12 @@ def _headers() -> tuple[str, ...]:
     return tuple(path.read_text() for path in sorted(INCLUDE.glob("*.h")))
 
 
-def loaded(sources: Sources, *flags: str, lanes: bool = False) -> System:
-    """Compile and load sources, with lanes too where asked for; warnings are errors, of which pytest shows the text."""
-    return system_in(ctypes.CDLL(str(_library(sources, flags, lanes))), sources.name)
+def loaded(sources: Sources, *flags: str, lanes: bool = False, runs: bool = True) -> System:
+    """Compile and load sources, with lanes too where asked for; warnings are errors, of which pytest shows the text.
+
+    Where nothing `runs`, the stepper is compiled in a hurry, once for all models of a shape.
+    """
+    return system_in(ctypes.CDLL(str(_library(sources, flags, lanes, runs))), sources.name)
 
 
 def system_in(library: ctypes.CDLL, model: str) -> System:
@@ -114,15 +117,15 @@ def _compiler(flags: Iterable[str]) -> tuple[str, ...]:
     return ("clang",) if hurried else toolchain().command
 
 
-def _library(sources: Sources, flags: tuple[str, ...], lanes: bool) -> Path:
+def _library(sources: Sources, flags: tuple[str, ...], lanes: bool, runs: bool) -> Path:
     texts = [file.text for file in sources.files]
-    name = key(*FLAGS, *flags, *_compiler(flags), str(lanes), *texts, *_headers())
-    folder = entry("tests", name, lambda folder: compile_into(folder, sources, flags, lanes))
+    name = key(*FLAGS, *flags, *_compiler(flags), str(lanes), str(runs), *texts, *_headers())
+    folder = entry("tests", name, lambda folder: compile_into(folder, sources, flags, lanes, runs=runs))
     return folder / f"{sources.name}.so"
 
 
 def compile_into(
-    folder: Path, sources: Sources, flags: tuple[str, ...], lanes: bool = False, duals: bool = False
+    folder: Path, sources: Sources, flags: tuple[str, ...], lanes: bool = False, duals: bool = False, runs: bool = True
 ) -> None:
     """Write NAME.c, NAME.h and compile NAME.so in a folder, in a hurry with the stepper of any model of its shape."""
     for file in sources.files:
@@ -132,8 +135,8 @@ def compile_into(
     if lanes:
         _run([*cc, "-DEM_ON_LANES", "-c", source, "-o", "lanes.o"], folder)
         others = ["lanes.o"]
-    elif "-O0" in flags:
-        others = ["-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES", _stepper(folder, cc, source)]
+    elif "-O0" in flags or not runs:
+        others = ["-DEM_UNIT=EM_MODEL|EM_RHS|EM_ASIDE|EM_DERIVATIVES", _stepper(folder, [*cc, "-O0"], source)]
     if duals:
         _run([*cc, "-DEM_ON_LANES", "-DEM_ON_DUALS", "-c", source, "-o", "duals.o"], folder)
         others.append("duals.o")

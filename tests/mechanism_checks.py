@@ -70,7 +70,7 @@ def check(seed: int, counts: Counts, formulations: Iterable[str] = FORMULATIONS,
     counts.mechanisms += 1
     for formulation in formulations:
         try:
-            system = loaded(compiler.generate(model, Choices(formulation)), *flags)
+            system = loaded(compiler.generate(model, Choices(formulation)), *flags, runs=False)
             counts.systems += 1
             for state in states:
                 counts.wrong.extend(f"mechanism {seed}, {formulation}: {fault}"
