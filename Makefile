@@ -89,6 +89,7 @@ $(READY): pyproject.toml constraints.txt $(wildcard src/eigenmotion/runtime/*.py
 	rm -f src/eigenmotion/runtime/*.so # of modules that are no more
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[dev,plot,page,xarray,cluster,fmu]'
 	$(BIN)/python -m compileall -q src codegen # where PYTHONDONTWRITEBYTECODE is set nothing else would keep it
+	env -u PYTHONDONTWRITEBYTECODE $(BIN)/python -c "from eigenmotion.codegen.c import emit; emit.compile_templates()"
 	touch $@
 
 # What the site is made with, of no use to anybody else

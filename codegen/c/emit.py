@@ -10,6 +10,7 @@ from importlib.resources import files
 
 import jinja2
 
+from .bytecode import Bytecode
 from .lines import WHOLE, folded
 from .program import Outline, Program
 
@@ -101,12 +102,20 @@ def environment() -> jinja2.Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
         autoescape=False,
+        bytecode_cache=Bytecode(),
     )
     made.filters["quoted"] = quoted
     made.filters["commented"] = commented
     made.filters["strings"] = strings
     made.filters["listed"] = listed
     return made
+
+
+def compile_templates() -> None:
+    """Compile every template, so that whoever renders one finds it compiled (`Bytecode`)."""
+    for file in files("eigenmotion.templates").iterdir():
+        if file.name.endswith(".jinja"):
+            environment().get_template(file.name)
 
 
 def quoted(text: str) -> str:
