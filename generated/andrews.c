@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:fb3e764ee28bb0c3b1be7b89e55978cbffa152071c67f2ef53c42d0f62d1bfcd */
+/* body sha256:be8b0018a4657940a1ba9e0eb5c6f0e47544a937f7ad24fdadd09943dd393e21 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -2529,13 +2529,13 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     gap = fmin(gap, em_gap(N4, y + 30));
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block3, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block4, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block3, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block4, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1], Mdot3[N3][N3], Mdot4[N4][N4];
-        settled_rates(v, c, shared, Mdot1, Mdot3, Mdot4);
+        settled_rates(dy, c, shared, Mdot1, Mdot3, Mdot4);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         time = fmin(time, em_time_of_block(&block3, Mdot3[0], y));
         time = fmin(time, em_time_of_block(&block4, Mdot4[0], y));

@@ -1,6 +1,6 @@
 /* eigenmotion generate bicycle.py */
 /* input sha256:6aab49efe412f9e2376a6a40a15d69c742564dd7bf6899b0495dbaa7b7dd103e */
-/* body sha256:13fb62e1e534d95488a38741a3d1489453a7c33579c7f66bb71397199ca6cf10 */
+/* body sha256:2a0df05b9fcbfb676d8b983f5f29c16072a5fc151f245c4695be3785fbc638f6 */
 /* bicycle: equations of motion, eigenfactor formulation.
  *
  * State, 88 numbers:
@@ -10792,10 +10792,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 80);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

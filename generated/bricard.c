@@ -1,6 +1,6 @@
 /* eigenmotion generate bricard.py */
 /* input sha256:8bfed4695aa35d8d063cad4540c1a879bca63331457e2dff1caab598a87465d9 */
-/* body sha256:3488abb65126e91cb35caa05c9b8ec2a8e70252d1d4ed85e2b893d91cc00e895 */
+/* body sha256:4926bcb9e73168c15c9945fc3c66f9173e69ae09f1f8f05fb257451d3bc349e1 */
 /* bricard: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -5851,10 +5851,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 35);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

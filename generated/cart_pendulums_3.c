@@ -1,6 +1,6 @@
 /* eigenmotion generate cart_pendulums.py */
 /* input sha256:2166a7ac83f4a77333ace508537ee820c7acdbe8b322220d50204dc1a7bea13e */
-/* body sha256:49f57159086377a7861d1d643d72d5fe9dffc50bdf0c7fcab1cc6b575a7131b1 */
+/* body sha256:ed02d78f576397d2d5aa2c84f973d86b953cf91da4fd1e825bd10f5c7bcc4da7 */
 /* cart_pendulums_3: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -470,10 +470,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 24);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         real time = em_time_on_lanes(N1, y + 8, y + 24, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -1092,10 +1092,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 24);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

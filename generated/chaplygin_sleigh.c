@@ -1,6 +1,6 @@
 /* eigenmotion generate chaplygin_sleigh.py */
 /* input sha256:3d5f0048bd7d07f166f5e27e487e5ada2df1ffaf99a10809e7c8523799804238 */
-/* body sha256:2c00ca88c59d26a8e50fa844126357a360653a1d2825d1ad4f8258fededa2ade */
+/* body sha256:aabd5e26f0d06399a341374a72d7c5bcce5a50be621349420115dc7f7b488392 */
 /* chaplygin_sleigh: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -389,10 +389,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 15);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         real time = em_time_on_lanes(N1, y + 6, y + 15, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -716,10 +716,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 15);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

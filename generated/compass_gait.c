@@ -1,6 +1,6 @@
 /* eigenmotion generate compass_gait.py */
 /* input sha256:16b28dc5eef92bb460ce2a92b01dd77a52ef651273d117ec32a4c6820b543912 */
-/* body sha256:6cdf202f8b2e924b6a1431dbf56918afe332e82c2703f5e192ac9875d6355083 */
+/* body sha256:85bdb0f945d80e57b3c75cff3e0877b8a333d8a3f9d0fcb21c8fef55f58c492a */
 /* compass_gait: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -923,10 +923,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 8);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate double_pendulum.py */
 /* input sha256:2ba4aec21b98ac577a5c3f3ec62f6517f4e00f90a9ae6e680be7b458a5f68f95 */
-/* body sha256:7006b65ad28ca36a27d5b078d6a5b26efad9362a0282511c9215e0570d07b797 */
+/* body sha256:8b9b4fce5acddf62d695bfd5d3f02f53c39a30b7d2cdbe45a499865d4ea3799e */
 /* double_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -340,10 +340,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 8);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         real time = em_time_on_lanes(N1, y + 4, y + 8, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -689,10 +689,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 8);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate drone.py */
 /* input sha256:54ce1e572a6e83c71b949c868f9ca891676ab1d2e981f80cbcd282ef5642bbe9 */
-/* body sha256:3855cb7391343d110b2a09db190f3e73c6a84df3107b321c5d43df991f1204fc */
+/* body sha256:7aca9816432207b59c9e2a211355400574032ea7342d14efc9d4405dee9c8783 */
 /* drone: equations of motion, eigenfactor formulation.
  *
  * State, 58 numbers:
@@ -713,10 +713,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
     real gap = em_gap(N1, y + 50);
     gap = em_lane_min(gap, em_gap(N2, y + 55));
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1], Mdot2[N2][N2];
-        settled_rates(v, c, shared, Mdot1, Mdot2);
+        settled_rates(dy, c, shared, Mdot1, Mdot2);
         real time = em_time_on_lanes(N1, y + 16, y + 50, Mdot1[0]);
         time = em_lane_min(time, em_time_on_lanes(N2, y + 41, y + 55, Mdot2[0]));
         *done &= em_keeps_mode(mode, gap, time, pace);
@@ -1594,11 +1594,11 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     gap = fmin(gap, em_gap(N2, y + 55));
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1], Mdot2[N2][N2];
-        settled_rates(v, c, shared, Mdot1, Mdot2);
+        settled_rates(dy, c, shared, Mdot1, Mdot2);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         time = fmin(time, em_time_of_block(&block2, Mdot2[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);

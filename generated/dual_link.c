@@ -1,6 +1,6 @@
 /* eigenmotion generate dual_link.py */
 /* input sha256:c416ea73692bebde0c5cc2025eb4b62195c0c77ba5b73814cc95f95d474c1940 */
-/* body sha256:93b05fe129b687b0b5592d3ea30086eb5c755672a4f0c5683b141a37d085ffff */
+/* body sha256:c4c93d8da86bca792db62c13ff89aa90a7dabcfefd8ab1755988f5af2d6d5bed */
 /* dual_link: equations of motion, eigenfactor formulation.
  *
  * State, 20 numbers:
@@ -517,10 +517,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 17);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         real time = em_time_on_lanes(N1, y + 8, y + 17, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -1096,11 +1096,11 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 17);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bar.py */
 /* input sha256:b4c583928ba1d4df4cfe154941caa7e2d2955825501d803b35f7c71dee2c238e */
-/* body sha256:05963ccf784b659032be80007c65ed698e069496e36d3c3efc91e977609a63cc */
+/* body sha256:165f71c34f924a4719b72a20e7ad5f274e868574b35f446d2c791a381c227c88 */
 /* four_bar: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -1016,11 +1016,11 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 10);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate four_bars.py */
 /* input sha256:658c33549b1976e7eb748663ea5ab20db4d10933dd69e9b1f174a8be8bf4a1ee */
-/* body sha256:6b429757f63c147c0ee3381700889b230b4ee752f5235dd5dac9dc6b0e69eefe */
+/* body sha256:843ef014e1fa37a717a84d65a4fb8bdd49b7b83f06003a65648e77190ab7bc2b */
 /* four_bars_2: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -1363,12 +1363,12 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     gap = fmin(gap, em_gap(N2, y + 20));
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block3, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block3, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1], Mdot2[N2][N2];
-        settled_rates(v, c, shared, Mdot1, Mdot2);
+        settled_rates(dy, c, shared, Mdot1, Mdot2);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         time = fmin(time, em_time_of_block(&block2, Mdot2[0], y));
         wanted = em_mode_by_time(*mode, gap, time, pace);

@@ -1,6 +1,6 @@
 /* eigenmotion generate furuta_pendulum.py */
 /* input sha256:dced2f2c1ea16d2797caf600d1ec2362b8e6a46eb1ab952a01482755b88fb96a */
-/* body sha256:a485fde37e9d01c78b2eca7e5ea088bdd329c3efa34bfadc64ceb6430effe3d7 */
+/* body sha256:35911b77fd5a3368480ca341c6fdee547eb62f192de0d2e579aa16f7828064f9 */
 /* furuta_pendulum: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -326,10 +326,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 8);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         real time = em_time_on_lanes(N1, y + 4, y + 8, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -658,10 +658,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 8);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

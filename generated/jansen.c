@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:c63664b509a0edda7dd3b939bae5fac453cbf17fa540de27bc17cc552f2fa6c4 */
+/* body sha256:ce55b798b21f7d09163bac58c30164b9c7d9bae56f58e841059b07d60c65ff51 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -4032,10 +4032,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 63);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

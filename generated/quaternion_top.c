@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:16a4c3e0a08668b535648a07e8f1827f5d1b4fb67dd12bb9aef2aaa40b42a823 */
+/* body sha256:66c1c78deffdbf63bbb908cdc977cb6d98651b8cc740505da90185e8c3ec2c1a */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -1204,10 +1204,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 24);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1];
-        settled_rates(y, v, c, Mdot1);
+        settled_rates(y, dy, c, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

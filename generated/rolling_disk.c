@@ -1,6 +1,6 @@
 /* eigenmotion generate rolling_disk.py */
 /* input sha256:69b429562514b50858c0b118c3d9597a64cb5241030b49682b16eacf16c7db02 */
-/* body sha256:b902bbdc8626473a7cc349c6d22229e3f4380a0198805b3676cd5a5f31af8d0a */
+/* body sha256:bad3937d060fa93e84f3eeb7002e2a5e6b976fc0f276e584073a2c4966d4d6aa */
 /* rolling_disk: equations of motion, eigenfactor formulation.
  *
  * State, 40 numbers:
@@ -542,10 +542,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 35);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         real time = em_time_on_lanes(N1, y + 10, y + 35, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -1081,10 +1081,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 35);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate slider_crank.py */
 /* input sha256:7cb77f22c00e11b906340db647b0e2361b37b4e94c0c24a7db9afc9e3e99b587 */
-/* body sha256:595ed050ee8b8c7e182589cbe037148201f39eea2c4e79078c47b66922e5fd1d */
+/* body sha256:b680c5afcbc24d523f6759dcc830efb593cd3f3fdcede1027c10b66a6fc9adbf */
 /* slider_crank: equations of motion, eigenfactor formulation.
  *
  * State, 12 numbers:
@@ -924,11 +924,11 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 10);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
         double Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate spatial_arm.py */
 /* input sha256:eb0934f2152ede69ef7ac9ffbe44f0b4a5879d506634b2a5605fa01a05cc1d6f */
-/* body sha256:175bbfe8e635a95253aeca5b915cc58eb2403cd471d714ea500caa110a180c6b */
+/* body sha256:252b32f0a33061e689c16c1f310e7f628d80c1a5d5eef5c1f0f284477a5ee1b7 */
 /* spatial_arm_3: equations of motion, eigenfactor formulation.
  *
  * State, 18 numbers:
@@ -599,10 +599,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 15);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         real time = em_time_on_lanes(N1, y + 6, y + 15, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -1467,10 +1467,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 15);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, c, shared, Mdot1);
+        settled_rates(dy, c, shared, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

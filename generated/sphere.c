@@ -1,6 +1,6 @@
 /* eigenmotion generate sphere.py */
 /* input sha256:05e340b5560a176d60eaba7628c380e1c4df329f4f58343dd20ce5755e07588b */
-/* body sha256:4ff9095ce29f0a8815d071aa2b9fefeef24a09164704a54d3972f8ef14e2e2de */
+/* body sha256:4c65eaab64d0247feccf8cc70f17db170b7eae7c87ecb5c458a7cf6d457a2492 */
 /* sphere: equations of motion, eigenfactor formulation.
  *
  * State, 22 numbers:
@@ -643,10 +643,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N3, y + 19);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot3[N3][N3];
-        settled_rates(y, v, c, shared, Mdot3);
+        settled_rates(y, dy, c, shared, Mdot3);
         real time = em_time_on_lanes(N3, y + 10, y + 19, Mdot3[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -1485,12 +1485,12 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N3, y + 19);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block2, *mode, y + N, y, c, memory, v);
-        em_velocity_kept(&block3, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block2, *mode, y + N, y, c, memory, dy);
+        em_velocity_kept(&block3, *mode, y + N, y, c, memory, dy);
         real Mdot3[N3][N3];
-        settled_rates(y, v, c, shared, Mdot3);
+        settled_rates(y, dy, c, shared, Mdot3);
         double time = em_time_of_block(&block3, Mdot3[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -1,6 +1,6 @@
 /* eigenmotion generate veering.py */
 /* input sha256:2e6e02de90e32e30ee3c86801410d8aa09018f181e6fefb7533073d61b039c6d */
-/* body sha256:76307d4066baba243c2320a3449de8bcc52b19601e63b24388cfffaf6262fbf5 */
+/* body sha256:f53c3b5de99e58d111a58e43675e2987a9dab1ae5d741ebf9fa5edd895a50f2a */
 /* veering: equations of motion, eigenfactor formulation.
  *
  * State, 10 numbers:
@@ -295,10 +295,10 @@ static int settle_on_lanes(int mode, real t, real *y, const real *c, real *memor
 
     real gap = em_gap(N1, y + 8);
     if (em_any(~(gap > EM_APART))) {
-        real v[N];
-        velocity_by_roots(mode, y, c, memory, y + N, v);
+        real dy[N];
+        velocity_by_roots(mode, y, c, memory, y + N, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, Mdot1);
+        settled_rates(dy, Mdot1);
         real time = em_time_on_lanes(N1, y + 4, y + 8, Mdot1[0]);
         *done &= em_keeps_mode(mode, gap, time, pace);
     } else if (mode) *done = (em_truth){0};
@@ -506,10 +506,10 @@ EM_ACROSS int model_settle(int *mode, int flags, double t, double *y, const doub
     double gap = em_gap(N1, y + 8);
     int wanted = em_mode_by_gaps(*mode, flags, gap, INFINITY);
     if (wanted == EM_LOOK) {
-        double v[N];
-        em_velocity_kept(&block1, *mode, y + N, y, c, memory, v);
+        double dy[N]; /* xdot */
+        em_velocity_kept(&block1, *mode, y + N, y, c, memory, dy);
         real Mdot1[N1][N1];
-        settled_rates(v, Mdot1);
+        settled_rates(dy, Mdot1);
         double time = em_time_of_block(&block1, Mdot1[0], y);
         wanted = em_mode_by_time(*mode, gap, time, pace);
     }

@@ -54,6 +54,7 @@ class Draft:
     arguments : their names, where others rely on them; else they are what the kernel reads and assigns
     actual : what the caller calls them, where that differs
     on_lanes : whether it computes with `real` (em_real.h) in place of double
+    across : whether other units call it
     """
 
     name: str
@@ -61,6 +62,7 @@ class Draft:
     arguments: tuple[str, ...] = ()
     actual: Mapping[str, str] | None = None
     on_lanes: bool = False
+    across: bool = False
 
     @property
     def number(self) -> str:
@@ -76,6 +78,7 @@ class Kernel:
     declared, call : how its caller declares what it assigns (if it must), and calls it
     statements : in the order in which they are needed, so that a compiler keeps few values at a time
     called : names of functions that it and those written with it call
+    reads : which of INPUTS it takes
     """
 
     head: str
@@ -84,6 +87,7 @@ class Kernel:
     statements: tuple[str, ...]
     cost: Cost
     called: frozenset[str]
+    reads: frozenset[str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -233,12 +237,15 @@ def _kernel(scope: _Scope, handed: int, cost: Cost) -> Kernel:
     names = [*read, *(array.name for array in results)]
     actual, statements = draft.actual or {}, (*scope.statements, *scope.shares)
     linkage = "EM_INLINE" if len(statements) < LONG else "EM_BY_ITSELF"
+    if draft.across:
+        linkage = "EM_BY_ITSELF_ACROSS"
     return Kernel(
         head=_head(draft) if draft.arguments else _inner_head(linkage, draft, read, results, handed),
         declared=folded(f"{draft.number} ", [one.name + one.shape for one in results if one.name not in actual], ";"),
         call=folded(f"{draft.name}(", [actual.get(name, name) for name in names], ");"),
         statements=statements, cost=cost,
         called=frozenset(called for kind, (called, *_) in scope.printer.plan.operations.values() if kind == "call"),
+        reads=frozenset(read),
     )  # fmt: skip
 
 

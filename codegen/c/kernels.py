@@ -16,7 +16,7 @@ from ..model.model import ModelError
 from ..physics.specialise import Scene
 from ..physics.terms import Rows, Terms
 from .break_kernel import break_kernel
-from .kernel import Array, Draft, Entry, Kernel, Symbols, both_triangles, written
+from .kernel import LONG, Array, Draft, Entry, Kernel, Symbols, both_triangles, written
 from .layout import Layout
 from .partial_kernels import partial_kernels
 from .program import BlockView
@@ -50,21 +50,49 @@ class _Writing:
     def kernels(self, whole: bool) -> Kernels:
         published = self.published()
         asked = {
-            "mass_matrix": self.mass_matrix("mass_matrix", self.terms.M),
+            "mass_matrix": None if self.gives_all_masses else self.mass_matrix("mass_matrix", self.terms.M),
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
         }  # fmt: skip
-        settled = self.stages(self.settled_masses(), self.settled_rates())
-        takes_over = self.choices.bounded and self.layout.couples
-        triangular = self.right_hand_side("triangular") if takes_over else Stages(None, None)
+        settled = Stages(None, None) if self.asks_the_root else self.stages(self.settled_masses(), self.settled_rates())
+        triangular = self.right_hand_side("triangular") if self.takes_over else Stages(None, None)
+        if self.asks_the_root:
+            settled = self.asked_of(triangular if self.takes_over else published)
         factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
         drawing = self.drawing()  # last: the constants of the others stay where they are
         symbols = Symbols(self.places, self.layout.first_constant)
         breaks, prepared = break_kernel(self.terms, symbols), self.prepared()
         partials = partial_kernels(self.terms, symbols) if whole else None  # last: others are the same without
         return Kernels(published=published, triangular=triangular, settled=settled, factored=factored,
-                       drawing=drawing, partials=partials, breaks=breaks, prepared=prepared, **asked)  # fmt: skip
+                       drawing=drawing, partials=partials, breaks=breaks, prepared=prepared,
+                       asks_the_root=self.asks_the_root, **asked)  # fmt: skip
+
+    @property
+    def takes_over(self) -> bool:
+        """Whether the equations of the triangular root are there, too."""
+        return self.choices.bounded and self.layout.couples
+
+    @property
+    def asks_the_root(self) -> bool:
+        """Whether accepted steps call the kernels of the triangular root: these are long, and have all that is asked."""
+        entries = sum(block.size * (block.size + 1) // 2 for block in self.blocks if not block.fixed)
+        has_them = self.takes_over or self.choices.formulation == "cholesky" and not self.choices.extrapolate
+        return has_them and not self.scene.m and entries >= LONG
+
+    @property
+    def gives_all_masses(self) -> bool:
+        """Whether these kernels tell all of M: no block is fixed, and with no row nothing is added to it."""
+        return self.asks_the_root and not any(block.fixed for block in self.blocks)
+
+    def asked_of(self, root: Stages) -> Stages:
+        """M below its diagonal, and Mdot, by kernels of the triangular root; by one of its own where those read inputs."""
+        if not self.takes_over:
+            return Stages(root.masses, None)
+        assert root.motion is not None
+        if "u" not in root.motion.reads:
+            return root
+        return Stages(root.masses, self.write(self.settled_rates())[0])
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""
@@ -138,6 +166,7 @@ class _Writing:
     def right_hand_side(self, name: str) -> Stages:
         """What the root of M needs; then, with the velocities known, Mdot, f, A and gamma."""
         eigen = name == "eigenfactor"
+        across = self.asks_the_root and not eigen
         varying = [block for block in self.blocks if not block.fixed]
         masses = self.masses([block for block in varying if block.single or not eigen], False)
         gamma = self.column("gamma", self.terms.gamma)
@@ -146,8 +175,8 @@ class _Writing:
         if eigen and self.layout.row_groups:
             moving.extend(self.by_row("Adot", self.terms.Adot))
         return self.stages(
-            Draft(f"{name}_masses", masses, actual=OF_STATE, on_lanes=True),
-            Draft(f"{name}_motion", moving, actual=OF_STATE, on_lanes=True),
+            Draft(f"{name}_masses", masses, actual=OF_STATE, on_lanes=True, across=across),
+            Draft(f"{name}_motion", moving, actual=OF_STATE, on_lanes=True, across=across),
         )
 
     def in_velocities(self, masses: list[Entry]) -> Stages:
@@ -194,7 +223,7 @@ class _Writing:
         extrapolates_delta = bool(self.layout.row_groups) and self.choices.extrapolate
         held = [b for b in self.blocks if b.turning or b.single and b.constrained and extrapolates_delta]
         entries = [*self.rates(held), *(self.by_row("Adot", self.terms.Adot) if extrapolates_delta else ())]
-        return Draft("settled_rates", entries, actual={"x": "y"}, on_lanes=not self.scene.h)
+        return Draft("settled_rates", entries, actual=OF_STATE, on_lanes=not self.scene.h)
 
     # -- what every model can be asked ---------------------------------------------------------------------------
 

@@ -73,14 +73,15 @@ class Kernels:
     impacts : N, dphi/dt and the restitution of each; resets : x and v after each
     levels : what switches are held against; pushes : the rows P by which multipliers push
     published, triangular : of the right-hand sides; settled : of what follows an accepted step
-    factored : M + A^T W A, None where it is M
+    asks_the_root : whether settled are those of the triangular root, with M below its diagonal alone
+    mass_matrix : None where settled.masses tell all of it; factored : M + A^T W A, None where it is M
     partials : None where they are left for later
     breaks : when conditions in the time alone change
     """
 
     prepared: Kernel
     breaks: BreakKernel
-    mass_matrix: Kernel
+    mass_matrix: Kernel | None
     factored: Kernel | None
     pfaffian: Kernel
     position: Kernel
@@ -98,3 +99,4 @@ class Kernels:
     published: Stages
     triangular: Stages
     settled: Stages
+    asks_the_root: bool

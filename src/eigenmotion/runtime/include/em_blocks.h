@@ -43,6 +43,15 @@ EM_INLINE void em_put(const em_block *b, const double *part, double *whole) {
     for (int i = 0; i < b->size; ++i) whole[b->coordinate[i]] = part[i];
 }
 
+/* M (n, n) <- with the block whose lower triangle is Mb (size, size) */
+EM_INLINE void em_put_masses(const em_block *b, const double *Mb, double *M) {
+    for (int i = 0; i < b->size; ++i)
+        for (int j = 0; j <= i; ++j) {
+            const int row = b->coordinate[i], column = b->coordinate[j];
+            M[row * b->n + column] = M[column * b->n + row] = Mb[i * b->size + j] / (em_scale(b, i) * em_scale(b, j));
+        }
+}
+
 /* The same with velocities, which are in units of the block. */
 EM_INLINE void em_put_velocity(const em_block *b, const double *part, double *v) {
     for (int i = 0; i < b->size; ++i) v[b->coordinate[i]] = em_scale(b, i) * part[i];

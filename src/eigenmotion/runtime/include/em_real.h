@@ -38,10 +38,12 @@
 #define EM_ALONE(unit) ((EM_UNIT) == (unit))
 #define EM_HOLDS(unit) ((EM_UNIT) & (unit))
 #define EM_ACROSS
+#define EM_BY_ITSELF_ACROSS __attribute__((noinline))
 #else
 #define EM_ALONE(unit) 0
 #define EM_HOLDS(unit) 1
 #define EM_ACROSS EM_UNUSED static
+#define EM_BY_ITSELF_ACROSS EM_BY_ITSELF
 #endif
 
 /* Before a loop over what is constant: unroll it wholly, so that its numbers become constants. */
