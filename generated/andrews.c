@@ -1,6 +1,6 @@
 /* eigenmotion generate andrews.py */
 /* input sha256:47076c895491e33c6f1b2e4cf1517bfbd90585aaa5f4b50327649f93c79156b2 */
-/* body sha256:be8b0018a4657940a1ba9e0eb5c6f0e47544a937f7ad24fdadd09943dd393e21 */
+/* body sha256:87ab9f0fb7930ccf953df173a29e08ef1acbeb37f21d7bf15308f6eb20b6f727 */
 /* andrews: equations of motion, eigenfactor formulation.
  *
  * State, 32 numbers:
@@ -450,38 +450,38 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     M1[1][0] = I2 + z_4;
     const real c_22 = c[68];
     M1[1][1] = c_22;
-    const real c_24 = c[70];
-    M3[0][0] = c_24;
+    const real c_23 = c[69];
+    M3[0][0] = c_23;
     const real phi = x[3];
     const real sin_phi = em_sin(phi);
     const real c_4 = c[50];
-    M3[1][0] = c_24 - sin_phi*c_4;
+    M3[1][0] = c_23 - sin_phi*c_4;
     const real zt = c[37];
     const real c_6 = c[52];
     const real z_6 = zt - c_6*sin_phi;
-    const real c_25 = c[71];
+    const real c_24 = c[70];
     const real c_5 = c[51];
     const real cos_phi = em_cos(phi);
     const real c_7 = c[53];
     const real z_8 = z_6*c_7;
+    const real c_25 = c[71];
+    M3[1][1] = z_6*c_24 + c_5*(cos_phi*cos_phi) + c_25 - sin_phi*z_8;
     const real c_26 = c[72];
-    M3[1][1] = z_6*c_25 + c_5*(cos_phi*cos_phi) + c_26 - sin_phi*z_8;
-    const real c_27 = c[73];
-    M4[0][0] = c_27;
+    M4[0][0] = c_26;
     const real omega = x[5];
     const real sin_omega = em_sin(omega);
     const real c_9 = c[55];
-    M4[1][0] = c_27 - sin_omega*c_9;
+    M4[1][0] = c_26 - sin_omega*c_9;
     const real u_ = c[33];
     const real c_11 = c[57];
     const real z_10 = u_ - c_11*sin_omega;
-    const real c_28 = c[74];
+    const real c_27 = c[73];
     const real c_10 = c[56];
     const real cos_omega = em_cos(omega);
     const real c_12 = c[58];
     const real z_12 = z_10*c_12;
-    const real c_29 = c[75];
-    M4[1][1] = z_10*c_28 + c_10*(cos_omega*cos_omega) + c_29 - sin_omega*z_12;
+    const real c_28 = c[74];
+    M4[1][1] = z_10*c_27 + c_10*(cos_omega*cos_omega) + c_28 - sin_omega*z_12;
     shared[0] = sin_theta;
     shared[1] = cos_theta;
     shared[2] = z_3;
@@ -1000,43 +1000,43 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double I2 = c[8];
     const double z_4 = I2 + z_3;
     const double c_22 = c[68];
-    const double c_23 = c[69];
+    const double c_29 = c[75];
     const double gamma_dot = v[2];
     const double phi_dot = v[3];
-    const double c_24 = c[70];
+    const double c_23 = c[69];
     const double delta_dot = v[4];
     const double phi = x[3];
     const double sin_phi = em_sin(phi);
     const double c_4 = c[50];
-    const double z_6 = c_24 - sin_phi*c_4;
+    const double z_6 = c_23 - sin_phi*c_4;
     const double zt = c[37];
     const double c_6 = c[52];
     const double z_7 = zt - c_6*sin_phi;
-    const double c_25 = c[71];
+    const double c_24 = c[70];
     const double c_5 = c[51];
     const double cos_phi = em_cos(phi);
     const double c_7 = c[53];
-    const double c_26 = c[72];
+    const double c_25 = c[71];
     const double omega_dot = v[5];
-    const double c_27 = c[73];
+    const double c_26 = c[72];
     const double epsilon_dot = v[6];
     const double omega = x[5];
     const double sin_omega = em_sin(omega);
     const double c_9 = c[55];
-    const double z_10 = c_27 - sin_omega*c_9;
+    const double z_10 = c_26 - sin_omega*c_9;
     const double u_ = c[33];
     const double c_11 = c[57];
     const double z_11 = u_ - c_11*sin_omega;
-    const double c_28 = c[74];
+    const double c_27 = c[73];
     const double c_10 = c[56];
     const double cos_omega = em_cos(omega);
     const double c_12 = c[58];
-    const double c_29 = c[75];
+    const double c_28 = c[74];
     e[0] = 0.5*(beta_dot*(beta_dot*(z_1*c_20 + c_21 + z_3) + theta_dot*z_4) + theta_dot*(beta_dot*z_4 +
-        theta_dot*c_22) + c_23*(gamma_dot*gamma_dot) + phi_dot*(phi_dot*c_24 + delta_dot*z_6) +
-        delta_dot*(phi_dot*z_6 + delta_dot*(z_7*c_25 + c_5*(cos_phi*cos_phi) + c_26 - sin_phi*z_7*c_7)) +
-        omega_dot*(omega_dot*c_27 + epsilon_dot*z_10) + epsilon_dot*(omega_dot*z_10 + epsilon_dot*(z_11*c_28 +
-        c_10*(cos_omega*cos_omega) + c_29 - sin_omega*z_11*c_12)));
+        theta_dot*c_22) + c_29*(gamma_dot*gamma_dot) + phi_dot*(phi_dot*c_23 + delta_dot*z_6) +
+        delta_dot*(phi_dot*z_6 + delta_dot*(z_7*c_24 + c_5*(cos_phi*cos_phi) + c_25 - sin_phi*z_7*c_7)) +
+        omega_dot*(omega_dot*c_26 + epsilon_dot*z_10) + epsilon_dot*(omega_dot*z_10 + epsilon_dot*(z_11*c_27 +
+        c_10*(cos_omega*cos_omega) + c_28 - sin_omega*z_11*c_12)));
     e[1] = 0.0;
     e[2] = 0.0;
     const double c0 = c[39];
@@ -2018,23 +2018,23 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double M2[N
     const double ra = parameters[25];
     prepared[67] = I1 + I2 + m1*(ra*ra); /* c_21 */
     prepared[68] = I2 + z_1; /* c_22 */
-    prepared[69] = I3 + m3*(sa*sa) + m3*(sb*sb); /* c_23 */
     const double I4 = parameters[10];
-    prepared[70] = I4 + z_5; /* c_24 */
-    prepared[71] = m4*zt; /* c_25 */
+    prepared[69] = I4 + z_5; /* c_23 */
+    prepared[70] = m4*zt; /* c_24 */
     const double I5 = parameters[11];
     const double m5 = parameters[4];
     const double ta = parameters[31];
     const double tb = parameters[32];
-    prepared[72] = I4 + I5 + m5*(ta*ta) + m5*(tb*tb); /* c_26 */
+    prepared[71] = I4 + I5 + m5*(ta*ta) + m5*(tb*tb); /* c_25 */
     const double I6 = parameters[12];
-    prepared[73] = I6 + z_9; /* c_27 */
-    prepared[74] = m6*u_; /* c_28 */
+    prepared[72] = I6 + z_9; /* c_26 */
+    prepared[73] = m6*u_; /* c_27 */
     const double I7 = parameters[13];
     const double m7 = parameters[6];
     const double ua = parameters[34];
     const double ub = parameters[35];
-    prepared[75] = I6 + I7 + m7*(ua*ua) + m7*(ub*ub); /* c_29 */
+    prepared[74] = I6 + I7 + m7*(ua*ua) + m7*(ub*ub); /* c_28 */
+    prepared[75] = I3 + m3*(sa*sa) + m3*(sb*sb); /* c_29 */
     const double ss = parameters[26];
     prepared[76] = fabs(ss); /* c_30 */
     prepared[77] = fabs(xb); /* c_31 */
@@ -2085,36 +2085,36 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[8] = c_22;
     M[14] = M[2] = 0.0;
     M[15] = M[9] = 0.0;
-    const double c_23 = c[69];
-    M[16] = c_23;
+    const double c_29 = c[75];
+    M[16] = c_29;
     M[21] = M[3] = 0.0;
     M[22] = M[10] = 0.0;
     M[23] = M[17] = 0.0;
-    const double c_24 = c[70];
-    M[24] = c_24;
+    const double c_23 = c[69];
+    M[24] = c_23;
     M[28] = M[4] = 0.0;
     M[29] = M[11] = 0.0;
     M[30] = M[18] = 0.0;
     const double phi = x[3];
     const double sin_phi = em_sin(phi);
     const double c_4 = c[50];
-    M[31] = M[25] = c_24 - sin_phi*c_4;
+    M[31] = M[25] = c_23 - sin_phi*c_4;
     const double zt = c[37];
     const double c_6 = c[52];
     const double z_5 = zt - c_6*sin_phi;
-    const double c_25 = c[71];
+    const double c_24 = c[70];
     const double c_5 = c[51];
     const double cos_phi = em_cos(phi);
     const double c_7 = c[53];
-    const double c_26 = c[72];
-    M[32] = z_5*c_25 + c_5*(cos_phi*cos_phi) + c_26 - sin_phi*z_5*c_7;
+    const double c_25 = c[71];
+    M[32] = z_5*c_24 + c_5*(cos_phi*cos_phi) + c_25 - sin_phi*z_5*c_7;
     M[35] = M[5] = 0.0;
     M[36] = M[12] = 0.0;
     M[37] = M[19] = 0.0;
     M[38] = M[26] = 0.0;
     M[39] = M[33] = 0.0;
-    const double c_27 = c[73];
-    M[40] = c_27;
+    const double c_26 = c[72];
+    M[40] = c_26;
     M[42] = M[6] = 0.0;
     M[43] = M[13] = 0.0;
     M[44] = M[20] = 0.0;
@@ -2123,16 +2123,16 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double omega = x[5];
     const double sin_omega = em_sin(omega);
     const double c_9 = c[55];
-    M[47] = M[41] = c_27 - sin_omega*c_9;
+    M[47] = M[41] = c_26 - sin_omega*c_9;
     const double u_ = c[33];
     const double c_11 = c[57];
     const double z_8 = u_ - c_11*sin_omega;
-    const double c_28 = c[74];
+    const double c_27 = c[73];
     const double c_10 = c[56];
     const double cos_omega = em_cos(omega);
     const double c_12 = c[58];
-    const double c_29 = c[75];
-    M[48] = z_8*c_28 + c_10*(cos_omega*cos_omega) + c_29 - sin_omega*z_8*c_12;
+    const double c_28 = c[74];
+    M[48] = z_8*c_27 + c_10*(cos_omega*cos_omega) + c_28 - sin_omega*z_8*c_12;
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
@@ -2351,38 +2351,38 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     M1[0][1] = M1[1][0] = I2 + z_4;
     const double c_22 = c[68];
     M1[1][1] = c_22;
-    const double c_24 = c[70];
-    M3[0][0] = c_24;
+    const double c_23 = c[69];
+    M3[0][0] = c_23;
     const double phi = x[3];
     const double sin_phi = em_sin(phi);
     const double c_4 = c[50];
-    M3[0][1] = M3[1][0] = c_24 - sin_phi*c_4;
+    M3[0][1] = M3[1][0] = c_23 - sin_phi*c_4;
     const double zt = c[37];
     const double c_6 = c[52];
     const double z_6 = zt - c_6*sin_phi;
-    const double c_25 = c[71];
+    const double c_24 = c[70];
     const double c_5 = c[51];
     const double cos_phi = em_cos(phi);
     const double c_7 = c[53];
     const double z_8 = z_6*c_7;
+    const double c_25 = c[71];
+    M3[1][1] = z_6*c_24 + c_5*(cos_phi*cos_phi) + c_25 - sin_phi*z_8;
     const double c_26 = c[72];
-    M3[1][1] = z_6*c_25 + c_5*(cos_phi*cos_phi) + c_26 - sin_phi*z_8;
-    const double c_27 = c[73];
-    M4[0][0] = c_27;
+    M4[0][0] = c_26;
     const double omega = x[5];
     const double sin_omega = em_sin(omega);
     const double c_9 = c[55];
-    M4[0][1] = M4[1][0] = c_27 - sin_omega*c_9;
+    M4[0][1] = M4[1][0] = c_26 - sin_omega*c_9;
     const double u_ = c[33];
     const double c_11 = c[57];
     const double z_10 = u_ - c_11*sin_omega;
-    const double c_28 = c[74];
+    const double c_27 = c[73];
     const double c_10 = c[56];
     const double cos_omega = em_cos(omega);
     const double c_12 = c[58];
     const double z_12 = z_10*c_12;
-    const double c_29 = c[75];
-    M4[1][1] = z_10*c_28 + c_10*(cos_omega*cos_omega) + c_29 - sin_omega*z_12;
+    const double c_28 = c[74];
+    M4[1][1] = z_10*c_27 + c_10*(cos_omega*cos_omega) + c_28 - sin_omega*z_12;
     const double beta = x[0];
     const double sin_beta = em_sin(beta);
     const double d = c[20];

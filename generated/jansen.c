@@ -1,6 +1,6 @@
 /* eigenmotion generate jansen.py */
 /* input sha256:ed5b383ebca52d6aef31c433b70cfaa858804fff4d43e6ad6bba3b16ee634350 */
-/* body sha256:ce55b798b21f7d09163bac58c30164b9c7d9bae56f58e841059b07d60c65ff51 */
+/* body sha256:0bdf466acb0564f697297262225e3628476b8c77d936361548f2086bb4312761 */
 /* jansen: equations of motion, eigenfactor formulation.
  *
  * State, 70 numbers:
@@ -408,22 +408,22 @@ static int rhs_eigenfactor(real t, const real *restrict y, const real *restrict 
 EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c, real M1[N1][N1],
                                  real shared[20])
 {
-    const real c_100 = c[117];
-    const real c_101 = c[118];
+    const real c_68 = c[85];
+    const real c_69 = c[86];
     const real theta = x[0];
     const real cos_theta = em_cos(theta);
-    const real c_102 = c[119];
+    const real c_70 = c[87];
     const real sin_theta = em_sin(theta);
-    M1[0][0] = (1.0/3.0)*(c_100 + c_101*(cos_theta*cos_theta) + c_102*(sin_theta*sin_theta));
+    M1[0][0] = (1.0/3.0)*(c_68 + c_69*(cos_theta*cos_theta) + c_70*(sin_theta*sin_theta));
     const real aj = x[1];
     const real cos_aj = em_cos(aj);
     const real c_1 = c[18];
     const real sin_aj = em_sin(aj);
     const real c_2 = c[19];
     M1[1][0] = (1.0/3.0)*(cos_aj*(cos_theta*c_1) + sin_aj*(sin_theta*c_2));
-    const real c_103 = c[120];
-    const real c_104 = c[121];
-    M1[1][1] = (1.0/3.0)*(c_103*(cos_aj*cos_aj) + c_104*(sin_aj*sin_aj));
+    const real c_71 = c[88];
+    const real c_72 = c[89];
+    M1[1][1] = (1.0/3.0)*(c_71*(cos_aj*cos_aj) + c_72*(sin_aj*sin_aj));
     const real ab = x[2];
     const real cos_ab = em_cos(ab);
     const real c_4 = c[21];
@@ -433,17 +433,16 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real c_6 = c[23];
     const real c_7 = c[24];
     M1[2][1] = ((-1.0/3.0))*(cos_aj*(cos_ab*c_6) + sin_aj*(sin_ab*c_7));
-    const real c_85 = c[102];
+    const real c_73 = c[90];
     const real c_10 = c[27];
     const real c_8 = c[25];
     const real c_9 = c[26];
     const real z_6 = cos_ab*c_8 - sin_ab*c_9;
     const real c_11 = c[28];
     const real z_7 = sin_ab*c_8 + cos_ab*c_9;
-    const real c_105 = c[122];
-    const real c_106 = c[123];
-    M1[2][2] = (1.0/12.0)*(c_85 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_105*(cos_ab*cos_ab) +
-        c_106*(sin_ab*sin_ab));
+    const real c_74 = c[91];
+    const real c_75 = c[92];
+    M1[2][2] = (1.0/12.0)*(c_73 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_74*(cos_ab*cos_ab) + c_75*(sin_ab*sin_ab));
     const real ak = x[3];
     const real cos_ak = em_cos(ak);
     const real c_13 = c[30];
@@ -452,9 +451,9 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     M1[3][0] = (1.0/3.0)*(cos_ak*(cos_theta*c_13) + sin_ak*(sin_theta*c_14));
     M1[3][1] = em_real(0.0);
     M1[3][2] = em_real(0.0);
-    const real c_107 = c[124];
-    const real c_108 = c[125];
-    M1[3][3] = (1.0/3.0)*(c_107*(cos_ak*cos_ak) + c_108*(sin_ak*sin_ak));
+    const real c_76 = c[93];
+    const real c_77 = c[94];
+    M1[3][3] = (1.0/3.0)*(c_76*(cos_ak*cos_ak) + c_77*(sin_ak*sin_ak));
     const real ac = x[4];
     const real cos_ac = em_cos(ac);
     const real c_16 = c[33];
@@ -468,10 +467,10 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real c_20 = c[37];
     const real c_21 = c[38];
     M1[4][3] = ((-1.0/3.0))*(cos_ak*(cos_ac*c_20) + sin_ak*(sin_ac*c_21));
-    const real c_109 = c[126];
-    const real c_110 = c[127];
-    const real c_111 = c[128];
-    M1[4][4] = (1.0/6.0)*(c_109 + c_110*(cos_ac*cos_ac) + c_111*(sin_ac*sin_ac));
+    const real c_78 = c[95];
+    const real c_79 = c[96];
+    const real c_80 = c[97];
+    M1[4][4] = (1.0/6.0)*(c_78 + c_79*(cos_ac*cos_ac) + c_80*(sin_ac*sin_ac));
     M1[5][0] = em_real(0.0);
     M1[5][1] = em_real(0.0);
     const real af = x[5];
@@ -484,9 +483,9 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real c_25 = c[42];
     const real c_26 = c[43];
     M1[5][4] = ((-1.0/3.0))*(cos_af*(cos_ac*c_25) + sin_af*(sin_ac*c_26));
-    const real c_112 = c[129];
-    const real c_113 = c[130];
-    M1[5][5] = (1.0/3.0)*(c_112*(cos_af*cos_af) + c_113*(sin_af*sin_af));
+    const real c_81 = c[98];
+    const real c_82 = c[99];
+    M1[5][5] = (1.0/3.0)*(c_81*(cos_af*cos_af) + c_82*(sin_af*sin_af));
     M1[6][0] = em_real(0.0);
     M1[6][1] = em_real(0.0);
     const real ag = x[6];
@@ -507,10 +506,10 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real c_33 = c[50];
     const real c_34 = c[51];
     M1[6][5] = ((-1.0/3.0))*(cos_af*(cos_ag*c_33) + sin_af*(sin_ag*c_34));
-    const real c_87 = c[104];
-    const real c_114 = c[131];
-    const real c_115 = c[132];
-    M1[6][6] = (1.0/12.0)*(c_87 + c_114*(cos_ag*cos_ag) + c_115*(sin_ag*sin_ag));
+    const real c_83 = c[100];
+    const real c_84 = c[101];
+    const real c_85 = c[102];
+    M1[6][6] = (1.0/12.0)*(c_83 + c_84*(cos_ag*cos_ag) + c_85*(sin_ag*sin_ag));
     shared[0] = sin_theta;
     shared[1] = cos_theta;
     shared[2] = cos_aj;
@@ -1069,8 +1068,8 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double cos_ac = em_cos(ac);
     const double sin_ac = em_sin(ac);
     const double z_7 = c_37*(cos_theta*cos_ac + sin_theta*sin_ac);
-    const double c_84 = c[101];
-    const double c_85 = c[102];
+    const double c_102 = c[119];
+    const double c_73 = c[90];
     const double c_46 = c[63];
     const double c_8 = c[25];
     const double c_9 = c[26];
@@ -1087,46 +1086,46 @@ EM_ACROSS void energy(double t, const double *restrict x, const double *restrict
     const double c_57 = c[74];
     const double c_58 = c[75];
     const double z_15 = cos_ac*cos_ag*c_57 + sin_ac*sin_ag*c_57 + c_58*(sin_ac*cos_ag) - c_58*(cos_ac*sin_ag);
-    const double c_86 = c[103];
-    const double c_87 = c[104];
-    e[0] = (1.0/24.0)*(2.0*theta_dot*(ab_dot*z_4 + ac_dot*z_7 + theta_dot*c_84) + ab_dot*(2.0*theta_dot*z_4 +
-        ab_dot*c_85 + ac_dot*z_11 + ag_dot*z_14) + ac_dot*(2.0*theta_dot*z_7 + ab_dot*z_11 + ag_dot*z_15 +
-        ac_dot*c_86) + ag_dot*(ab_dot*z_14 + ac_dot*z_15 + ag_dot*c_87));
+    const double c_103 = c[120];
+    const double c_83 = c[100];
+    e[0] = (1.0/24.0)*(2.0*theta_dot*(ab_dot*z_4 + ac_dot*z_7 + theta_dot*c_102) + ab_dot*(2.0*theta_dot*z_4 +
+        ab_dot*c_73 + ac_dot*z_11 + ag_dot*z_14) + ac_dot*(2.0*theta_dot*z_7 + ab_dot*z_11 + ag_dot*z_15 +
+        ac_dot*c_103) + ag_dot*(ab_dot*z_14 + ac_dot*z_15 + ag_dot*c_83));
     e[1] = 0.0;
     e[2] = 0.0;
     const double d = c[3];
-    const double c_88 = c[105];
-    const double z_16 = z_10 + c_88;
+    const double c_104 = c[121];
+    const double z_16 = z_10 + c_104;
     const double e_ = c[4];
-    const double c_89 = c[106];
+    const double c_105 = c[122];
     const double f = c[5];
     const double c_50 = c[67];
     const double z_17 = sin_ac*c_50;
     const double c_51 = c[68];
     const double h = c[7];
-    const double c_90 = c[107];
-    const double c_91 = c[108];
-    const double c_92 = c[109];
-    const double z_18 = cos_ag*c_91 + (c_88 + sin_ac*c_92);
+    const double c_106 = c[123];
+    const double c_107 = c[124];
+    const double c_108 = c[125];
+    const double z_18 = cos_ag*c_107 + (c_104 + sin_ac*c_108);
     const double i = c[8];
-    const double c_93 = c[110];
-    const double c_94 = c[111];
+    const double c_109 = c[126];
+    const double c_110 = c[127];
     const double b = c[1];
     const double z_19 = b*sin_ab;
-    const double c_95 = c[112];
+    const double c_111 = c[128];
     const double c_ = c[2];
     const double z_20 = c_*sin_ac;
     const double g = c[6];
     const double m = c[12];
     const double l = c[11];
     const double z_21 = m*sin_theta - l;
-    const double c_96 = c[113];
-    const double c_97 = c[114];
-    const double c_98 = c[115];
-    const double c_99 = c[116];
-    e[3] = (-0.25)*(theta*c_99 - (d*z_16 + e_*(c_88 + sin_ab*c_89 + z_9) + f*(z_16 + z_17 + sin_ag*c_51) +
-        h*(sin_ag*c_90 + z_18) + i*(sin_ag*c_93 + z_18) + c_94*(z_19 + c_95) + (z_20 + c_95)*c_50 + c_51*(g*sin_ag
-        + c_95 + z_17) + (z_19 + z_21)*c_96 + (z_20 + z_21)*c_97)*c_98);
+    const double c_112 = c[129];
+    const double c_113 = c[130];
+    const double c_114 = c[131];
+    const double c_115 = c[132];
+    e[3] = (-0.25)*(theta*c_115 - (d*z_16 + e_*(c_104 + sin_ab*c_105 + z_9) + f*(z_16 + z_17 + sin_ag*c_51) +
+        h*(sin_ag*c_106 + z_18) + i*(sin_ag*c_109 + z_18) + c_110*(z_19 + c_111) + (z_20 + c_111)*c_50 +
+        c_51*(g*sin_ag + c_111 + z_17) + (z_19 + z_21)*c_112 + (z_20 + z_21)*c_113)*c_114);
 }
 
 /* out (n_outputs), from x, v, a = xddot, lambda */
@@ -1146,17 +1145,17 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     p[3] = p[19] = p[23] = p[31] = c_117;
     const double ag = x[6];
     const double cos_ag = em_cos(ag);
-    const double c_93 = c[110];
+    const double c_109 = c[126];
     const double c_118 = c[135];
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
     const double c_50 = c[67];
     const double sin_ag = em_sin(ag);
-    const double c_91 = c[108];
-    p[4] = p[44] = p[48] = p[53] = 0.5*(cos_ag*c_93 + c_118 + cos_ac*c_50 - sin_ag*c_91);
-    const double c_95 = c[112];
+    const double c_107 = c[124];
+    p[4] = p[44] = p[48] = p[53] = 0.5*(cos_ag*c_109 + c_118 + cos_ac*c_50 - sin_ag*c_107);
+    const double c_111 = c[128];
     const double sin_ac = em_sin(ac);
-    p[5] = p[45] = p[49] = p[54] = 0.5*(sin_ag*c_93 + c_95 + sin_ac*c_50 + cos_ag*c_91);
+    p[5] = p[45] = p[49] = p[54] = 0.5*(sin_ag*c_109 + c_111 + sin_ac*c_50 + cos_ag*c_107);
     const double m = c[12];
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
@@ -1179,7 +1178,7 @@ EM_ACROSS void draw(double t, const double *restrict x, const double *restrict c
     const double c_8 = c[25];
     const double c_9 = c[26];
     p[24] = p[28] = p[34] = 0.5*(cos_ab*c_8 + c_118 - sin_ab*c_9);
-    p[25] = p[29] = p[35] = 0.5*(sin_ab*c_8 + c_95 + cos_ab*c_9);
+    p[25] = p[29] = p[35] = 0.5*(sin_ab*c_8 + c_111 + cos_ab*c_9);
     const double g = c[6];
     p[36] = p[40] = p[46] = g*cos_ag + z_8;
     p[37] = p[41] = p[47] = g*sin_ag + z_9;
@@ -3318,57 +3317,57 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[82] = 2.0*(z_77*z_93); /* c_65 */
     prepared[83] = z_75; /* c_66 */
     prepared[84] = z_74; /* c_67 */
-    prepared[85] = (1.0/3.0)*z_15; /* c_68 */
-    prepared[86] = (1.0/12.0)*z_11; /* c_69 */
-    prepared[87] = (1.0/6.0)*z_28; /* c_70 */
-    prepared[88] = (1.0/12.0)*z_48; /* c_71 */
-    prepared[89] = fabs(j); /* c_72 */
-    prepared[90] = fabs(b); /* c_73 */
-    prepared[91] = fabs(m); /* c_74 */
+    prepared[85] = z_15; /* c_68 */
+    prepared[86] = z_31; /* c_69 */
+    prepared[87] = z_34; /* c_70 */
+    prepared[88] = z_37; /* c_71 */
+    prepared[89] = z_38; /* c_72 */
+    prepared[90] = z_11; /* c_73 */
+    prepared[91] = 4.0*z_56; /* c_74 */
+    prepared[92] = 4.0*z_57; /* c_75 */
+    prepared[93] = z_60; /* c_76 */
+    prepared[94] = z_61; /* c_77 */
+    prepared[95] = z_28; /* c_78 */
+    prepared[96] = 2.0*z_68; /* c_79 */
+    prepared[97] = 2.0*z_69; /* c_80 */
+    prepared[98] = z_71; /* c_81 */
+    prepared[99] = z_72; /* c_82 */
+    prepared[100] = z_48; /* c_83 */
+    prepared[101] = 4.0*z_81; /* c_84 */
+    prepared[102] = 4.0*z_82; /* c_85 */
+    prepared[103] = (1.0/3.0)*z_15; /* c_86 */
+    prepared[104] = (1.0/12.0)*z_11; /* c_87 */
+    prepared[105] = (1.0/6.0)*z_28; /* c_88 */
+    prepared[106] = (1.0/12.0)*z_48; /* c_89 */
+    prepared[107] = fabs(j); /* c_90 */
+    prepared[108] = fabs(b); /* c_91 */
+    prepared[109] = fabs(m); /* c_92 */
     const double a_ = parameters[0];
-    prepared[92] = fabs(a_); /* c_75 */
+    prepared[110] = fabs(a_); /* c_93 */
     const double l = parameters[11];
-    prepared[93] = fabs(l); /* c_76 */
-    prepared[94] = fabs(k); /* c_77 */
+    prepared[111] = fabs(l); /* c_94 */
+    prepared[112] = fabs(k); /* c_95 */
     const double z_95 = fabs(c_);
-    prepared[95] = z_95; /* c_78 */
-    prepared[96] = fabs(z_9); /* c_79 */
-    prepared[97] = 2.0*z_95; /* c_80 */
-    prepared[98] = 2.0*fabs(z_42); /* c_81 */
-    prepared[99] = 2.0*fabs(f); /* c_82 */
-    prepared[100] = 2.0*fabs(g); /* c_83 */
-    prepared[101] = 2.0*z_15; /* c_84 */
-    prepared[102] = z_11; /* c_85 */
-    prepared[103] = 2.0*z_28; /* c_86 */
-    prepared[104] = z_48; /* c_87 */
-    prepared[105] = (-4.0)*l; /* c_88 */
-    prepared[106] = z_86; /* c_89 */
-    prepared[107] = z_94; /* c_90 */
-    prepared[108] = 2.0*z_77; /* c_91 */
-    prepared[109] = 4.0*c_; /* c_92 */
-    prepared[110] = z_46; /* c_93 */
-    prepared[111] = 2.0*b; /* c_94 */
-    prepared[112] = (-2.0)*l; /* c_95 */
-    prepared[113] = 2.0*j; /* c_96 */
-    prepared[114] = 2.0*k; /* c_97 */
-    prepared[115] = z_83; /* c_98 */
-    prepared[116] = 4.0*torque; /* c_99 */
-    prepared[117] = z_15; /* c_100 */
-    prepared[118] = z_31; /* c_101 */
-    prepared[119] = z_34; /* c_102 */
-    prepared[120] = z_37; /* c_103 */
-    prepared[121] = z_38; /* c_104 */
-    prepared[122] = 4.0*z_56; /* c_105 */
-    prepared[123] = 4.0*z_57; /* c_106 */
-    prepared[124] = z_60; /* c_107 */
-    prepared[125] = z_61; /* c_108 */
-    prepared[126] = z_28; /* c_109 */
-    prepared[127] = 2.0*z_68; /* c_110 */
-    prepared[128] = 2.0*z_69; /* c_111 */
-    prepared[129] = z_71; /* c_112 */
-    prepared[130] = z_72; /* c_113 */
-    prepared[131] = 4.0*z_81; /* c_114 */
-    prepared[132] = 4.0*z_82; /* c_115 */
+    prepared[113] = z_95; /* c_96 */
+    prepared[114] = fabs(z_9); /* c_97 */
+    prepared[115] = 2.0*z_95; /* c_98 */
+    prepared[116] = 2.0*fabs(z_42); /* c_99 */
+    prepared[117] = 2.0*fabs(f); /* c_100 */
+    prepared[118] = 2.0*fabs(g); /* c_101 */
+    prepared[119] = 2.0*z_15; /* c_102 */
+    prepared[120] = 2.0*z_28; /* c_103 */
+    prepared[121] = (-4.0)*l; /* c_104 */
+    prepared[122] = z_86; /* c_105 */
+    prepared[123] = z_94; /* c_106 */
+    prepared[124] = 2.0*z_77; /* c_107 */
+    prepared[125] = 4.0*c_; /* c_108 */
+    prepared[126] = z_46; /* c_109 */
+    prepared[127] = 2.0*b; /* c_110 */
+    prepared[128] = (-2.0)*l; /* c_111 */
+    prepared[129] = 2.0*j; /* c_112 */
+    prepared[130] = 2.0*k; /* c_113 */
+    prepared[131] = z_83; /* c_114 */
+    prepared[132] = 4.0*torque; /* c_115 */
     prepared[133] = -a_; /* c_116 */
     prepared[134] = -l; /* c_117 */
     prepared[135] = (-2.0)*a_; /* c_118 */
@@ -3386,8 +3385,8 @@ EM_ACROSS int prepare(const double *parameters, double *c, em_fault *fault)
 /* M (n, n)                                                                                                      (5) */
 EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *restrict c, double *restrict M)
 {
-    const double c_68 = c[85];
-    M[0] = c_68;
+    const double c_86 = c[103];
+    M[0] = c_86;
     M[7] = M[1] = 0.0;
     M[8] = 0.0;
     const double c_36 = c[53];
@@ -3399,8 +3398,8 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double sin_theta = em_sin(theta);
     M[14] = M[2] = (1.0/6.0)*(c_36*(cos_ab*cos_theta + sin_ab*sin_theta));
     M[15] = M[9] = 0.0;
-    const double c_69 = c[86];
-    M[16] = c_69;
+    const double c_87 = c[104];
+    M[16] = c_87;
     M[21] = M[3] = 0.0;
     M[22] = M[10] = 0.0;
     M[23] = M[17] = 0.0;
@@ -3418,8 +3417,8 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double z_7 = sin_ab*c_8 + cos_ab*c_9;
     M[30] = M[18] = (1.0/12.0)*(c_46*(cos_ac*z_6 + sin_ac*z_7));
     M[31] = M[25] = 0.0;
-    const double c_70 = c[87];
-    M[32] = c_70;
+    const double c_88 = c[105];
+    M[32] = c_88;
     M[35] = M[5] = 0.0;
     M[36] = M[12] = 0.0;
     M[37] = M[19] = 0.0;
@@ -3439,30 +3438,30 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     M[46] = M[34] = (1.0/12.0)*(cos_ac*cos_ag*c_57 + sin_ac*sin_ag*c_57 + c_58*(sin_ac*cos_ag) -
         c_58*(cos_ac*sin_ag));
     M[47] = M[41] = 0.0;
-    const double c_71 = c[88];
-    M[48] = c_71;
+    const double c_89 = c[106];
+    M[48] = c_89;
 }
 
 /* M + A^T W A (n, n), which is factored in place of M: M is singular, but not along the constraints */
 EM_ACROSS void factored_matrix(double t, const double *restrict x, const double *restrict c,
                                double *restrict M)
 {
-    const double c_100 = c[117];
-    const double c_101 = c[118];
+    const double c_68 = c[85];
+    const double c_69 = c[86];
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
-    const double c_102 = c[119];
+    const double c_70 = c[87];
     const double sin_theta = em_sin(theta);
-    M[0] = (1.0/3.0)*(c_100 + c_101*(cos_theta*cos_theta) + c_102*(sin_theta*sin_theta));
+    M[0] = (1.0/3.0)*(c_68 + c_69*(cos_theta*cos_theta) + c_70*(sin_theta*sin_theta));
     const double aj = x[1];
     const double cos_aj = em_cos(aj);
     const double c_1 = c[18];
     const double sin_aj = em_sin(aj);
     const double c_2 = c[19];
     M[7] = M[1] = (1.0/3.0)*(cos_theta*cos_aj*c_1 + sin_theta*sin_aj*c_2);
-    const double c_103 = c[120];
-    const double c_104 = c[121];
-    M[8] = (1.0/3.0)*(c_103*(cos_aj*cos_aj) + c_104*(sin_aj*sin_aj));
+    const double c_71 = c[88];
+    const double c_72 = c[89];
+    M[8] = (1.0/3.0)*(c_71*(cos_aj*cos_aj) + c_72*(sin_aj*sin_aj));
     const double ab = x[2];
     const double cos_ab = em_cos(ab);
     const double c_4 = c[21];
@@ -3472,16 +3471,16 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     const double c_6 = c[23];
     const double c_7 = c[24];
     M[15] = M[9] = ((-1.0/3.0))*(cos_ab*cos_aj*c_6 + sin_ab*sin_aj*c_7);
-    const double c_85 = c[102];
+    const double c_73 = c[90];
     const double c_10 = c[27];
     const double c_8 = c[25];
     const double c_9 = c[26];
     const double z_6 = cos_ab*c_8 - sin_ab*c_9;
     const double c_11 = c[28];
     const double z_7 = sin_ab*c_8 + cos_ab*c_9;
-    const double c_105 = c[122];
-    const double c_106 = c[123];
-    M[16] = (1.0/12.0)*(c_85 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_105*(cos_ab*cos_ab) + c_106*(sin_ab*sin_ab));
+    const double c_74 = c[91];
+    const double c_75 = c[92];
+    M[16] = (1.0/12.0)*(c_73 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_74*(cos_ab*cos_ab) + c_75*(sin_ab*sin_ab));
     const double ak = x[3];
     const double cos_ak = em_cos(ak);
     const double c_13 = c[30];
@@ -3490,9 +3489,9 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     M[21] = M[3] = (1.0/3.0)*(cos_theta*cos_ak*c_13 + sin_theta*sin_ak*c_14);
     M[22] = M[10] = 0.0;
     M[23] = M[17] = 0.0;
-    const double c_107 = c[124];
-    const double c_108 = c[125];
-    M[24] = (1.0/3.0)*(c_107*(cos_ak*cos_ak) + c_108*(sin_ak*sin_ak));
+    const double c_76 = c[93];
+    const double c_77 = c[94];
+    M[24] = (1.0/3.0)*(c_76*(cos_ak*cos_ak) + c_77*(sin_ak*sin_ak));
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
     const double c_16 = c[33];
@@ -3506,10 +3505,10 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     const double c_20 = c[37];
     const double c_21 = c[38];
     M[31] = M[25] = ((-1.0/3.0))*(cos_ac*cos_ak*c_20 + sin_ac*sin_ak*c_21);
-    const double c_109 = c[126];
-    const double c_110 = c[127];
-    const double c_111 = c[128];
-    M[32] = (1.0/6.0)*(c_109 + c_110*(cos_ac*cos_ac) + c_111*(sin_ac*sin_ac));
+    const double c_78 = c[95];
+    const double c_79 = c[96];
+    const double c_80 = c[97];
+    M[32] = (1.0/6.0)*(c_78 + c_79*(cos_ac*cos_ac) + c_80*(sin_ac*sin_ac));
     M[35] = M[5] = 0.0;
     M[36] = M[12] = 0.0;
     const double af = x[5];
@@ -3522,9 +3521,9 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     const double c_25 = c[42];
     const double c_26 = c[43];
     M[39] = M[33] = ((-1.0/3.0))*(cos_ac*cos_af*c_25 + sin_ac*sin_af*c_26);
-    const double c_112 = c[129];
-    const double c_113 = c[130];
-    M[40] = (1.0/3.0)*(c_112*(cos_af*cos_af) + c_113*(sin_af*sin_af));
+    const double c_81 = c[98];
+    const double c_82 = c[99];
+    M[40] = (1.0/3.0)*(c_81*(cos_af*cos_af) + c_82*(sin_af*sin_af));
     M[42] = M[6] = 0.0;
     M[43] = M[13] = 0.0;
     const double ag = x[6];
@@ -3542,10 +3541,10 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     const double c_33 = c[50];
     const double c_34 = c[51];
     M[47] = M[41] = ((-1.0/3.0))*(cos_ag*cos_af*c_33 + sin_ag*sin_af*c_34);
-    const double c_87 = c[104];
-    const double c_114 = c[131];
-    const double c_115 = c[132];
-    M[48] = (1.0/12.0)*(c_87 + c_114*(cos_ag*cos_ag) + c_115*(sin_ag*sin_ag));
+    const double c_83 = c[100];
+    const double c_84 = c[101];
+    const double c_85 = c[102];
+    M[48] = (1.0/12.0)*(c_83 + c_84*(cos_ag*cos_ag) + c_85*(sin_ag*sin_ag));
 }
 
 /* What is factored: motion_bias and its partial derivatives go with it */
@@ -3683,32 +3682,32 @@ EM_ACROSS void position(double t, const double *restrict x, const double *restri
     const double sin_af = em_sin(af);
     const double sin_ag = em_sin(ag);
     phi[5] = 0.5*(sin_ab*c_8 + cos_ab*c_9 + sin_af*c_52 - sin_ac*c_50 - sin_ag*c_51);
-    const double c_72 = c[89];
-    const double c_73 = c[90];
+    const double c_90 = c[107];
+    const double c_91 = c[108];
     const double z_16 = fabs(cos_ab) + fabs(ab*sin_ab);
-    const double c_74 = c[91];
-    const double c_75 = c[92];
-    const double z_17 = c_74*(fabs(cos_theta) + fabs(theta*sin_theta)) + c_75;
-    terms[0] = c_72*(fabs(cos_aj) + fabs(aj*sin_aj)) + c_73*z_16 + z_17;
+    const double c_92 = c[109];
+    const double c_93 = c[110];
+    const double z_17 = c_92*(fabs(cos_theta) + fabs(theta*sin_theta)) + c_93;
+    terms[0] = c_90*(fabs(cos_aj) + fabs(aj*sin_aj)) + c_91*z_16 + z_17;
     const double z_18 = fabs(sin_ab) + fabs(ab*cos_ab);
-    const double c_76 = c[93];
-    const double z_19 = c_74*(fabs(sin_theta) + fabs(theta*cos_theta)) + c_76;
-    terms[1] = c_72*(fabs(sin_aj) + fabs(aj*cos_aj)) + c_73*z_18 + z_19;
-    const double c_77 = c[94];
-    const double c_78 = c[95];
+    const double c_94 = c[111];
+    const double z_19 = c_92*(fabs(sin_theta) + fabs(theta*cos_theta)) + c_94;
+    terms[1] = c_90*(fabs(sin_aj) + fabs(aj*cos_aj)) + c_91*z_18 + z_19;
+    const double c_95 = c[112];
+    const double c_96 = c[113];
     const double z_20 = fabs(cos_ac) + fabs(ac*sin_ac);
-    terms[2] = c_77*(fabs(cos_ak) + fabs(ak*sin_ak)) + c_78*z_20 + z_17;
+    terms[2] = c_95*(fabs(cos_ak) + fabs(ak*sin_ak)) + c_96*z_20 + z_17;
     const double z_21 = fabs(sin_ac) + fabs(ac*cos_ac);
-    terms[3] = c_77*(fabs(sin_ak) + fabs(ak*cos_ak)) + c_78*z_21 + z_19;
-    const double c_79 = c[96];
-    const double c_80 = c[97];
-    const double c_81 = c[98];
-    const double c_82 = c[99];
-    const double c_83 = c[100];
-    terms[4] = 0.5*(z_16*c_79 + z_20*c_80 + z_18*c_81 + (fabs(cos_af) + fabs(af*sin_af))*c_82 + (fabs(cos_ag) +
-        fabs(ag*sin_ag))*c_83);
-    terms[5] = 0.5*(z_18*c_79 + z_21*c_80 + z_16*c_81 + (fabs(sin_af) + fabs(af*cos_af))*c_82 + (fabs(sin_ag) +
-        fabs(ag*cos_ag))*c_83);
+    terms[3] = c_95*(fabs(sin_ak) + fabs(ak*cos_ak)) + c_96*z_21 + z_19;
+    const double c_97 = c[114];
+    const double c_98 = c[115];
+    const double c_99 = c[116];
+    const double c_100 = c[117];
+    const double c_101 = c[118];
+    terms[4] = 0.5*(z_16*c_97 + z_20*c_98 + z_18*c_99 + (fabs(cos_af) + fabs(af*sin_af))*c_100 + (fabs(cos_ag) +
+        fabs(ag*sin_ag))*c_101);
+    terms[5] = 0.5*(z_18*c_97 + z_21*c_98 + z_16*c_99 + (fabs(sin_af) + fabs(af*cos_af))*c_100 + (fabs(sin_ag) +
+        fabs(ag*cos_ag))*c_101);
 }
 
 /* crossing (n_events): an event happens where its number passes through zero */
@@ -3730,22 +3729,22 @@ EM_ACROSS void model_events(double t, const double *restrict x, const double *re
 EM_INLINE void settled_masses(const double *restrict x, const double *restrict c, double M1[N1][N1],
                               double A1[N_ROWS][N1], double b[N_ROWS], double shared[16])
 {
-    const double c_100 = c[117];
-    const double c_101 = c[118];
+    const double c_68 = c[85];
+    const double c_69 = c[86];
     const double theta = x[0];
     const double cos_theta = em_cos(theta);
-    const double c_102 = c[119];
+    const double c_70 = c[87];
     const double sin_theta = em_sin(theta);
-    M1[0][0] = (1.0/3.0)*(c_100 + c_101*(cos_theta*cos_theta) + c_102*(sin_theta*sin_theta));
+    M1[0][0] = (1.0/3.0)*(c_68 + c_69*(cos_theta*cos_theta) + c_70*(sin_theta*sin_theta));
     const double aj = x[1];
     const double cos_aj = em_cos(aj);
     const double c_1 = c[18];
     const double sin_aj = em_sin(aj);
     const double c_2 = c[19];
     M1[0][1] = M1[1][0] = (1.0/3.0)*(cos_aj*(cos_theta*c_1) + sin_aj*(sin_theta*c_2));
-    const double c_103 = c[120];
-    const double c_104 = c[121];
-    M1[1][1] = (1.0/3.0)*(c_103*(cos_aj*cos_aj) + c_104*(sin_aj*sin_aj));
+    const double c_71 = c[88];
+    const double c_72 = c[89];
+    M1[1][1] = (1.0/3.0)*(c_71*(cos_aj*cos_aj) + c_72*(sin_aj*sin_aj));
     const double ab = x[2];
     const double cos_ab = em_cos(ab);
     const double c_4 = c[21];
@@ -3755,17 +3754,16 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double c_6 = c[23];
     const double c_7 = c[24];
     M1[1][2] = M1[2][1] = ((-1.0/3.0))*(cos_aj*(cos_ab*c_6) + sin_aj*(sin_ab*c_7));
-    const double c_85 = c[102];
+    const double c_73 = c[90];
     const double c_10 = c[27];
     const double c_8 = c[25];
     const double c_9 = c[26];
     const double z_6 = cos_ab*c_8 - sin_ab*c_9;
     const double c_11 = c[28];
     const double z_7 = sin_ab*c_8 + cos_ab*c_9;
-    const double c_105 = c[122];
-    const double c_106 = c[123];
-    M1[2][2] = (1.0/12.0)*(c_85 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_105*(cos_ab*cos_ab) +
-        c_106*(sin_ab*sin_ab));
+    const double c_74 = c[91];
+    const double c_75 = c[92];
+    M1[2][2] = (1.0/12.0)*(c_73 + c_10*(z_6*z_6) + c_11*(z_7*z_7) + c_74*(cos_ab*cos_ab) + c_75*(sin_ab*sin_ab));
     const double ak = x[3];
     const double cos_ak = em_cos(ak);
     const double c_13 = c[30];
@@ -3774,9 +3772,9 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     M1[0][3] = M1[3][0] = (1.0/3.0)*(cos_ak*(cos_theta*c_13) + sin_ak*(sin_theta*c_14));
     M1[1][3] = M1[3][1] = 0.0;
     M1[2][3] = M1[3][2] = 0.0;
-    const double c_107 = c[124];
-    const double c_108 = c[125];
-    M1[3][3] = (1.0/3.0)*(c_107*(cos_ak*cos_ak) + c_108*(sin_ak*sin_ak));
+    const double c_76 = c[93];
+    const double c_77 = c[94];
+    M1[3][3] = (1.0/3.0)*(c_76*(cos_ak*cos_ak) + c_77*(sin_ak*sin_ak));
     const double ac = x[4];
     const double cos_ac = em_cos(ac);
     const double c_16 = c[33];
@@ -3790,10 +3788,10 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double c_20 = c[37];
     const double c_21 = c[38];
     M1[3][4] = M1[4][3] = ((-1.0/3.0))*(cos_ak*(cos_ac*c_20) + sin_ak*(sin_ac*c_21));
-    const double c_109 = c[126];
-    const double c_110 = c[127];
-    const double c_111 = c[128];
-    M1[4][4] = (1.0/6.0)*(c_109 + c_110*(cos_ac*cos_ac) + c_111*(sin_ac*sin_ac));
+    const double c_78 = c[95];
+    const double c_79 = c[96];
+    const double c_80 = c[97];
+    M1[4][4] = (1.0/6.0)*(c_78 + c_79*(cos_ac*cos_ac) + c_80*(sin_ac*sin_ac));
     M1[0][5] = M1[5][0] = 0.0;
     M1[1][5] = M1[5][1] = 0.0;
     const double af = x[5];
@@ -3806,9 +3804,9 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double c_25 = c[42];
     const double c_26 = c[43];
     M1[4][5] = M1[5][4] = ((-1.0/3.0))*(cos_af*(cos_ac*c_25) + sin_af*(sin_ac*c_26));
-    const double c_112 = c[129];
-    const double c_113 = c[130];
-    M1[5][5] = (1.0/3.0)*(c_112*(cos_af*cos_af) + c_113*(sin_af*sin_af));
+    const double c_81 = c[98];
+    const double c_82 = c[99];
+    M1[5][5] = (1.0/3.0)*(c_81*(cos_af*cos_af) + c_82*(sin_af*sin_af));
     M1[0][6] = M1[6][0] = 0.0;
     M1[1][6] = M1[6][1] = 0.0;
     const double ag = x[6];
@@ -3826,10 +3824,10 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double c_33 = c[50];
     const double c_34 = c[51];
     M1[5][6] = M1[6][5] = ((-1.0/3.0))*(cos_af*(cos_ag*c_33) + sin_af*(sin_ag*c_34));
-    const double c_87 = c[104];
-    const double c_114 = c[131];
-    const double c_115 = c[132];
-    M1[6][6] = (1.0/12.0)*(c_87 + c_114*(cos_ag*cos_ag) + c_115*(sin_ag*sin_ag));
+    const double c_83 = c[100];
+    const double c_84 = c[101];
+    const double c_85 = c[102];
+    M1[6][6] = (1.0/12.0)*(c_83 + c_84*(cos_ag*cos_ag) + c_85*(sin_ag*sin_ag));
     const double m = c[12];
     A1[0][0] = -m*sin_theta;
     const double j = c[9];

@@ -1,6 +1,6 @@
 /* eigenmotion generate quaternion_top.py */
 /* input sha256:bf6259fcdfc628508d0a3ec4939020d96e3c787e9b0acbb82fc8715aa5a14141 */
-/* body sha256:66c1c78deffdbf63bbb908cdc977cb6d98651b8cc740505da90185e8c3ec2c1a */
+/* body sha256:1367af0c3c2a7075f3170bc56f8a2a204ab4794b4f0847c4fdc9a0841bd123d9 */
 /* quaternion_top: equations of motion, eigenfactor formulation.
  *
  * State, 28 numbers:
@@ -236,10 +236,10 @@ EM_INLINE void triangular_masses(const real *restrict x, const real *restrict c,
     const real z_8 = q_1*c_1;
     const real z_9 = q_2*c_2;
     M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
-    const real c_9 = c[14];
-    M1[2][1] = -c_9*(q_1*q_2);
+    const real c_8 = c[13];
+    M1[2][1] = -c_8*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M1[3][0] = -c_9*(q_3*q_0);
+    M1[3][0] = -c_8*(q_3*q_0);
     M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
     M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
     M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
@@ -974,8 +974,8 @@ EM_INLINE void prepared_constants(const double *restrict parameters, double prep
     prepared[10] = 2.0*J3; /* c_5 */
     prepared[11] = 2.0*J; /* c_6 */
     prepared[12] = 2.0*z_0; /* c_7 */
-    prepared[13] = 4.0*J3; /* c_8 */
-    prepared[14] = 4.0*z_1; /* c_9 */
+    prepared[13] = 4.0*z_1; /* c_8 */
+    prepared[14] = 4.0*J3; /* c_9 */
     prepared[15] = 2.5*l; /* c_10 */
     prepared[16] = 1.25*l; /* c_11 */
     prepared[17] = 2.0*l; /* c_12 */
@@ -1014,10 +1014,10 @@ EM_ACROSS void mass_matrix(double t, const double *restrict x, const double *res
     const double z_8 = J*q_2;
     const double z_9 = q_1*c_1;
     M[8] = M[2] = (-4.0)*(q_0*z_8 + q_3*z_9);
-    const double c_8 = c[13];
-    M[9] = M[6] = -c_8*(q_1*q_2);
+    const double c_9 = c[14];
+    M[9] = M[6] = -c_9*(q_1*q_2);
     M[10] = 4.0*(J3*z_1 + z_7);
-    M[12] = M[3] = -c_8*(q_3*q_0);
+    M[12] = M[3] = -c_9*(q_3*q_0);
     M[13] = M[7] = (-4.0)*(q_0*z_5 + q_3*z_4);
     M[14] = M[11] = (-4.0)*(q_3*z_8 - q_0*z_9);
     M[15] = 4.0*(J3*z_6 + z_3);
@@ -1050,10 +1050,10 @@ EM_ACROSS void factored_matrix(double t, const double *restrict x, const double 
     const double z_8 = q_1*q_3;
     const double z_9 = q_2*q_0;
     M[8] = M[2] = (-4.0)*(c_1*z_8 + c_2*z_9);
-    const double c_9 = c[14];
-    M[9] = M[6] = -c_9*(q_1*q_2);
+    const double c_8 = c[13];
+    M[9] = M[6] = -c_8*(q_1*q_2);
     M[10] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M[12] = M[3] = -c_9*(q_3*q_0);
+    M[12] = M[3] = -c_8*(q_3*q_0);
     M[13] = M[7] = (-4.0)*(c_1*z_9 + c_2*z_8);
     M[14] = M[11] = 4.0*(c_1*z_6 - c_2*z_5);
     M[15] = 4.0*(J3*z_1 + c_0*z_0 + z_4);
@@ -1135,10 +1135,10 @@ EM_INLINE void settled_masses(const double *restrict x, const double *restrict c
     const double z_8 = q_1*c_1;
     const double z_9 = q_2*c_2;
     M1[0][2] = M1[2][0] = (-4.0)*(q_3*z_8 + q_0*z_9);
-    const double c_9 = c[14];
-    M1[1][2] = M1[2][1] = -c_9*(q_1*q_2);
+    const double c_8 = c[13];
+    M1[1][2] = M1[2][1] = -c_8*(q_1*q_2);
     M1[2][2] = 4.0*(J3*z_2 + c_0*z_3 + z_7);
-    M1[0][3] = M1[3][0] = -c_9*(q_3*q_0);
+    M1[0][3] = M1[3][0] = -c_8*(q_3*q_0);
     M1[1][3] = M1[3][1] = (-4.0)*(q_0*z_5 + q_3*z_6);
     M1[2][3] = M1[3][2] = 4.0*(q_0*z_8 - q_3*z_9);
     M1[3][3] = 4.0*(J3*z_1 + c_0*z_0 + z_4);

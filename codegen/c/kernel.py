@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from ..graph.graph import Graph
 from ..graph.operations import Cost, operands_of
-from ..graph.schedule import Constants, Schedule, schedule
+from ..graph.schedule import Constants, Schedule, cost_behind, schedule
 from ..graph.store import Kind, Node
 from .lines import folded, wrapped
 from .names import c_identifiers, free
@@ -102,17 +102,23 @@ class Symbols:
     first_constant: int
 
 
-def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: Constants | None) -> list[Kernel]:
+def written(graph: Graph, drafts: Sequence[Draft], symbols: Symbols, constants: Constants | None,
+            ahead: Draft | None = None) -> list[Kernel]:  # fmt: skip
     """Write kernels that are called one after the other: what they have in common is computed once and handed on.
 
     The first one tells the cost of all. Without `constants` what is made of parameters only is computed in place.
+    One more kernel, `ahead`, takes the place of the first for whoever wants the last alone; it tells what both cost.
     """
     plan = schedule(graph, [entry.node for draft in drafts for entry in draft.entries], hoist=constants is not None)
     arrays = {entry.array.name for draft in drafts for entry in draft.entries}
     taken = {*INPUTS, *arrays, SHARED, *(name for draft in drafts for name in draft.arguments)}
     writer = _Writer(graph, plan, symbols, constants, taken)
     scopes = [writer.scope(draft) for draft in drafts]
-    return [_kernel(scope, len(writer.handed), plan.cost if scope is scopes[0] else Cost()) for scope in scopes]
+    kernels = [_kernel(scope, len(writer.handed), plan.cost if scope is scopes[0] else Cost()) for scope in scopes]
+    if ahead is not None:
+        cost = cost_behind(plan, [entry.node for entry in drafts[-1].entries])
+        kernels.append(_kernel(writer.ahead(ahead), len(writer.handed), cost))
+    return kernels
 
 
 class _Scope:
@@ -146,7 +152,8 @@ class _Writer:
                  ) -> None:  # fmt: skip
         self.graph, self.plan, self.symbols, self.constants = graph, plan, symbols, constants
         self.identifiers = c_identifiers(symbols.places, taken) | {"t": "t"}
-        self.taken = {*taken, *self.identifiers.values()}
+        self.given = frozenset((*taken, *self.identifiers.values()))
+        self.taken = set(self.given)
         self.known: dict[int, tuple[str, _Scope]] = {}
         self.handed: dict[int, int] = {}
         self.here: _Scope
@@ -157,6 +164,14 @@ class _Writer:
         for entry in draft.entries:
             self._need(self.plan.roots[entry.node])
             self.here.assign(entry)
+        return self.here
+
+    def ahead(self, draft: Draft) -> _Scope:
+        """Write what computes all that has been handed on, and nothing else."""
+        self.known, self.taken, self.here = {}, set(self.given), _Scope(draft, self.plan)
+        for value, place in self.handed.items():
+            self._need(value)
+            self.here.shares.append(f"{SHARED}[{place}] = {self.here.names[value]};")
         return self.here
 
     def _need(self, root: int) -> None:

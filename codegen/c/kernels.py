@@ -48,17 +48,13 @@ class _Writing:
         } | {"t": ("t", None)}
 
     def kernels(self, whole: bool) -> Kernels:
-        published = self.published()
+        published, triangular, settled = self.by_the_root() if self.asks_the_root else self.equations()
         asked = {
             "mass_matrix": None if self.gives_all_masses else self.mass_matrix("mass_matrix", self.terms.M),
             "pfaffian": self.pfaffian(), "position": self.position(), "bias": self.bias(), "energy": self.energy(),
             "outputs": self.outputs(), "events": self.events(), "quasi": self.quasi(),
             "impacts": self.impacts(), "resets": self.resets(), "levels": self.levels(), "pushes": self.pushes(),
         }  # fmt: skip
-        settled = Stages(None, None) if self.asks_the_root else self.stages(self.settled_masses(), self.settled_rates())
-        triangular = self.right_hand_side("triangular") if self.takes_over else Stages(None, None)
-        if self.asks_the_root:
-            settled = self.asked_of(triangular if self.takes_over else published)
         factored = self.mass_matrix("factored_matrix", self.terms.factored) if self.mechanics.augmented else None
         drawing = self.drawing()  # last: the constants of the others stay where they are
         symbols = Symbols(self.places, self.layout.first_constant)
@@ -75,24 +71,31 @@ class _Writing:
 
     @property
     def asks_the_root(self) -> bool:
-        """Whether accepted steps call the kernels of the triangular root: these are long, and have all that is asked."""
-        entries = sum(block.size * (block.size + 1) // 2 for block in self.blocks if not block.fixed)
+        """Whether all goes by the kernels of the triangular root: they are long, and there is no row."""
+        varying = [block for block in self.blocks if not block.fixed]
+        entries = sum(block.size * (block.size + 1) // 2 for block in varying)
         has_them = self.takes_over or self.choices.formulation == "cholesky" and not self.choices.extrapolate
-        return has_them and not self.scene.m and entries >= LONG
+        return has_them and not self.scene.m and entries >= LONG and not any(block.single for block in varying)
 
     @property
     def gives_all_masses(self) -> bool:
         """Whether these kernels tell all of M: no block is fixed, and with no row nothing is added to it."""
         return self.asks_the_root and not any(block.fixed for block in self.blocks)
 
-    def asked_of(self, root: Stages) -> Stages:
-        """M below its diagonal, and Mdot, by kernels of the triangular root; by one of its own where those read inputs."""
+    def equations(self) -> tuple[Stages, Stages, Stages]:
+        """Return the kernels of the formulation, of the root that takes over, and of accepted steps."""
+        published, settled = self.published(), self.stages(self.settled_masses(), self.settled_rates())
+        return published, self.stages(*self.drafts("triangular")) if self.takes_over else Stages(None, None), settled
+
+    def by_the_root(self) -> tuple[Stages, Stages, Stages]:
+        """Return the same, compiled once. Eigenfactors ask for what M hands on; whoever settles knows no input."""
+        ahead = Draft("eigenfactor_ahead", (), actual=OF_STATE, on_lanes=True)
+        masses, motion, handed = self.write(*self.drafts("triangular"), ahead=ahead)
         if not self.takes_over:
-            return Stages(root.masses, None)
-        assert root.motion is not None
-        if "u" not in root.motion.reads:
-            return root
-        return Stages(root.masses, self.write(self.settled_rates())[0])
+            return Stages(masses, motion), Stages(None, None), Stages(masses, None)
+        rates = self.write(self.settled_rates())[0] if "u" in motion.reads else motion
+        published = Stages(handed if handed.statements else None, motion)
+        return published, Stages(masses, motion), Stages(masses, rates)
 
     def stages(self, masses: Draft, motion: Draft) -> Stages:
         """Write two kernels that are called one after the other; one that assigns nothing is none."""
@@ -100,10 +103,10 @@ class _Writing:
         found = dict(zip((draft.name for draft in drafts), self.write(*drafts), strict=True))
         return Stages(found.get(masses.name), found.get(motion.name))
 
-    def write(self, *drafts: Draft) -> list[Kernel]:
+    def write(self, *drafts: Draft, ahead: Draft | None = None) -> list[Kernel]:
         symbols = Symbols(self.places, self.layout.first_constant)
         expanded = [replace(draft, entries=[self.expanded(entry) for entry in draft.entries]) for draft in drafts]
-        return written(self.terms.graph, expanded, symbols, self.constants)
+        return written(self.terms.graph, expanded, symbols, self.constants, ahead)
 
     def expanded(self, entry: Entry) -> Entry:
         return replace(entry, node=self.terms.expanded(entry.node))
@@ -161,9 +164,9 @@ class _Writing:
             return self.in_velocities(self.masses(varying, False))
         if self.choices.formulation == "inverse":
             return self.in_velocities([entry for block in self.blocks for entry in self.inverse_of(block)])
-        return self.right_hand_side("eigenfactor" if self.choices.eigenfactor else "triangular")
+        return self.stages(*self.drafts("eigenfactor" if self.choices.eigenfactor else "triangular"))
 
-    def right_hand_side(self, name: str) -> Stages:
+    def drafts(self, name: str) -> tuple[Draft, Draft]:
         """What the root of M needs; then, with the velocities known, Mdot, f, A and gamma."""
         eigen = name == "eigenfactor"
         across = self.asks_the_root and not eigen
@@ -174,7 +177,7 @@ class _Writing:
         moving.extend(self.pushed())
         if eigen and self.layout.row_groups:
             moving.extend(self.by_row("Adot", self.terms.Adot))
-        return self.stages(
+        return (
             Draft(f"{name}_masses", masses, actual=OF_STATE, on_lanes=True, across=across),
             Draft(f"{name}_motion", moving, actual=OF_STATE, on_lanes=True, across=across),
         )

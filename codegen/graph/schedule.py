@@ -58,7 +58,7 @@ def schedule(graph: Graph, roots: Sequence[Node], *, hoist: bool = True) -> Sche
     values = {root: value_of(table, root) for root in roots}
     share(table, "mul")
     share(table, "add")
-    live = _live(table, values.values())
+    live = _live(table.operations, values.values())
     uses = Counter(operand for value in live for operand in operands_of(table.operations[value]))
     uses.update(values.values())
     return Schedule({value: table.operations[value] for value in live}, uses, values, cost_of(table.operations, live))
@@ -68,10 +68,15 @@ def weight(graph: Graph, roots: Sequence[Node]) -> int:
     """Return roughly the time of computing some expressions, in additions, before anything is taken out of several."""
     table = Table(graph, True)
     values = [value_of(table, root) for root in roots]
-    return cost_of(table.operations, _live(table, values)).weight
+    return cost_of(table.operations, _live(table.operations, values)).weight
 
 
-def _live(table: Table, values: Iterable[int]) -> list[int]:
+def cost_behind(plan: Schedule, roots: Iterable[Node]) -> Cost:
+    """Return what some of the expressions of a schedule cost without the others."""
+    return cost_of(plan.operations, _live(plan.operations, (plan.roots[root] for root in roots)))
+
+
+def _live(operations: dict[int, Operation], values: Iterable[int]) -> list[int]:
     """Return what values need, in order of evaluation."""
     order: dict[int, None] = {}
     stack = [(value, False) for value in sorted(set(values), reverse=True)]
@@ -83,5 +88,5 @@ def _live(table: Table, values: Iterable[int]) -> list[int]:
             order[value] = None
             continue
         stack.append((value, True))
-        stack.extend((operand, False) for operand in operands_of(table.operations[value]) if operand not in order)
+        stack.extend((operand, False) for operand in operands_of(operations[value]) if operand not in order)
     return list(order)
